@@ -1,0 +1,53 @@
+// A 3 x 4 affine transform in float64, applied with one rounding per written operation and in the
+// written order, so that every program that follows docs/correctness.md gets the same bits.
+#pragma once
+
+#include <array>
+
+#include <glm/vec3.hpp>
+
+namespace zscope {
+
+using glm::dvec3;
+
+/// Rows of the matrix: p' = (row . p) + offset, per row ((m0*x + m1*y) + m2*z) + m3.
+struct Affine {
+    std::array<std::array<double, 4>, 3> rows{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+    dvec3 operator()(const dvec3& q) const
+    {
+        const auto row = [&q](const std::array<double, 4>& m) {
+            return ((m[0] * q.x + m[1] * q.y) + m[2] * q.z) + m[3];
+        };
+        return {row(rows[0]), row(rows[1]), row(rows[2])};
+    }
+    /// The identity leaves a point exactly as it is, so callers may skip it.
+    bool isIdentity() const { return *this == Affine{}; }
+
+    friend bool operator==(const Affine&, const Affine&) = default;
+
+    static Affine translation(const dvec3& by)
+    {
+        Affine a;
+        a.rows[0][3] = by.x;
+        a.rows[1][3] = by.y;
+        a.rows[2][3] = by.z;
+        return a;
+    }
+};
+
+/// `outer` after `inner`.
+inline Affine compose(const Affine& outer, const Affine& inner)
+{
+    Affine result;
+    for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t c = 0; c < 4; ++c) {
+            double sum = c == 3 ? outer.rows[r][3] : 0.0;
+            for (std::size_t k = 0; k < 3; ++k) sum += outer.rows[r][k] * inner.rows[k][c];
+            result.rows[r][c] = sum;
+        }
+    }
+    return result;
+}
+
+}  // namespace zscope

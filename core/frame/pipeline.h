@@ -1,0 +1,63 @@
+// An algorithm is a composition of choices, one per axis; a preset is a composition that has a textbook name.
+//
+// Words      axes, choices and presets are named by the words that the command line and the window use
+// Growing    a choice is one header in its folder and one line in registry.h; a preset one line in presets.h
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/probe/grain.h"
+
+namespace zscope {
+
+/// How triangles become pixels.
+enum class Scan { HalfSpace, EdgeWalk, SweepZLine };
+
+struct Pipeline {
+    Scan scan = Scan::HalfSpace;
+
+    friend bool operator==(const Pipeline&, const Pipeline&) = default;
+};
+
+struct ChoiceEntry {
+    std::string_view word;
+    std::string_view title;
+};
+
+/// One axis of the composition and what can be chosen on it.
+struct AxisEntry {
+    std::string_view             word;
+    std::string_view             title;
+    std::span<const ChoiceEntry> choices;
+};
+std::span<const AxisEntry> axes();
+
+/// The word chosen on `axis`, which must be a word of axes().
+std::string_view chosen(const Pipeline& pipeline, std::string_view axis);
+/// Sets one axis by words. Errors (Usage) name the words that would have been right.
+Result<Pipeline> withChoice(Pipeline pipeline, std::string_view axis, std::string_view choice);
+
+enum class Family { Stream, Sweep };  // triangles one after another | the scene line by line
+
+struct Preset {
+    std::string_view name;
+    std::string_view title;  // one line
+    Pipeline         pipeline;
+    bool             exact = true;
+};
+std::span<const Preset> presets();
+const Preset*           findPreset(std::string_view name);  // nullptr: no preset has this name
+/// The preset's name if the pipeline is one, else its choices joined by '+'.
+std::string nameOf(const Pipeline& pipeline);
+
+Family             familyOf(const Pipeline& pipeline);
+std::vector<Grain> grainsOf(const Pipeline& pipeline);  // coarse to fine
+/// Why this composition cannot run, in one sentence; nothing if it can.
+std::optional<std::string> explainInvalid(const Pipeline& pipeline);
+
+}  // namespace zscope

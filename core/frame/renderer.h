@@ -1,0 +1,84 @@
+// Draws a frame: scene and camera in, visibility buffer and colours out.
+//
+// Promise    the picture depends on scene, camera, face culling and the pipeline's approximations only: never on
+//            threads, lanes or order. No allocation per frame once the sizes have settled
+// Threads    draw() is called from one thread at a time and uses OpenMP inside: the picture is cut into stripes
+//            of whole lines, and each stripe is drawn from start to finish by one thread
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/base/grid.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/depth/visibility_buffer.h"
+#include "core/frame/pipeline.h"
+#include "core/frame/stages.h"
+#include "core/geometry/prepared_scene.h"
+#include "core/scene/view.h"
+
+namespace zscope {
+
+/// Which vector instructions the kernels use. Scalar is one lane; every target gives the same bits.
+enum class Simd { Auto, Scalar, Sse4, Avx2, Avx512 };
+
+struct SimdEntry {
+    Simd             target;
+    std::string_view word;
+    std::string_view title;
+    bool             available;  // compiled in and supported by this machine
+};
+std::span<const SimdEntry> simdTargets();
+/// Auto becomes the widest available target; others stay.
+Simd             resolved(Simd simd);
+std::string_view wordOf(Simd simd);
+
+/// What to draw and how. A value: it may be copied to another thread; the scene is shared.
+struct DrawRequest {
+    std::shared_ptr<const PreparedScene> scene;
+    Camera                               camera;
+    FaceCulling                          faceCulling = FaceCulling::None;
+    Pipeline                             pipeline;
+    int                                  threads     = 0;  // 0: one per core
+    Simd                                 simd        = Simd::Auto;
+    bool                                 shade       = true;
+    std::uint64_t                        memoryLimit = 0;  // bytes; 0: three quarters of the machine's memory
+    const std::atomic<bool>*             cancel      = nullptr;
+};
+
+/// What a frame leaves behind. Reuse one object for many frames.
+struct Frame {
+    VisibilityBuffer    visible;
+    Grid<std::uint32_t> colour;  // 0xAARRGGBB, opaque; empty if the request did not ask for shading
+};
+
+struct FrameReport {
+    double                  frameMs = 0;
+    std::vector<StageTime>  stages;   // all of kStages, in order; their ms add up to frameMs
+    std::vector<NamedCount> bytes;    // of every structure of the frame
+    int                     threads = 1;
+    Simd                    simd    = Simd::Scalar;
+};
+
+class Renderer {
+public:
+    Renderer();
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    /// Errors: Usage (invalid pipeline, unavailable SIMD target), Limit (memory), Cancelled.
+    Result<FrameReport> draw(const DrawRequest& request, Frame& frame);
+
+    /// The work of the same frame, counted by a probe in a run of its own: one thread, one lane.
+    Result<std::vector<NamedCount>> count(const DrawRequest& request);
+
+private:
+    struct Workspace;
+    std::unique_ptr<Workspace> m_workspace;  // scratch memory, reused frame after frame
+};
+
+}  // namespace zscope

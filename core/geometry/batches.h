@@ -1,0 +1,49 @@
+// A mesh cut into batches: small indexed pieces that are culled, transformed and set up together.
+//
+// Order      batches follow load order and so do the triangles inside one: drawing batch after batch draws
+//            triangle after triangle as submitted
+// Layout     a batch has its own copy of the vertices it uses, structure of arrays, so that lanes load them side
+//            by side; a vertex shared by two batches is transformed once in each
+// Size       at most kBatchVertices vertices and kBatchTriangles triangles
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/scene/mesh.h"
+
+namespace zscope {
+
+inline constexpr std::size_t kBatchVertices  = 256;
+inline constexpr std::size_t kBatchTriangles = 512;
+
+/// Corners as positions in the batch's own vertices.
+struct BatchTriangle {
+    std::array<std::uint16_t, 3> corner;
+    friend bool operator==(const BatchTriangle&, const BatchTriangle&) = default;
+};
+
+struct Batch {
+    std::uint32_t firstVertex   = 0;  // into MeshBatches::x, y, z
+    std::uint32_t vertexCount   = 0;
+    std::uint32_t firstTriangle = 0;  // into MeshBatches::triangles and ::meshTriangle
+    std::uint32_t triangleCount = 0;
+    Bounds        bounds;             // of its vertices, model space
+};
+
+struct MeshBatches {
+    std::vector<Batch>         batches;
+    std::vector<double>        x, y, z;       // model space
+    std::vector<BatchTriangle> triangles;
+    std::vector<std::uint32_t> meshTriangle;  // which triangle of the mesh each one is
+    Bounds                     bounds;        // of all batches
+
+    std::uint64_t bytes() const;
+};
+
+/// Transparent triangles (opacity below 1) are in no batch: they are outside ids and depth.
+MeshBatches makeBatches(const Mesh& mesh);
+
+}  // namespace zscope
