@@ -1,0 +1,132 @@
+#include "core/io/read_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <new>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace zscope {
+
+namespace {
+
+class Descriptor {  // closes what it owns
+public:
+    explicit Descriptor(int number) : m_number(number) {}
+    ~Descriptor()
+    {
+        if (m_number >= 0) ::close(m_number);
+    }
+    Descriptor(const Descriptor&)            = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int         number() const { return m_number; }
+
+private:
+    int m_number;
+};
+
+/// What the operating system says about errno, as a clause.
+std::string reason(int code) { return std::generic_category().message(code); }
+
+const char* kindOf(mode_t mode)
+{
+    if (S_ISDIR(mode)) return "a directory";
+    if (S_ISFIFO(mode)) return "a FIFO";
+    if (S_ISSOCK(mode)) return "a socket";
+    return "a device";
+}
+
+Error inputError(std::string sentence, const std::string& path) { return {Trouble::Input, std::move(sentence), path}; }
+
+std::string megabytes(std::uint64_t bytes)
+{
+    return bytes >= (1u << 20) ? fmt::format("{} MiB", bytes >> 20) : fmt::format("{} bytes", bytes);
+}
+
+}  // namespace
+
+Result<std::string> readRegularFile(const std::string& path, std::uint64_t maxBytes)
+{
+    if (path.empty()) return inputError("the name of a file is missing", path);
+    if (path.find('\0') != std::string::npos) return inputError("the name of the file holds a zero byte", path.c_str());
+
+    // Asked before opening, since opening alone can wait (FIFO) or have effects (a device); asked again on what was
+    // opened, since the name may have been given to something else in between.
+    struct stat named {};
+    if (::stat(path.c_str(), &named) != 0) return inputError("cannot be opened: " + reason(errno), path);
+    if (!S_ISREG(named.st_mode)) return inputError(fmt::format("is {}, not a file", kindOf(named.st_mode)), path);
+
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+    if (file.number() < 0) return inputError("cannot be opened: " + reason(errno), path);
+    struct stat opened {};
+    if (::fstat(file.number(), &opened) != 0) return inputError("cannot be read: " + reason(errno), path);
+    if (!S_ISREG(opened.st_mode)) return inputError(fmt::format("is {}, not a file", kindOf(opened.st_mode)), path);
+
+    const auto size = static_cast<std::uint64_t>(opened.st_size);
+    if (size > maxBytes)
+        return Error{Trouble::Limit, fmt::format("has {}, and at most {} are read", megabytes(size), megabytes(maxBytes)),
+                     path};
+    std::string text;
+    try {
+        text.resize(static_cast<std::size_t>(size));
+    } catch (const std::bad_alloc&) {
+        return Error{Trouble::Limit, fmt::format("has {}, more than there is memory for", megabytes(size)), path};
+    }
+    std::size_t filled = 0;
+    while (filled < text.size()) {
+        const ssize_t got = ::read(file.number(), text.data() + filled, std::min<std::size_t>(text.size() - filled, 1u << 26));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return inputError("cannot be read: " + reason(errno), path);
+        if (got == 0) return inputError("became shorter while it was read", path);
+        filled += static_cast<std::size_t>(got);
+    }
+    char    more = 0;
+    ssize_t extra;
+    while ((extra = ::read(file.number(), &more, 1)) < 0 && errno == EINTR) {}
+    if (extra > 0) return inputError("does not end where its size says (it grows, or is made by the system)", path);
+    return text;
+}
+
+Result<std::string> pathInside(const std::string& folder, const std::string& relative)
+{
+    namespace fs = std::filesystem;
+    if (relative.empty()) return Error{Trouble::Input, "the name of a file is empty"};
+    if (relative.find('\0') != std::string::npos) return Error{Trouble::Input, "the name of a file holds a zero byte"};
+    const fs::path written(relative);
+    if (written.is_absolute())
+        return Error{Trouble::Input, fmt::format("the path '{}' is absolute; it must be relative to the file that names it",
+                                                 relative)};
+    std::error_code trouble;
+    const fs::path  root = fs::canonical(folder, trouble);
+    if (trouble) return Error{Trouble::Input, fmt::format("the folder cannot be read: {}", trouble.message()), folder};
+    const auto outside = [&] {
+        return Error{Trouble::Input, fmt::format("the path '{}' leads out of the folder of the file that names it", relative)};
+    };
+    const auto within = [&root](const fs::path& path) {
+        return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+    };
+    // A path that leads out as written is refused before anything out there is looked at.
+    if (!within((root / written).lexically_normal())) return outside();
+    const fs::path real = fs::canonical(root / written, trouble);
+    if (trouble) return Error{Trouble::Input, fmt::format("'{}' cannot be opened: {}", relative, trouble.message())};
+    if (!within(real)) return outside();
+    return real.string();
+}
+
+Result<std::string> folderOf(const std::string& path)
+{
+    namespace fs = std::filesystem;
+    std::error_code trouble;
+    const fs::path  parent = fs::path(path).parent_path();
+    const fs::path  real   = fs::canonical(parent.empty() ? fs::path(".") : parent, trouble);
+    if (trouble) return Error{Trouble::Input, fmt::format("its folder cannot be read: {}", trouble.message()), path};
+    return real.string();
+}
+
+}  // namespace zscope
