@@ -1,0 +1,34 @@
+// Pictures out: PNG with 8 bits per part and the words that reproduce the picture.
+//
+// Colours    0xAARRGGBB; the file has an alpha channel only if some pixel is not opaque
+// Texts      UTF-8 (iTXt chunks), so that a path in any script survives
+// Promise    the same pixels and texts give the same bytes: no time stamp, no machine's name
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/grid.h"
+#include "core/base/result.h"
+
+namespace zscope {
+
+struct PngText {
+    std::string keyword;  // 1 to 79 Latin letters
+    std::string text;     // UTF-8
+};
+
+/// The keywords every picture of ZScope carries: what made it, of which scene, and how to make it again.
+inline constexpr const char* kPngSoftware    = "Software";      // "ZScope 0.1.0"
+inline constexpr const char* kPngCommand     = "Command";       // a command line
+inline constexpr const char* kPngSceneDigest = "Scene digest";  // Scene::digest
+
+/// The three texts above. `command` is the command line without the options that name outputs.
+std::vector<PngText> reproducingTexts(const std::string& command, const std::string& sceneDigest);
+
+/// Width and height must be at least 1.
+Result<Done> writePng(const std::string& path, GridView<const std::uint32_t> argb, std::span<const PngText> texts);
+
+}  // namespace zscope
