@@ -40,15 +40,22 @@ struct ViewRequest {
     double                verticalFov = 45;  // degrees, in (0, 180)
     std::optional<double> near, far;
     int                   width = 1280, height = 720;
-    std::optional<Camera> exact;  // all ten numbers given; everything above is ignored
+    std::optional<FaceCulling> faceCulling;  // absent: whoever draws decides
+    std::optional<Camera> exact;  // all ten numbers given; everything above but faceCulling is ignored
 };
 
 /// Longest side of a picture: 16384 pixels.
 inline constexpr int kMaxPictureSide = 16384;
 
+/// Without eye the scene is framed: it fits the picture both ways, seen along -z and slightly from above; a target
+/// moves the middle of the picture. With an eye and no target the middle of the scene is looked at. Without near and
+/// far no part of a framed scene is clipped; an eye in the scene keeps what is farther than 1e-4 of its diagonal.
 /// Errors (Usage): up parallel to the view, eye = target, near >= far, near <= 0, a size outside
 /// 1..kMaxPictureSide, a field of view outside (0, 180), anything not finite (far may be infinite).
 Result<Camera> makeCamera(const ViewRequest& view, const Bounds& scene);
+
+/// Why these ten numbers are no camera, in one sentence; nothing if they are.
+std::optional<std::string> explainInvalid(const Camera& camera);
 
 /// The camera from its ten numbers; `text` is the JSON of --camera. `file` is named in errors.
 Result<Camera> cameraFromJson(const std::string& text, const std::string& file);

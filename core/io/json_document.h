@@ -1,0 +1,52 @@
+// JSON as it was written: every value knows its line, objects keep their order, and nothing is guessed.
+//
+// Limits     nesting to kMaxJsonDepth; the memory of the values is bounded before they are made
+// Errors     "file:line: sentence": syntax, a key given twice, a number beyond float64, text that is not UTF-8
+// Why        the parser's own values know no lines and keep the last of two equal keys without a word
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace zscope {
+
+inline constexpr int kMaxJsonDepth = 64;
+
+struct JsonValue {
+    using Array  = std::vector<JsonValue>;
+    using Member = std::pair<std::string, JsonValue>;
+    using Object = std::vector<Member>;  // in the order of the file, keys unique
+
+    /// null, bool, whole number, whole number beyond int64, real, text, array, object
+    std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object> value;
+    int line = 0;  // 1-based, where the value starts; of arrays and objects where they open
+
+    const Array*       array() const { return std::get_if<Array>(&value); }
+    const Object*      object() const { return std::get_if<Object>(&value); }
+    const std::string* text() const { return std::get_if<std::string>(&value); }
+    const bool*        truth() const { return std::get_if<bool>(&value); }
+};
+
+/// `file` is named in errors. memoryLimit: bytes the values may take; 0 for the default.
+Result<JsonValue> parseJson(const std::string& text, const std::string& file, std::uint64_t memoryLimit = 0);
+
+/// A real: a JSON number, or a string holding a decimal, a C hex float, or "inf"; correctly rounded.
+/// `what` names the value in errors.
+Result<double> realOf(const JsonValue& value, const std::string& file, std::string_view what);
+/// The same for words of a command line.
+Result<double> realFromText(std::string_view text);
+
+/// A whole number in [min, max].
+Result<std::int64_t> wholeOf(const JsonValue& value, const std::string& file, std::string_view what, std::int64_t min,
+                             std::int64_t max);
+
+/// Text between quotes, with everything escaped that JSON wants escaped.
+std::string quoted(std::string_view text);
+
+}  // namespace zscope
