@@ -6,8 +6,10 @@
 //            of whole lines, and each stripe is drawn from start to finish by one thread
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +18,7 @@
 #include "core/base/result.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/frame/pipeline.h"
-#include "core/frame/stages.h"
+#include "core/base/stages.h"
 #include "core/geometry/prepared_scene.h"
 #include "core/scene/view.h"
 

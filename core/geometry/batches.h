@@ -18,6 +18,8 @@ namespace zscope {
 
 inline constexpr std::size_t kBatchVertices  = 256;
 inline constexpr std::size_t kBatchTriangles = 512;
+/// Values past the end of MeshBatches::x, y, z that may be read: one widest vector.
+inline constexpr std::size_t kBatchPadding = 16;
 
 /// Corners as positions in the batch's own vertices.
 struct BatchTriangle {

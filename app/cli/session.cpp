@@ -1,0 +1,161 @@
+#include "app/cli/session.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace zscope::cli {
+namespace {
+
+// A signal handler can reach nothing but a static; this is the only one of the program.
+std::atomic<bool> interruptRequested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
+
+extern "C" void requestInterrupt(int signal)
+{
+    interruptRequested.store(true, std::memory_order_relaxed);
+    std::signal(signal, SIG_DFL);
+}
+
+constexpr std::array<std::string_view, 8> kOutputOptions{"-o",     "--output", "--ids",  "--depth",
+                                                         "--stats", "--state", "--json", "--csv"};
+
+std::string quotedForShell(std::string_view word)
+{
+    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+./:,@%";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string commandWithoutOutputs(std::span<char* const> arguments)
+{
+    std::string command = "zscope-cli";
+    for (std::size_t i = 1; i < arguments.size(); ++i) {
+        const std::string_view word   = arguments[i];
+        const std::string_view option = word.substr(0, word.find('='));
+        if (word == "--quiet" || word.starts_with("-o") && word.size() > 2) continue;
+        if (std::ranges::find(kOutputOptions, option) != kOutputOptions.end()) {
+            if (option == word) ++i;  // its value is the next word
+            continue;
+        }
+        command += ' ' + quotedForShell(word);
+    }
+    return command;
+}
+
+std::string diagnostic(const std::string& file, int line, std::string_view severity, std::string_view sentence)
+{
+    if (file.empty()) return fmt::format("zscope-cli: {}: {}\n", severity, sentence);
+    if (line <= 0) return fmt::format("{}: {}: {}\n", file, severity, sentence);
+    return fmt::format("{}:{}: {}: {}\n", file, line, severity, sentence);
+}
+
+void toStandardError(std::string_view text)
+{
+    std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+}  // namespace
+
+Exit exitOf(Trouble trouble)
+{
+    switch (trouble) {
+    case Trouble::Usage: return Exit::Usage;
+    case Trouble::Input: return Exit::Input;
+    case Trouble::Output: return Exit::Output;
+    case Trouble::Limit: return Exit::Limit;
+    case Trouble::Cancelled: break;
+    }
+    return Exit::Interrupted;
+}
+
+void catchInterrupts()
+{
+    std::signal(SIGINT, requestInterrupt);
+    std::signal(SIGTERM, requestInterrupt);
+}
+
+Session::Session(std::span<char* const> arguments)
+    : m_command(commandWithoutOutputs(arguments)), m_showsProgress(::isatty(STDERR_FILENO) == 1)
+{
+}
+
+const std::atomic<bool>* Session::cancel() const
+{
+    return &interruptRequested;
+}
+
+void Session::print(std::string_view text) const
+{
+    std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+Exit Session::fail(const Error& error)
+{
+    clearProgress();
+    toStandardError(diagnostic(error.file, error.line, "error", error.sentence));
+    return exitOf(error.kind);
+}
+
+void Session::warn(std::span<const Warning> warnings, std::size_t atMost)
+{
+    clearProgress();
+    const std::size_t shown = std::min(atMost, warnings.size());
+    for (const Warning& warning : warnings.first(shown))
+        toStandardError(diagnostic(warning.file, warning.line, "warning", warning.sentence));
+    if (shown < warnings.size())
+        note(fmt::format("{} more warnings; 'zscope-cli info' lists them all", warnings.size() - shown));
+}
+
+void Session::note(std::string_view text)
+{
+    clearProgress();
+    toStandardError(fmt::format("zscope-cli: note: {}\n", text));
+}
+
+Progress Session::progress()
+{
+    Progress progress;
+    progress.cancel = cancel();
+    if (m_showsProgress)
+        progress.report = [this](double fraction, std::string_view what) { showProgress(fraction, what); };
+    return progress;
+}
+
+void Session::showProgress(double fraction, std::string_view what)
+{
+    using namespace std::chrono_literals;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - m_lastProgress < 100ms) return;
+    m_lastProgress    = now;
+    m_progressVisible = true;
+    toStandardError(fmt::format("\r\x1b[K{:3.0f} %  {}", fraction * 100, what));
+}
+
+void Session::clearProgress()
+{
+    if (!m_progressVisible) return;
+    m_progressVisible = false;
+    toStandardError("\r\x1b[K");
+}
+
+Exit Session::finish(Exit exit)
+{
+    clearProgress();
+    const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    const int  reason  = errno;
+    if (arrived) return exit;
+    const Exit output = fail({Trouble::Output, "standard output cannot be written: "
+                                                   + std::generic_category().message(reason)});
+    return exit == Exit::Done ? output : exit;
+}
+
+}  // namespace zscope::cli

@@ -1,0 +1,96 @@
+// The two families of drivers, from the clearing of a stripe to its last pixel.
+//
+// Stream     triangles arrive one after another and are scan converted at once
+// Sweep      triangles are entered in an edge table first; then the stripe is swept line by line
+// Promise    a stripe's pixels depend on nothing outside it
+#if defined(ZSCOPE_DRIVERS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_DRIVERS_INL_H
+#undef ZSCOPE_DRIVERS_INL_H
+#else
+#define ZSCOPE_DRIVERS_INL_H
+#endif
+
+#include "core/frame/frame_events.h"
+#include "core/frame/pipeline.h"
+#include "core/scan/half_space-inl.h"
+#include "core/sweep/sweep-inl.h"
+#include "core/traverse/submitted-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+/// Turns each triangle of a batch into pixels as soon as it is set up.
+template <class Scan, class Probe>
+struct ScanConvert {
+    VisibilityBuffer& visible;
+    StageClock&       clock;
+    const Probe&      probe;
+
+    void operator()(const std::vector<ScreenTriangle>& triangles) const
+    {
+        for (const ScreenTriangle& triangle : triangles) {
+            probe(TriangleReached{triangle});
+            Scan::fill(triangle, visible, probe);
+            probe(TriangleFinished{triangle.id});
+        }
+        clock.lap(Stage::Raster);
+    }
+};
+
+template <class Scan, class Probe>
+void drawStream(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
+{
+    probe(StageStarted{Stage::Clear});
+    stripe.visible.clearRows(stripe.firstRow, stripe.endRow);
+    clock.lap(Stage::Clear);
+    probe(StageFinished{Stage::Clear});
+
+    probe(StageStarted{Stage::Raster});
+    visitAsSubmitted(stripe, scratch, clock, ScanConvert<Scan, Probe>{stripe.visible, clock, probe}, probe);
+    probe(StageFinished{Stage::Raster});
+}
+
+/// Enters each triangle of a batch in the edge table.
+struct EnterEdges {
+    EdgeTable&  edges;
+    StageClock& clock;
+
+    void operator()(const std::vector<ScreenTriangle>& triangles) const
+    {
+        for (const ScreenTriangle& triangle : triangles) edges.add(triangle);
+        clock.lap(Stage::Setup);
+    }
+};
+
+template <class Probe>
+void drawSweep(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
+{
+    probe(StageStarted{Stage::Setup});
+    scratch.edges.clear(stripe.firstRow, stripe.endRow);
+    visitAsSubmitted(stripe, scratch, clock, EnterEdges{scratch.edges, clock}, probe);
+    scratch.edges.fillBuckets();
+    clock.lap(Stage::Setup);
+    probe(StageFinished{Stage::Setup});
+
+    probe(StageStarted{Stage::Raster});
+    LineZBuffer resolve(stripe.visible, scratch.openAt, scratch.edges.parts().size());
+    sweep(scratch.edges, scratch.active, resolve, stripe.progress, probe);
+    clock.lap(Stage::Raster);
+    probe(StageFinished{Stage::Raster});
+}
+
+/// The one place where a pipeline's words become the types that draw.
+template <class Probe>
+void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
+{
+    switch (pipeline.scan) {
+    case Scan::HalfSpace: return drawStream<HalfSpace>(stripe, scratch, clock, probe);
+    case Scan::EdgeWalk: return drawStream<EdgeWalk>(stripe, scratch, clock, probe);
+    case Scan::SweepZLine: return drawSweep(stripe, scratch, clock, probe);
+    }
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_DRIVERS_INL_H

@@ -1,0 +1,79 @@
+#include "core/frame/frame_plan.h"
+
+#include <algorithm>
+
+#include <omp.h>
+#include <unistd.h>
+
+#include "core/sweep/active_edges.h"
+#include "core/sweep/edge_table.h"
+
+namespace zscope {
+
+namespace {
+
+constexpr int kMaxThreads = 256;
+
+/// An upper estimate of what the frame allocates: buffers, and for sweeps the edge table.
+std::uint64_t estimatedBytes(const DrawRequest& request)
+{
+    const auto pixels = static_cast<std::uint64_t>(request.camera.width + 2 * kRowPadding) * static_cast<std::uint64_t>(request.camera.height);
+    return pixels * (sizeof(float) + sizeof(std::uint32_t) + (request.shade ? sizeof(std::uint32_t) : 0));
+}
+
+}  // namespace
+
+std::uint64_t defaultMemoryLimit()
+{
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
+    if (pages <= 0 || size <= 0) return std::uint64_t{4} << 30;
+    return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3;
+}
+
+Result<FramePlan> planFrame(const DrawRequest& request)
+{
+    if (const auto invalid = explainInvalid(request.pipeline)) return Error{Trouble::Usage, *invalid};
+    if (request.threads < 0 || request.threads > kMaxThreads)
+        return Error{Trouble::Usage, "the number of threads must lie between 1 and " + std::to_string(kMaxThreads)};
+    const Simd simd  = resolved(request.simd);
+    const auto entry = std::ranges::find(simdTargets(), simd, &SimdEntry::target);
+    if (!entry->available)
+        return Error{Trouble::Usage, "this machine or build has no '" + std::string(entry->word) + "' kernels"};
+
+    const std::uint64_t limit = request.memoryLimit ? request.memoryLimit : defaultMemoryLimit();
+    const std::uint64_t needed = estimatedBytes(request);
+    if (needed > limit) {
+        return Error{Trouble::Limit, "a picture of " + std::to_string(request.camera.width) + "x" +
+                                         std::to_string(request.camera.height) + " needs " + std::to_string(needed >> 20) +
+                                         " MiB, more than the limit of " + std::to_string(limit >> 20) + " MiB"};
+    }
+    const int wanted = request.threads > 0 ? request.threads : omp_get_num_procs();
+    return FramePlan{std::clamp(wanted, 1, std::max(1, request.camera.height)), simd};
+}
+
+StageReason reasonFor(Stage stage, const DrawRequest& request)
+{
+    const bool sweeps = familyOf(request.pipeline) == Family::Sweep;
+    switch (stage) {
+    case Stage::Clear:
+        return sweeps ? StageReason{true, "buffers sized; each line is cleared when the sweep reaches it"}
+                      : StageReason{true, "a z-buffer starts from background"};
+    case Stage::Transform: return {true, "every batch that may reach the picture"};
+    case Stage::Cull: return {true, "batches against the frustum"};
+    case Stage::Setup: return {true, sweeps ? "triangles and the edge table" : "triangles of every batch"};
+    case Stage::Prepass: return {false, "nothing asked for depth before colour"};
+    case Stage::Build: return {false, "no pyramid or tree is queried"};
+    case Stage::Raster: return {true, sweeps ? "the sweep, line by line" : "the pixels of every triangle"};
+    case Stage::Upkeep: return {false, "there is no pyramid to keep"};
+    case Stage::Shade: return {request.shade, request.shade ? "each pixel once, from its triangle" : "no colours were asked for"};
+    case Stage::Other: return {true, "starting threads, and waiting for the slowest"};
+    }
+    return {false, ""};
+}
+
+const ColourTable& coloursOf(const PreparedScene& scene)
+{
+    return scene.derived().get<ColourTable>([&scene] { return ColourTable(scene.scene()); });
+}
+
+}  // namespace zscope

@@ -1,0 +1,33 @@
+// What is decided before a frame is drawn: whether the request can be met at all, with how many threads and lanes,
+// and which stages the frame needs.
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+#include "core/frame/renderer.h"
+#include "core/shade/colour_table.h"
+
+namespace zscope {
+
+struct FramePlan {
+    int  threads = 1;
+    Simd simd    = Simd::Scalar;
+};
+
+/// Errors: Usage (composition, SIMD target, thread count), Limit (memory).
+Result<FramePlan> planFrame(const DrawRequest& request);
+
+struct StageReason {
+    bool        runs;
+    std::string why;  // one clause
+};
+StageReason reasonFor(Stage stage, const DrawRequest& request);
+
+/// Bytes a process on this machine may use when nobody said otherwise: three quarters of the memory.
+std::uint64_t defaultMemoryLimit();
+
+/// The scene's colours, made on the first frame that shades.
+const ColourTable& coloursOf(const PreparedScene& scene);
+
+}  // namespace zscope

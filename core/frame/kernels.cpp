@@ -1,0 +1,70 @@
+#include "core/frame/kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/frame/kernels.cpp"
+#include <hwy/foreach_target.h>  // includes this file once per target
+
+#include "core/frame/drivers-inl.h"
+#include "core/probe/probe.h"
+#include "core/shade/shade-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+void drawStripeAtFullSpeed(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock)
+{
+    drawStripe(pipeline, stripe, scratch, clock, NoProbe{});
+}
+
+const Kernels& kernels()
+{
+    static constexpr Kernels kKernels{drawStripeAtFullSpeed, shadeRows};
+    return kKernels;
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <hwy/targets.h>
+
+namespace zscope {
+
+namespace {
+
+/// A target is available if this file was compiled for it and the machine has it.
+constexpr bool isCompiled(std::int64_t target) { return (HWY_TARGETS & target) != 0; }
+bool           isAvailable(std::int64_t target) { return isCompiled(target) && (hwy::SupportedTargets() & target) != 0; }
+
+}  // namespace
+
+const Kernels& kernelsOf(Simd target)
+{
+    switch (target) {
+#if HWY_TARGETS & HWY_AVX3
+    case Simd::Avx512: return N_AVX3::kernels();
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    case Simd::Avx2: return N_AVX2::kernels();
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    case Simd::Sse4: return N_SSE4::kernels();
+#endif
+    default: return N_SCALAR::kernels();
+    }
+}
+
+std::span<const SimdEntry> simdTargets()
+{
+    static const std::array<SimdEntry, 4> kTargets{
+        SimdEntry{Simd::Scalar, "scalar", "one lane: the reading version and the reference", true},
+        SimdEntry{Simd::Sse4, "sse4", "SSE 4.1: 2 lanes of float64", isAvailable(HWY_SSE4)},
+        SimdEntry{Simd::Avx2, "avx2", "AVX2: 4 lanes of float64", isAvailable(HWY_AVX2)},
+        SimdEntry{Simd::Avx512, "avx512", "AVX-512: 8 lanes of float64", isAvailable(HWY_AVX3)}};
+    return kTargets;
+}
+
+}  // namespace zscope
+
+#endif  // HWY_ONCE

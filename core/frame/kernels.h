@@ -1,0 +1,22 @@
+// Everything that is compiled once per instruction set, behind plain function pointers.
+//
+// Promise    every target gives the same bits; they differ in how many pixels or vertices they work on side by side
+#pragma once
+
+#include "core/frame/pipeline.h"
+#include "core/frame/renderer.h"
+#include "core/shade/colour_table.h"
+#include "core/traverse/stripe.h"
+
+namespace zscope {
+
+struct Kernels {
+    void (*drawStripe)(const Pipeline&, const Stripe&, StripeScratch&, StageClock&);
+    void (*shadeRows)(const Scene&, const ColourTable&, const VisibilityBuffer&, int firstRow, int endRow,
+                      GridView<std::uint32_t> colour);
+};
+
+/// The kernels of an available target (not Simd::Auto).
+const Kernels& kernelsOf(Simd target);
+
+}  // namespace zscope

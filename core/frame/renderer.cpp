@@ -1,0 +1,133 @@
+#include "core/frame/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <new>
+
+#include <omp.h>
+#include <unistd.h>
+
+#include "core/frame/frame_plan.h"
+#include "core/frame/kernels.h"
+#include "core/frame/stripes.h"
+
+namespace zscope {
+
+Simd resolved(Simd simd)
+{
+    if (simd != Simd::Auto) return simd;
+    for (auto entry = simdTargets().rbegin(); entry != simdTargets().rend(); ++entry)
+        if (entry->available) return entry->target;
+    return Simd::Scalar;
+}
+
+std::string_view wordOf(Simd simd)
+{
+    const auto entry = std::ranges::find(simdTargets(), simd, &SimdEntry::target);
+    return entry == simdTargets().end() ? "auto" : entry->word;
+}
+
+struct Renderer::Workspace {
+    std::vector<StripeScratch> scratch;  // one per thread
+    StripeBorders              borders;
+};
+
+Renderer::Renderer() : m_workspace(std::make_unique<Workspace>()) {}
+Renderer::~Renderer()                              = default;
+Renderer::Renderer(Renderer&&) noexcept            = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double msSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+
+/// The stages of a report: mean over the threads; what no thread accounts for is Other.
+std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<StageMs>& perThread, double setUpMs,
+                                  double frameMs)
+{
+    std::vector<StageTime> times;
+    double                 accounted = 0;
+    for (const Stage stage : kStages) {
+        const StageReason reason = reasonFor(stage, request);
+        StageTime         time{stage, 0, reason.runs, reason.why};
+        for (const StageMs& ms : perThread) time.ms += ms[static_cast<std::size_t>(stage)];
+        time.ms /= static_cast<double>(perThread.size());
+        if (stage == Stage::Clear) time.ms += setUpMs;
+        accounted += time.ms;
+        times.push_back(std::move(time));
+    }
+    times.back().ms += frameMs - accounted;
+    return times;
+}
+
+}  // namespace
+
+Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
+{
+    const Result<FramePlan> plan = planFrame(request);
+    if (!plan) return plan.error();
+
+    const Clock::time_point start = Clock::now();
+    const Camera&           camera = request.camera;
+    const Projection        projection(camera);
+    const Kernels&          kernels = kernelsOf(plan->simd);
+    std::vector<StageMs>    stageMs(static_cast<std::size_t>(plan->threads));
+    std::vector<double>     stripeMs(static_cast<std::size_t>(plan->threads));
+    std::atomic<bool>       outOfMemory = false;
+    double                  setUpMs     = 0;
+    const ColourTable*      colours     = nullptr;
+    try {
+        if (request.shade) colours = &coloursOf(*request.scene);
+        frame.visible.resize(camera.width, camera.height, emptyDepth(camera.near, camera.far));
+        if (!request.shade)
+            frame.colour = {};
+        else if (frame.colour.width() != camera.width || frame.colour.height() != camera.height)
+            frame.colour.reset(camera.width, camera.height);
+        m_workspace->scratch.resize(std::max(m_workspace->scratch.size(), stageMs.size()));
+    } catch (const std::bad_alloc&) {
+        return Error{Trouble::Limit, "there is not enough memory for this picture"};
+    }
+    m_workspace->borders.prepare(camera.height, plan->threads);
+    setUpMs = msSince(start);
+
+#pragma omp parallel for num_threads(plan->threads) schedule(static, 1)
+    for (int i = 0; i < plan->threads; ++i) {
+        const auto              index       = static_cast<std::size_t>(i);
+        const Clock::time_point stripeStart = Clock::now();
+        StageClock              clock;
+        const auto [first, end] = m_workspace->borders.stripe(i);
+        const Stripe stripe{*request.scene, projection, request.faceCulling, frame.visible, first, end, {.cancel = request.cancel}};
+        try {
+            kernels.drawStripe(request.pipeline, stripe, m_workspace->scratch[index], clock);
+            if (request.shade)
+                kernels.shadeRows(request.scene->scene(), *colours, frame.visible, first, end, frame.colour.view());
+        } catch (const std::bad_alloc&) {
+            outOfMemory = true;
+        }
+        clock.lap(Stage::Shade);
+        stageMs[index]  = clock.ms();
+        stripeMs[index] = msSince(stripeStart);
+    }
+    if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "the frame was cancelled"};
+    if (outOfMemory) return Error{Trouble::Limit, "there is not enough memory to draw this scene with " + nameOf(request.pipeline)};
+    m_workspace->borders.rebalance(stripeMs);
+
+    FrameReport report;
+    report.frameMs = msSince(start);
+    report.stages  = stageTimes(request, stageMs, setUpMs, report.frameMs);
+    report.threads = plan->threads;
+    report.simd    = plan->simd;
+    std::uint64_t scratchBytes = 0;
+    for (const StripeScratch& scratch : m_workspace->scratch) scratchBytes += scratch.bytes();
+    report.bytes = {{"visibility_buffer", frame.visible.bytes()},
+                    {"colours", frame.colour.values().size_bytes()},
+                    {"colour_table", colours ? colours->bytes() : 0},
+                    {"batches", request.scene->bytes()},
+                    {"scratch", scratchBytes}};
+    return report;
+}
+
+}  // namespace zscope

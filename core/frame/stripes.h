@@ -1,0 +1,64 @@
+// How a picture is cut into stripes of whole lines, one per thread, so that all threads finish together.
+//
+// Idea       the borders move after every frame: the time a stripe took is spread evenly over its lines, and the next
+//            borders give every stripe the same share of it
+// Promise    stripes cover every line exactly once, in order; the picture does not depend on the borders
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace zscope {
+
+class StripeBorders {
+public:
+    struct Lines {
+        int first, end;  // [first, end), possibly empty
+    };
+
+    /// Keeps the borders of the last frame if it had the same shape, else cuts evenly.
+    void prepare(int height, int stripes)
+    {
+        if (height == m_height && stripes == count()) return;
+        m_height = height;
+        m_borders.resize(static_cast<std::size_t>(stripes) + 1);
+        for (int i = 0; i <= stripes; ++i)
+            m_borders[static_cast<std::size_t>(i)] = static_cast<int>(static_cast<long long>(height) * i / stripes);
+    }
+
+    int   count() const { return static_cast<int>(m_borders.size()) - 1; }
+    Lines stripe(int i) const
+    {
+        return {m_borders[static_cast<std::size_t>(i)], m_borders[static_cast<std::size_t>(i) + 1]};
+    }
+
+    /// `ms` is what each stripe took.
+    void rebalance(std::span<const double> ms)
+    {
+        double total = 0;
+        for (const double one : ms) total += one;
+        if (total <= 0 || ms.size() < 2) return;
+        const double     share = total / static_cast<double>(ms.size());
+        std::vector<int> next  = m_borders;
+        double           done  = 0;  // time of the stripes before `from`
+        std::size_t      from  = 0;
+        for (std::size_t i = 1; i < ms.size(); ++i) {
+            const double wanted = share * static_cast<double>(i);
+            while (from + 1 < ms.size() && done + ms[from] < wanted) done += ms[from++];
+            const double lines = m_borders[from + 1] - m_borders[from];
+            const double part  = ms[from] > 0 ? std::clamp((wanted - done) / ms[from], 0.0, 1.0) : 0;
+            const double exact = m_borders[from] + part * lines;
+            // Half the way only: times are noisy, and a border that swings costs more than one that creeps.
+            next[i] = std::clamp(static_cast<int>(0.5 * (m_borders[i] + exact) + 0.5), next[i - 1], m_height);
+        }
+        m_borders = std::move(next);
+    }
+
+private:
+    int              m_height = -1;
+    std::vector<int> m_borders;  // stripes + 1 entries, ascending, from 0 to m_height
+};
+
+}  // namespace zscope

@@ -1,0 +1,36 @@
+// What the geometry stage tells: which triangles never reach the pixels, and why.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/ids.h"
+#include "core/geometry/screen_triangle.h"
+
+namespace zscope {
+
+/// A whole batch lies outside the picture or behind the eye; none of its triangles is looked at.
+struct BatchOutside {
+    InstanceId    instance;
+    std::uint32_t triangles;
+};
+
+/// A batch's vertices have been transformed and snapped.
+struct BatchTransformed {
+    InstanceId    instance;
+    std::uint32_t vertices;
+};
+
+/// The fate of one triangle at set-up, told once per triangle: Drawn if any part of it is.
+struct TriangleSetUp {
+    TriangleId    triangle;
+    SetUp         fate;
+    std::uint32_t clippedParts;  // parts the near plane left; 1 for a triangle it does not meet
+    bool          wide;          // took the 128-bit path
+};
+
+/// Faces with opacity below 1 are in no batch.
+struct TransparentLeftOut {
+    std::uint64_t triangles;
+};
+
+}  // namespace zscope

@@ -1,0 +1,85 @@
+// From a batch's vertices to the list of triangles that reach the pixels of a region.
+//
+// Plain      batches wholly in front of the near plane and inside the guard band: corners by index
+// Careful    the others: each triangle from its positions, cut at the near plane, every corner checked
+// Promise    each triangle's fate is told once (TriangleSetUp); parts keep the triangle's id
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/geometry_events.h"
+#include "core/geometry/near_clip.h"
+#include "core/geometry/screen_vertices.h"
+
+namespace zscope {
+
+/// What set-up needs to know of the mesh instance it is working on.
+struct BatchPlace {
+    const MeshBatches& mesh;
+    const Batch&       batch;
+    const Affine*      toWorld;        // nullptr: the identity
+    std::uint32_t      firstTriangle;  // id of the instance's triangle 0
+
+    TriangleId idOf(std::uint32_t triangle) const { return {firstTriangle + mesh.meshTriangle[triangle]}; }
+};
+
+template <class Probe>
+void setUpPlain(const BatchPlace& place, const ScreenVertices& vertices, FaceCulling culling, const PixelBox& region,
+                std::vector<ScreenTriangle>& out, const Probe& probe)
+{
+    const std::uint32_t first = place.batch.firstTriangle;
+    for (std::uint32_t t = first; t < first + place.batch.triangleCount; ++t) {
+        const auto&    corner = place.mesh.triangles[t].corner;
+        ScreenTriangle triangle;
+        const SetUp fate = setUpTriangle(vertices.corner(corner[0]), vertices.corner(corner[1]), vertices.corner(corner[2]),
+                                         place.idOf(t), false, culling, region, triangle);
+        if (fate == SetUp::Drawn) out.push_back(triangle);
+        probe(TriangleSetUp{place.idOf(t), fate, 1, false});
+    }
+}
+
+/// One part of a clipped triangle; decides by itself whether it needs the wide path.
+inline SetUp setUpPart(const std::array<dvec3, 3>& view, TriangleId id, const Projection& projection, FaceCulling culling,
+                       const PixelBox& region, ScreenTriangle& out)
+{
+    std::array<ScreenCorner, 3> corner;
+    bool                        wide = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        corner[i] = projection.toScreen(view[i]);
+        const double reach = std::max(std::abs(corner[i].xs), std::abs(corner[i].ys));
+        if (!(std::abs(corner[i].xs) < kSnapLimit && std::abs(corner[i].ys) < kSnapLimit)) return SetUp::OutOfRange;
+        wide = wide || reach > kGuardBand;
+    }
+    return setUpTriangle(corner[0], corner[1], corner[2], id, wide, culling, region, out);
+}
+
+template <class Probe>
+void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceCulling culling, const PixelBox& region,
+                    std::vector<ScreenTriangle>& out, const Probe& probe)
+{
+    const MeshBatches&  mesh  = place.mesh;
+    const std::uint32_t first = place.batch.firstTriangle;
+    for (std::uint32_t t = first; t < first + place.batch.triangleCount; ++t) {
+        std::array<dvec3, 3> view;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t v = place.batch.firstVertex + mesh.triangles[t].corner[i];
+            const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
+            view[i] = projection.toView(place.toWorld ? (*place.toWorld)(model) : model);
+        }
+        const ClippedTriangle kept = clipNear(view, projection.near);
+        SetUp fate = SetUp::ClippedAway;
+        bool  wide = false;
+        for (std::size_t p = 0; p < kept.parts(); ++p) {
+            ScreenTriangle part;
+            const SetUp    partFate = setUpPart(kept.part(p), place.idOf(t), projection, culling, region, part);
+            if (partFate == SetUp::Drawn) {
+                out.push_back(part);
+                wide = wide || part.wide;
+            }
+            if (fate != SetUp::Drawn) fate = partFate;
+        }
+        probe(TriangleSetUp{place.idOf(t), fate, static_cast<std::uint32_t>(kept.parts()), wide});
+    }
+}
+
+}  // namespace zscope

@@ -1,0 +1,108 @@
+// The depth test, several neighbouring pixels of one line side by side: who is nearest keeps the pixel.
+//
+// Depth      float64 until it is stored; limited to the corners' depths, then rounded to float32 (the order does not
+//            matter: rounding is monotone and the limits are float32 values)
+// Winner     larger depth; on equal depth the lower rank. Not-covered lanes offer kNotCovered, which never wins
+// Far        free: background holds a value just below everything that may be kept
+#if defined(ZSCOPE_DEPTH_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_DEPTH_TEST_INL_H
+#undef ZSCOPE_DEPTH_TEST_INL_H
+#else
+#define ZSCOPE_DEPTH_TEST_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "core/depth/visibility_buffer.h"
+#include "core/scan/pixel_events.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F64   = hn::ScalableTag<double>;
+using F32   = hn::Rebind<float, F64>;
+using U32   = hn::Rebind<std::uint32_t, F64>;
+using Vec64 = hn::Vec<F64>;
+
+/// Pixels tested side by side.
+inline int laneCount() { return static_cast<int>(hn::Lanes(F64())); }
+
+/// Below every depth a buffer can hold.
+inline constexpr double kNotCovered = -2;
+
+/// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c.
+class DepthTest {
+public:
+    explicit DepthTest(const ScreenTriangle& triangle)
+        : m_a(triangle.depth.a),
+          m_farthest(triangle.depth.farthest),
+          m_nearest(triangle.depth.nearest),
+          m_rank(triangle.rank())
+    {
+    }
+
+    /// a*(i + 0.5) for the pixels x, x + 1, ...
+    Vec64 column(int x) const
+    {
+        return hn::Set(F64(), m_a) * (hn::Iota(F64(), 0.0) + hn::Set(F64(), x + 0.5));
+    }
+
+    /// Offers the covered lanes at depthRow[0..], rankRow[0..]. `x` and `y` are only told to the probe.
+    template <class Probe>
+    void offer(Vec64 column, double line, hn::Mask<F64> covered, float* depthRow, std::uint32_t* rankRow,
+               [[maybe_unused]] int x, [[maybe_unused]] int y, const Probe& probe) const
+    {
+        const F64  d64;
+        const F32  d32;
+        const U32  u32;
+        auto       z = column + hn::Set(d64, line);
+        z            = hn::Min(hn::Max(z, hn::Set(d64, m_farthest)), hn::Set(d64, m_nearest));
+        const auto depth = hn::DemoteTo(d32, hn::IfThenElse(covered, z, hn::Set(d64, kNotCovered)));
+
+        const auto stored = hn::LoadU(d32, depthRow);
+        const auto holder = hn::LoadU(u32, rankRow);
+        const auto rank   = hn::Set(u32, m_rank);
+        const auto nearer = depth > stored;
+        const auto tie    = hn::And(depth == stored, hn::RebindMask(d32, rank < holder));
+        const auto won    = hn::Or(nearer, tie);
+        hn::StoreU(hn::IfThenElse(won, depth, stored), d32, depthRow);
+        hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, won), rank, holder), u32, rankRow);
+
+        if constexpr (Probe::listens) {
+            static_assert(!Probe::listens || hn::MaxLanes(F64()) == 1, "a run that is listened to uses one lane");
+            if (hn::AllFalse(d64, covered)) return;
+            probe(PixelTested{x, y, TriangleId{m_rank - 1}, hn::GetLane(depth), !hn::AllFalse(d32, won),
+                              hn::GetLane(holder), hn::GetLane(stored)});
+        }
+    }
+
+private:
+    double        m_a, m_farthest, m_nearest;
+    std::uint32_t m_rank;
+};
+
+/// The constant part of a line's depth: b*(j + 0.5) + c.
+inline double lineDepth(const DepthPlane& plane, int y) { return plane.b * (y + 0.5) + plane.c; }
+
+/// Tests the pixels [x0, x1) of line y, all of them covered; they lie inside the picture.
+template <class Probe>
+void fillSpan(const ScreenTriangle& triangle, int y, int x0, int x1, VisibilityBuffer& visible, const Probe& probe)
+{
+    if (x0 >= x1) return;
+    const DepthTest test(triangle);
+    const double    line  = lineDepth(triangle.depth, y);
+    float*          depth = visible.depthRow(y);
+    std::uint32_t*  rank  = visible.rankRow(y);
+    for (int x = x0; x < x1; x += laneCount()) {
+        const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
+        test.offer(test.column(x), line, covered, depth + x, rank + x, x, y, probe);
+    }
+    probe(SpanFilled{y, x0, x1, triangle.id});
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_DEPTH_TEST_INL_H

@@ -1,0 +1,105 @@
+// Scan conversion by half-spaces: a pixel is inside a triangle if it lies on the inner side of all three edges.
+//
+// Edge value E(P) = dx (Py - Ya) - dy (Px - Xa) for the edge from a to b; positive inside, and zero belongs to
+//            left and top edges only. Values are integers below 2^53, so float64 lanes hold them exactly
+// Tiles      the triangle's box is cut into columns one vector wide and tiles of kTileLines lines; a tile
+//            wholly on the outer side of one edge is skipped
+// Wide       triangles beyond the guard band are handed to EdgeWalk, whose 128-bit edges find the same pixels
+// Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
+#if defined(ZSCOPE_HALF_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_HALF_SPACE_INL_H
+#undef ZSCOPE_HALF_SPACE_INL_H
+#else
+#define ZSCOPE_HALF_SPACE_INL_H
+#endif
+
+#include <algorithm>
+#include <array>
+
+#include "core/scan/depth_test-inl.h"
+#include "core/scan/edge_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+struct HalfSpace {
+    static constexpr int kTileLines = 8;
+
+    template <class Probe>
+    static void fill(const ScreenTriangle& triangle, VisibilityBuffer& visible, const Probe& probe)
+    {
+        if (triangle.wide) {
+            EdgeWalk::fill(triangle, visible, probe);
+            return;
+        }
+        const PixelBox&             box = triangle.box;
+        const std::array<HalfPlane, 3> planes{halfPlane(triangle, 0, 1), halfPlane(triangle, 1, 2), halfPlane(triangle, 2, 0)};
+        const DepthTest             test(triangle);
+        const bool oneTile = box.x1 - box.x0 <= laneCount() && box.y1 - box.y0 <= kTileLines;
+
+        for (int x = box.x0; x < box.x1; x += laneCount()) {
+            const Vec64 column = test.column(x);
+            for (int y = box.y0; y < box.y1; y += kTileLines) {
+                const int end = std::min(y + kTileLines, box.y1);
+                if (!oneTile && isOutside(planes, x - box.x0, y - box.y0)) continue;
+                fillTile(triangle, planes, test, column, x, y, end, visible, probe);
+            }
+        }
+    }
+
+private:
+    /// Edge values at the centre of the box's first pixel and how they change from pixel to pixel. The value is
+    /// lowered by one for edges that do not own their points, so that "inside" is "not negative" for every edge.
+    struct HalfPlane {
+        double origin, perPixel, perLine;
+
+        double at(int right, int down) const { return origin + right * perPixel + down * perLine; }
+    };
+
+    static HalfPlane halfPlane(const ScreenTriangle& t, std::size_t a, std::size_t b)
+    {
+        const double dx = t.x[b] - t.x[a], dy = t.y[b] - t.y[a];
+        const double px = t.box.x0 * kSubpixels + 128, py = t.box.y0 * kSubpixels + 128;
+        const bool   isLeftOrTop = dy < 0 || (dy == 0 && dx > 0);
+        return {dx * (py - t.y[a]) - dy * (px - t.x[a]) - (isLeftOrTop ? 0 : 1), -dy * kSubpixels, dx * kSubpixels};
+    }
+
+    /// True if some edge has the whole tile at (right, down) on its outer side, judged at the tile's innermost corner.
+    static bool isOutside(const std::array<HalfPlane, 3>& planes, int right, int down)
+    {
+        const int lastRight = right + laneCount() - 1, lastDown = down + kTileLines - 1;
+        for (const HalfPlane& plane : planes)
+            if (plane.at(plane.perPixel > 0 ? lastRight : right, plane.perLine > 0 ? lastDown : down) < 0) return true;
+        return false;
+    }
+
+    /// Lines [y, end) of the column of pixels x, x + 1, ...
+    template <class Probe>
+    static void fillTile(const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes, const DepthTest& test,
+                         Vec64 column, int x, int y, int end, VisibilityBuffer& visible, const Probe& probe)
+    {
+        const F64  d64;
+        const auto lane  = hn::Iota(d64, x - triangle.box.x0);
+        const auto start = [&](const HalfPlane& plane) HWY_ATTR {
+            return hn::Set(d64, plane.at(0, y - triangle.box.y0)) + lane * hn::Set(d64, plane.perPixel);
+        };
+        auto       e0 = start(planes[0]), e1 = start(planes[1]), e2 = start(planes[2]);
+        const auto down0 = hn::Set(d64, planes[0].perLine), down1 = hn::Set(d64, planes[1].perLine),
+                   down2 = hn::Set(d64, planes[2].perLine);
+        for (; y < end; ++y) {
+            const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
+            if (!hn::AllFalse(d64, inside)) {
+                test.offer(column, lineDepth(triangle.depth, y), inside, visible.depthRow(y) + x, visible.rankRow(y) + x, x,
+                           y, probe);
+            }
+            e0 = e0 + down0;
+            e1 = e1 + down1;
+            e2 = e2 + down2;
+        }
+    }
+};
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_HALF_SPACE_INL_H

@@ -1,0 +1,40 @@
+// What scan conversion tells: triangles begun and finished, spans filled, pixels tested.
+#pragma once
+
+#include <cstdint>
+
+#include "core/geometry/screen_triangle.h"
+#include "core/probe/grain.h"
+
+namespace zscope {
+
+/// A stream method is about to turn this triangle (or clipped part) into pixels.
+struct TriangleReached {
+    const ScreenTriangle& triangle;  // valid only during the call
+};
+
+/// All pixels of the triangle reached last have been tested.
+struct TriangleFinished {
+    static constexpr Grain grain = Grain::Triangle;
+    TriangleId             triangle;
+};
+
+/// Pixels [x0, x1) of line y have been offered to the triangle's depth test; never empty.
+struct SpanFilled {
+    static constexpr Grain grain = Grain::Span;
+    int                    y, x0, x1;
+    TriangleId             triangle;
+};
+
+/// One covered pixel has been tested against the winner so far.
+struct PixelTested {
+    static constexpr Grain grain = Grain::Pixel;
+    int                    x, y;
+    TriangleId             triangle;
+    float                  depth;
+    bool                   won;
+    std::uint32_t          rivalRank;   // who held the pixel: triangle id + 1, or 0 for background
+    float                  rivalDepth;  // the buffer's value; for background the one just below every kept depth
+};
+
+}  // namespace zscope

@@ -1,0 +1,40 @@
+// The scanline algorithm: the picture is swept line by line; the active edge table holds what crosses the line.
+//
+// Idea       an edge enters the table on its first line, moves by a constant from line to line, and leaves after
+//            its last; between a polygon's left and right edge lie its pixels
+// Resolve    decides who is seen on the line, given the active edges (LineZBuffer here)
+// Bands      a band of lines is swept on its own, with a table of its own
+// Source     Wylie, Romney, Evans, Erdahl: Half-tone perspective drawings by computer, FJCC 1967
+#if defined(ZSCOPE_SWEEP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_SWEEP_INL_H
+#undef ZSCOPE_SWEEP_INL_H
+#else
+#define ZSCOPE_SWEEP_INL_H
+#endif
+
+#include "core/base/progress.h"
+#include "core/sweep/active_edges.h"
+#include "core/sweep/line_zbuffer-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+template <class Resolve, class Probe>
+void sweep(const EdgeTable& edges, ActiveEdges& active, Resolve& resolve, const Progress& progress, const Probe& probe)
+{
+    probe(EdgeTableReady{edges});
+    active.clear();
+    for (int y = edges.firstLine(); y < edges.endLine() && !progress.cancelled(); ++y) {
+        active.retireBefore(y, probe);
+        active.admit(edges, y, probe);
+        probe(ScanlineReady{y, active.view()});
+        resolve.line(y, active.view(), edges.parts(), probe);
+        probe(ScanlineFinished{y});
+        active.advanceToNextLine();
+    }
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_SWEEP_INL_H

@@ -1,0 +1,47 @@
+// A stripe: whole lines of the picture that one thread draws from start to finish, with memory of its own.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/stage_clock.h"
+#include "core/depth/visibility_buffer.h"
+#include "core/geometry/prepared_scene.h"
+#include "core/geometry/screen_triangle.h"
+#include "core/geometry/screen_vertices.h"
+#include "core/sweep/active_edges.h"
+#include "core/sweep/edge_table.h"
+
+namespace zscope {
+
+/// What to draw: the lines [firstRow, endRow) of `visible`. Borrows everything.
+struct Stripe {
+    const PreparedScene& scene;
+    const Projection&    projection;
+    FaceCulling          culling;
+    VisibilityBuffer&    visible;
+    int                  firstRow;
+    int                  endRow;
+    Progress             progress;  // only its cancel flag is read
+
+    PixelBox region() const { return {0, firstRow, visible.width(), endRow}; }
+};
+
+/// Scratch memory of one thread, reused frame after frame.
+struct StripeScratch {
+    ScreenVertices              vertices;
+    std::vector<ScreenTriangle> triangles;  // of the batch at hand
+    EdgeTable                   edges;      // sweep methods only, like the next two
+    ActiveEdges                 active;
+    std::vector<int>            openAt;
+
+    std::size_t bytes() const
+    {
+        return sizeof(*this) + triangles.capacity() * sizeof(ScreenTriangle) + edges.bytes() + active.bytes() +
+               openAt.capacity() * sizeof(int);
+    }
+};
+
+}  // namespace zscope

@@ -1,0 +1,71 @@
+// Order "as submitted": instance after instance, batch after batch, triangle after triangle, in load order.
+//
+// Promise    skips only what cannot touch a pixel centre of the stripe (StripeVolume)
+// Cost       five planes per instance and per batch; transform and set-up of what is left
+#if defined(ZSCOPE_SUBMITTED_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_SUBMITTED_INL_H
+#undef ZSCOPE_SUBMITTED_INL_H
+#else
+#define ZSCOPE_SUBMITTED_INL_H
+#endif
+
+#include "core/geometry/set_up.h"
+#include "core/geometry/stripe_volume.h"
+#include "core/geometry/transform-inl.h"
+#include "core/traverse/stripe.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+/// Transforms one batch and leaves its screen triangles in `scratch.triangles`.
+template <class Probe>
+void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch,
+                StageClock& clock, const Probe& probe)
+{
+    transformBatch(place.mesh, place.batch, place.toWorld, stripe.projection, scratch.vertices);
+    probe(BatchTransformed{instance, place.batch.vertexCount});
+    clock.lap(Stage::Transform);
+
+    scratch.triangles.clear();
+    if (scratch.vertices.plain)
+        setUpPlain(place, scratch.vertices, stripe.culling, stripe.region(), scratch.triangles, probe);
+    else
+        setUpCarefully(place, stripe.projection, stripe.culling, stripe.region(), scratch.triangles, probe);
+    clock.lap(Stage::Setup);
+}
+
+/// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`.
+template <class Consume, class Probe>
+void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
+                      const Probe& probe)
+{
+    const Scene& scene = stripe.scene.scene();
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        if (stripe.progress.cancelled()) return;
+        const Instance&    instance = scene.instances[i];
+        const MeshBatches& mesh     = stripe.scene.batchesOf(instance.mesh);
+        const StripeVolume volume(stripe.projection, instance.toWorld, stripe.visible.width(), stripe.firstRow, stripe.endRow);
+        const auto         all = static_cast<std::uint32_t>(mesh.triangles.size());
+        if (volume.misses(mesh.bounds)) {
+            probe(BatchOutside{InstanceId{i}, all});
+            continue;
+        }
+        const Affine* toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
+        for (const Batch& batch : mesh.batches) {
+            const bool outside = mesh.batches.size() > 1 && volume.misses(batch.bounds);
+            clock.lap(Stage::Cull);
+            if (outside) {
+                probe(BatchOutside{InstanceId{i}, batch.triangleCount});
+                continue;
+            }
+            setUpBatch(BatchPlace{mesh, batch, toWorld, scene.firstTriangle[i]}, InstanceId{i}, stripe, scratch, clock, probe);
+            consume(scratch.triangles);
+        }
+    }
+    clock.lap(Stage::Cull);
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_SUBMITTED_INL_H
