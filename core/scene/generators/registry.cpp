@@ -12,7 +12,8 @@
 
 // The registry: one line per file of this folder.
 #define ZSCOPE_GENERATOR_FILES(file) \
-    file(cubes)
+    file(cubes)                      \
+    file(teapot)
 
 namespace zscope {
 
@@ -202,6 +203,17 @@ Result<Scene> generate(std::string_view word, std::uint64_t memoryLimit, const P
     if (!parts) return parts.error();
     parts->name = fmt::format("builtin:{}", word);
     return assemble(std::move(parts).value());
+}
+
+double meshBytes(double vertices, double polygons, double corners, double triangles)
+{
+    const Mesh mesh;
+    const auto each = [](const auto& list) { return static_cast<double>(sizeof(list[0])); };
+    const double perPolygon = each(mesh.firstCorner) + each(mesh.polygonMaterial) + each(mesh.polygonGroup) +
+                              each(mesh.firstTriangle);
+    const double perTriangle = each(mesh.triangles) + each(mesh.trianglePolygon);
+    return 2 * (vertices * each(mesh.positions) + corners * each(mesh.corners) + polygons * perPolygon +
+                triangles * perTriangle);
 }
 
 Error tooLarge(std::string_view what, double bytes, std::uint64_t limit)

@@ -82,6 +82,10 @@ Result<Arguments> parseArguments(const Generator& generator, std::string_view te
 /// "count=1000&seed=1": the parameters with their defaults.
 std::string defaultsOf(const Generator& generator);
 
+/// Bytes a mesh of this size takes while it grows: vectors may hold twice what is in use. In float64, so that no
+/// product of sizes runs over.
+double meshBytes(double vertices, double polygons, double corners, double triangles);
+
 /// The error of a scene that would take `bytes` where `limit` are allowed; `what` names the scene or the part.
 Error tooLarge(std::string_view what, double bytes, std::uint64_t limit);
 
