@@ -1,0 +1,194 @@
+#include "core/measure/definition.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zscope::definition {
+
+namespace {
+
+constexpr double kEndOfGrid = 0x1p61;  // snapped coordinates stay below, so that areas fit into 128 bits
+
+/// Seen from the eye: x to the right, y up, z forward.
+dvec3 viewSpace(const dvec3& q, const Affine& toWorld, const Camera& camera)
+{
+    const dvec3 p = toWorld.isIdentity() ? q : toWorld(q);
+    const dvec3 d = p - camera.eye;
+    const auto  along = [&d](const dvec3& axis) { return (axis.x * d.x + axis.y * d.y) + axis.z * d.z; };
+    return {along(camera.right), along(camera.up), along(camera.forward)};
+}
+
+/// Where the edge meets the near plane, computed from its inside end so that both neighbours get the same point.
+dvec3 crossing(const dvec3& inside, const dvec3& outside, double near)
+{
+    const double t = (inside.z - near) / (inside.z - outside.z);
+    return {inside.x + t * (outside.x - inside.x), inside.y + t * (outside.y - inside.y), near};
+}
+
+/// The corners in front of the near plane, walked in order: none, three or four.
+struct Outline {
+    std::array<dvec3, 4> points;
+    int                  count = 0;
+};
+Outline clipNear(const std::array<dvec3, 3>& corners, double near)
+{
+    Outline outline;
+    const auto output = [&outline](const dvec3& p) { outline.points[static_cast<std::size_t>(outline.count++)] = p; };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const dvec3& a        = corners[i];
+        const dvec3& b        = corners[(i + 1) % 3];
+        const bool   aInside  = a.z >= near;
+        const bool   bInside  = b.z >= near;
+        if (aInside) output(a);
+        if (aInside != bInside) output(aInside ? crossing(a, b, near) : crossing(b, a, near));
+    }
+    return outline;
+}
+
+/// False if the corner is beyond the grid. Written so that NaN, too, is beyond it.
+bool project(const dvec3& v, const View& view, Corner& corner)
+{
+    const Camera& camera = view.camera;
+    corner.depth         = camera.near / v.z;
+    corner.x             = camera.width * 0.5 + (v.x * corner.depth) * view.k;
+    corner.y             = camera.height * 0.5 - (v.y * corner.depth) * view.k;
+    const double xs = corner.x * 256;
+    const double ys = corner.y * 256;
+    if (!(std::abs(xs) < kEndOfGrid) || !(std::abs(ys) < kEndOfGrid)) return false;
+    corner.xs = static_cast<std::int64_t>(std::rint(xs));  // ties to even
+    corner.ys = static_cast<std::int64_t>(std::rint(ys));
+    return true;
+}
+
+Wide doubleAreaOf(const std::array<Corner, 3>& c)
+{
+    const auto x = [&c](std::size_t i) { return static_cast<Wide>(c[i].xs); };
+    const auto y = [&c](std::size_t i) { return static_cast<Wide>(c[i].ys); };
+    return (x(1) - x(0)) * (y(2) - y(0)) - (y(1) - y(0)) * (x(2) - x(0));
+}
+
+Side sideFrom(const Corner& a, const Corner& b)
+{
+    Side side{.xa = a.xs, .ya = a.ys, .dx = static_cast<Wide>(b.xs) - a.xs, .dy = static_cast<Wide>(b.ys) - a.ys};
+    const bool leftOrTop = side.dy < 0 || (side.dy == 0 && side.dx > 0);
+    side.bias            = leftOrTop ? 0 : 1;
+    return side;
+}
+
+}  // namespace
+
+View::View(const Camera& c, FaceCulling culling)
+    : camera(c), faceCulling(culling), k(((c.height * 0.5) * c.focal) / c.near),
+      farDepth(static_cast<float>(c.near / c.far))
+{
+}
+
+PixelBox pixelsWithin(std::int64_t minXs, std::int64_t maxXs, std::int64_t minYs, std::int64_t maxYs,
+                      const Camera& camera)
+{
+    // Centre 256 i + 128 >= min from i = ceil((min - 128) / 256) on, <= max up to floor((max - 128) / 256).
+    const auto first = [](std::int64_t min) { return std::max<std::int64_t>((min + 127) >> 8, 0); };
+    const auto last  = [](std::int64_t max, int size) { return std::min<std::int64_t>((max - 128) >> 8, size - 1); };
+    const std::int64_t x0 = first(minXs), x1 = last(maxXs, camera.width);
+    const std::int64_t y0 = first(minYs), y1 = last(maxYs, camera.height);
+    if (x0 > x1 || y0 > y1) return {};
+    return {static_cast<int>(x0), static_cast<int>(x1), static_cast<int>(y0), static_cast<int>(y1)};
+}
+
+Part::Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera) : m_corners(corners)
+{
+    const auto& [a, b, c] = m_corners;
+    m_box = pixelsWithin(std::min({a.xs, b.xs, c.xs}), std::max({a.xs, b.xs, c.xs}), std::min({a.ys, b.ys, c.ys}),
+                         std::max({a.ys, b.ys, c.ys}), camera);
+    setPlane();
+    setSides(doubleArea);
+}
+
+void Part::setPlane()
+{
+    const auto& [c0, c1, c2] = m_corners;
+    m_lo = static_cast<float>(std::min({c0.depth, c1.depth, c2.depth}));
+    m_hi = static_cast<float>(std::max({c0.depth, c1.depth, c2.depth}));
+
+    double x0 = c0.x, y0 = c0.y;
+    double e1x = c1.x - c0.x, e1y = c1.y - c0.y;
+    double e2x = c2.x - c0.x, e2y = c2.y - c0.y;
+    double det = e1x * e2y - e2x * e1y;
+    const double longest = std::max({std::abs(e1x), std::abs(e1y), std::abs(e2x), std::abs(e2y)});
+    if (!(std::abs(det) > longest * 0x1p-10)) {  // too thin: its own plane is pure rounding, the snapped one is not
+        const auto pixels = [](std::int64_t s) { return static_cast<double>(s) / 256; };
+        x0  = pixels(c0.xs);
+        y0  = pixels(c0.ys);
+        e1x = pixels(c1.xs) - x0;
+        e1y = pixels(c1.ys) - y0;
+        e2x = pixels(c2.xs) - x0;
+        e2y = pixels(c2.ys) - y0;
+        det = e1x * e2y - e2x * e1y;
+    }
+    m_isFlat         = det == 0;
+    const double d1  = c1.depth - c0.depth;
+    const double d2  = c2.depth - c0.depth;
+    const double inv = 1 / det;
+    m_a = (d1 * e2y - d2 * e1y) * inv;
+    m_b = (d2 * e1x - d1 * e2x) * inv;
+    m_c = c0.depth - (m_a * x0 + m_b * y0);
+}
+
+void Part::setSides(Wide doubleArea)
+{
+    std::array<Corner, 3> c = m_corners;
+    if (doubleArea < 0) std::swap(c[1], c[2]);
+    m_sides = {sideFrom(c[0], c[1]), sideFrom(c[1], c[2]), sideFrom(c[2], c[0])};
+}
+
+bool Part::covers(int i, int j) const
+{
+    return m_sides[0].at(i, j) >= 0 && m_sides[1].at(i, j) >= 0 && m_sides[2].at(i, j) >= 0;
+}
+
+float Part::depth(int i, int j) const
+{
+    if (m_isFlat) return m_hi;
+    float z = static_cast<float>(m_a * (i + 0.5) + (m_b * (j + 0.5) + m_c));
+    z       = z < m_lo ? m_lo : z;
+    return z > m_hi ? m_hi : z;
+}
+
+Fate partsOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view,
+             std::vector<Part>& parts)
+{
+    parts.clear();
+    const Mesh& mesh = scene.meshOf(instance);
+    if (mesh.materialOf(mesh.trianglePolygon[meshTriangle]).opacity < 1) return Fate::Transparent;
+
+    std::array<dvec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const dvec3& q = mesh.positions[mesh.triangles[meshTriangle][i]];
+        corners[i]     = viewSpace(q, scene.instances[instance.value].toWorld, view.camera);
+    }
+    const Outline outline = clipNear(corners, view.camera.near);
+    if (outline.count == 0) return Fate::BehindNear;
+
+    Fate fate = Fate::BehindNear;
+    for (std::size_t i = 2; i < static_cast<std::size_t>(outline.count); ++i) {  // fan from the first point
+        std::array<Corner, 3> part;
+        const bool onGrid = project(outline.points[0], view, part[0]) &&
+                            project(outline.points[i - 1], view, part[1]) && project(outline.points[i], view, part[2]);
+        if (!onGrid) {
+            fate = std::min(fate, Fate::OutOfRange);
+            continue;
+        }
+        const Wide doubleArea = doubleAreaOf(part);
+        if (doubleArea == 0) {
+            fate = std::min(fate, Fate::Degenerate);
+        } else if (doubleArea > 0 && view.faceCulling == FaceCulling::Back) {
+            fate = std::min(fate, Fate::Culled);
+        } else {
+            fate = Fate::Drawn;
+            parts.emplace_back(part, doubleArea, view.camera);
+        }
+    }
+    return fate;
+}
+
+}  // namespace zscope::definition

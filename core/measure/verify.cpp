@@ -1,0 +1,101 @@
+#include "core/measure/verify.h"
+
+#include <random>
+#include <utility>
+
+namespace zscope {
+
+namespace {
+
+/// The truth at all pixels, or at some.
+struct Truth {
+    Picture                    picture;
+    std::vector<PixelPosition> points;
+    std::vector<SampleTruth>   samples;
+};
+
+Result<Truth> truthOf(const VerifyRequest& request)
+{
+    const Scene& scene = request.scene->scene();
+    Truth        truth;
+    if (request.samples) {
+        truth.points = randomPixels(request.camera, *request.samples, request.sampleSeed);
+        auto samples =
+            referenceSamples(scene, request.camera, request.faceCulling, truth.points, request.progress);
+        if (!samples) return samples.error();
+        truth.samples = *std::move(samples);
+    } else {
+        auto picture = referencePicture(scene, request.camera, request.faceCulling, request.progress);
+        if (!picture) return picture.error();
+        truth.picture = *std::move(picture);
+    }
+    return truth;
+}
+
+ErrorFigures figuresOf(const Truth& truth, bool sampled, const Picture& test)
+{
+    if (!sampled) return compare(truth.picture, test);
+    std::vector<PixelPair> pixels;
+    pixels.reserve(truth.points.size());
+    for (std::size_t i = 0; i < truth.points.size(); ++i) {
+        const auto [x, y] = truth.points[i];
+        pixels.push_back({.referenceId    = truth.samples[i].id,
+                          .testId         = test.ids.at(x, y),
+                          .referenceDepth = truth.samples[i].depth,
+                          .testDepth      = test.depth.at(x, y)});
+    }
+    return compare(pixels, test.ids.values());
+}
+
+}  // namespace
+
+std::vector<PixelPosition> randomPixels(const Camera& camera, std::uint64_t count, std::uint64_t seed)
+{
+    // The remainder of 64 random bits, not a distribution of the standard library: those differ between libraries.
+    std::mt19937_64            bits(seed);
+    const auto                 below = [&bits](int n) { return static_cast<int>(bits() % static_cast<unsigned>(n)); };
+    std::vector<PixelPosition> points(count);
+    for (PixelPosition& p : points) {
+        p.x = below(camera.width);
+        p.y = below(camera.height);
+    }
+    return points;
+}
+
+Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
+{
+    const auto truth = truthOf(request);
+    if (!truth) return truth.error();
+
+    Renderer               renderer;
+    Frame                  frame;
+    std::vector<VerifyRow> rows;
+    DrawRequest draw{.scene       = request.scene,
+                     .camera      = request.camera,
+                     .faceCulling = request.faceCulling,
+                     .pipeline    = {},
+                     .shade       = false,
+                     .memoryLimit = request.memoryLimit,
+                     .cancel      = request.progress.cancel};
+    const std::size_t total = request.algorithms.size() * request.threads.size() * request.simd.size();
+    for (const Preset& algorithm : request.algorithms) {
+        draw.pipeline = algorithm.pipeline;
+        for (const int threads : request.threads) {
+            draw.threads = threads;
+            for (const Simd simd : request.simd) {
+                draw.simd = simd;
+                request.progress.at(static_cast<double>(rows.size()) / static_cast<double>(total), algorithm.name);
+                const auto report = renderer.draw(draw, frame);
+                if (!report) return report.error();
+                rows.push_back({.algorithm = std::string(algorithm.name),
+                                .exact     = algorithm.exact,
+                                .threads   = report->threads,
+                                .simd      = report->simd,
+                                .figures = figuresOf(*truth, request.samples.has_value(), pictureOf(frame.visible))});
+            }
+        }
+    }
+    return rows;
+}
+
+}  // namespace zscope

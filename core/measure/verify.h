@@ -1,0 +1,52 @@
+// Draws a scene by several algorithms, thread counts and vector targets and holds every picture against the
+// reference: the library part of `zscope-cli verify`.
+//
+// Promise    the reference is made once; every row compares all pixels, or the same sampled pixels
+// Cost       one brute-force picture (or its samples) and one frame per row
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/frame/renderer.h"
+#include "core/measure/error_figures.h"
+#include "core/measure/reference.h"
+
+namespace zscope {
+
+struct VerifyRequest {
+    std::shared_ptr<const PreparedScene> scene;
+    Camera                               camera;
+    FaceCulling                          faceCulling = FaceCulling::None;
+    std::vector<Preset>                  algorithms;            // drawn in this order
+    std::vector<int>                     threads     = {0};     // each algorithm with each; 0: one per core
+    std::vector<Simd>                    simd        = {Simd::Auto};
+    std::optional<std::uint64_t>         samples     = {};      // random pixels instead of all
+    std::uint64_t                        sampleSeed  = 1;
+    std::uint64_t                        memoryLimit = 0;       // bytes a frame may take; 0: as DrawRequest
+    Progress                             progress    = {};
+};
+
+struct VerifyRow {
+    std::string  algorithm;
+    bool         exact   = true;  // the method claims to draw the definition's picture
+    int          threads = 1;     // as used
+    Simd         simd    = Simd::Scalar;
+    ErrorFigures figures;
+
+    /// An exact method without any difference; an approximate one is not judged, it publishes its figures.
+    bool passed() const { return !exact || figures.isExact(); }
+};
+
+/// Errors: what the renderer refuses, Limit, Cancelled.
+Result<std::vector<VerifyRow>> verify(const VerifyRequest& request);
+
+/// `count` pixels of the picture, each chosen alike, repeats possible; the same for the same seed everywhere.
+std::vector<PixelPosition> randomPixels(const Camera& camera, std::uint64_t count, std::uint64_t seed);
+
+}  // namespace zscope
