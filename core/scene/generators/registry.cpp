@@ -13,7 +13,13 @@
 // The registry: one line per file of this folder.
 #define ZSCOPE_GENERATOR_FILES(file) \
     file(cubes)                      \
-    file(teapot)
+    file(teapot)                     \
+    file(soccer_ball)                \
+    file(soccer_field)               \
+    file(hard_a)                     \
+    file(hard_b)                     \
+    file(hard_c)                     \
+    file(hard_f)
 
 namespace zscope {
 

@@ -6,11 +6,10 @@
 // Source     M. Newell, 1975; control points as in the published data set, F. Crow: The Origins of the Teapot, IEEE
 //            CG&A 7(1), 1987; the bottom was added by J. Blinn
 #include <array>
-#include <cmath>
 #include <memory>
-#include <unordered_map>
 
 #include "core/scene/generators/registry.h"
+#include "core/scene/generators/welder.h"
 
 namespace zscope::generated {
 
@@ -118,34 +117,8 @@ ControlPoint placed(const ControlPoint& p, Symmetry symmetry, int turn)
     }
 }
 
-/// Gives equal points one number. Points are put on a grid of 2^-24, so that the rims of neighbouring patches, which
-/// rounding may tell apart, are one and the pot has no cracks.
-class Welder {
-public:
-    explicit Welder(Mesh& mesh) : m_mesh(mesh) {}
-
-    std::uint32_t vertexAt(const ControlPoint& p)
-    {
-        std::array<std::int64_t, 3> key;
-        for (std::size_t k = 0; k < 3; ++k) key[k] = static_cast<std::int64_t>(std::floor(p[k] * 0x1p24 + 0.5));
-        const auto [known, isNew] = m_numbers.try_emplace(key, static_cast<std::uint32_t>(m_mesh.positions.size()));
-        const auto coordinate     = [&key](std::size_t k) { return static_cast<double>(key[k]) * 0x1p-24; };
-        if (isNew) m_mesh.positions.push_back({coordinate(0), coordinate(2), 0.0 - coordinate(1)});
-        return known->second;
-    }
-
-private:
-    struct Hash {
-        std::size_t operator()(const std::array<std::int64_t, 3>& key) const
-        {
-            std::uint64_t mixed = 0;
-            for (std::int64_t part : key) mixed = (mixed ^ static_cast<std::uint64_t>(part)) * 0x9E37'79B9'7F4A'7C15ull;
-            return static_cast<std::size_t>(mixed ^ (mixed >> 32));
-        }
-    };
-    Mesh&                                                                  m_mesh;
-    std::unordered_map<std::array<std::int64_t, 3>, std::uint32_t, Hash> m_numbers;
-};
+/// From the axes of the control points to those of the scene: y up.
+dvec3 upright(const ControlPoint& p) { return {p[0], p[2], 0.0 - p[1]}; }
 
 /// One copy of one patch as cells x cells polygons; four corners, or three beside a pole.
 void addPatch(Mesh& mesh, Welder& welder, const GivenPatch& given, int turn, std::uint32_t cells, GroupId group)
@@ -154,9 +127,9 @@ void addPatch(Mesh& mesh, Welder& welder, const GivenPatch& given, int turn, std
     std::vector<std::uint32_t> grid(std::size_t{side} * side);
     for (std::uint32_t i = 0; i < side; ++i)
         for (std::uint32_t j = 0; j < side; ++j)
-            grid[std::size_t{i} * side + j] = welder.vertexAt(
+            grid[std::size_t{i} * side + j] = welder.vertexAt(upright(
                 placed(pointAt(given.points, static_cast<double>(i) / cells, static_cast<double>(j) / cells),
-                       given.symmetry, turn));
+                       given.symmetry, turn)));
 
     const bool mirrored = given.symmetry == Symmetry::Mirror && turn == 1;
     for (std::uint32_t i = 0; i < cells; ++i)
@@ -175,9 +148,9 @@ void addPatch(Mesh& mesh, Welder& welder, const GivenPatch& given, int turn, std
 Result<Scene> make(const Arguments& arguments)
 {
     const auto cells = static_cast<std::uint32_t>(arguments.whole("tessellation"));
-    // 32 patches; per quad a vertex, its place in the welder (80 bytes) and two triangles.
+    // 32 patches; per quad a vertex, its place in the welder and two triangles.
     const double quads = 32.0 * cells * cells;
-    const double bytes = meshBytes(quads, quads, 4 * quads, 2 * quads) + 80 * quads;
+    const double bytes = meshBytes(quads, quads, 4 * quads, 2 * quads) + Welder::kBytesPerVertex * quads;
     if (bytes > static_cast<double>(arguments.memoryLimit))
         return tooLarge("the teapot at this tessellation", bytes, arguments.memoryLimit);
 
