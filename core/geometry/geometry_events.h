@@ -8,6 +8,13 @@
 
 namespace zscope {
 
+/// The next instance's turn, whether or not it can be seen.
+struct InstanceReached {
+    InstanceId    instance;
+    std::uint32_t opaque;       // triangles of its batches
+    std::uint32_t transparent;  // triangles with opacity below 1: in no batch, outside ids and depth
+};
+
 /// A whole batch lies outside the picture or behind the eye; none of its triangles is looked at.
 struct BatchOutside {
     InstanceId    instance;
@@ -28,9 +35,5 @@ struct TriangleSetUp {
     bool          wide;          // took the 128-bit path
 };
 
-/// Faces with opacity below 1 are in no batch.
-struct TransparentLeftOut {
-    std::uint64_t triangles;
-};
 
 }  // namespace zscope

@@ -72,7 +72,7 @@ private:
         if (part.y[bottom] < part.y[top]) std::swap(top, bottom);
         const auto lines = EdgeTable::linesOf(part, start.side);
         return {EdgeStepper(part.x[top], part.y[top], part.x[bottom], part.y[bottom], y, lines.end - 1), start.part,
-                lines.end - 1};
+                start.side, lines.end - 1};
     }
 
     std::vector<ActiveEdge> m_edges;  // from left to right

@@ -19,8 +19,8 @@ namespace zscope {
 
 /// One entry of a bucket: side `side` (from corner side to corner side + 1) of part `part`.
 struct EdgeStart {
-    std::uint32_t part;
-    std::uint32_t side;
+    std::uint32_t part : 30;
+    std::uint32_t side : 2;
 };
 
 class EdgeTable {
@@ -40,7 +40,7 @@ public:
         m_parts.push_back(part);
         for (std::uint32_t side = 0; side < 3; ++side) {
             const auto [first, end] = linesOf(part, side);
-            if (first < end) m_unsorted.push_back({first, {index, side}});
+            if (first < end) m_unsorted.push_back({first, {index & kMaxPart, side & 3}});
         }
     }
 
@@ -83,6 +83,8 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t kMaxPart = (1u << 30) - 1;  // more parts than any memory holds
+
     struct Entry {
         int       line;
         EdgeStart start;

@@ -14,9 +14,10 @@ class EdgeTable;
 
 /// One row of the active edge table.
 struct ActiveEdge {
-    EdgeStepper   crossing;  // with the current line's centre
-    std::uint32_t part;      // index into EdgeTable::parts()
-    int           lastLine;  // inclusive
+    EdgeStepper   crossing;   // with the current line's centre
+    std::uint32_t part : 30;  // index into EdgeTable::parts()
+    std::uint32_t side : 2;   // from corner side to corner side + 1
+    int           lastLine;   // inclusive
 };
 
 /// Every bucket of the edge table is filled; no line has been swept.

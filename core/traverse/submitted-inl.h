@@ -46,6 +46,7 @@ void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& 
         const MeshBatches& mesh     = stripe.scene.batchesOf(instance.mesh);
         const StripeVolume volume(stripe.projection, instance.toWorld, stripe.visible.width(), stripe.firstRow, stripe.endRow);
         const auto         all = static_cast<std::uint32_t>(mesh.triangles.size());
+        probe(InstanceReached{InstanceId{i}, all, static_cast<std::uint32_t>(scene.meshOf(InstanceId{i}).triangles.size()) - all});
         if (volume.misses(mesh.bounds)) {
             probe(BatchOutside{InstanceId{i}, all});
             continue;

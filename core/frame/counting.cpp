@@ -1,0 +1,27 @@
+// Counting: the frame again, serially, with the work recorder as its only listener.
+#define HWY_COMPILE_ONLY_SCALAR
+
+#include "core/frame/serial_run-inl.h"
+#include "core/frame/work_recorder.h"
+
+namespace zscope {
+
+Result<std::vector<NamedCount>> Renderer::count(const DrawRequest& request)
+{
+    const Result<FramePlan> plan = planFrame(request);
+    if (!plan) return plan.error();
+    try {
+        Frame         frame;
+        StripeScratch scratch;
+        WorkRecorder  work;
+        DrawRequest   unshaded = request;
+        unshaded.shade         = false;
+        HWY_STATIC_DISPATCH(runSerially)(unshaded, frame, scratch, Listening(work));
+        if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "counting was cancelled"};
+        return work.counts();
+    } catch (const std::bad_alloc&) {
+        return Error{Trouble::Limit, "there is not enough memory to count this frame"};
+    }
+}
+
+}  // namespace zscope

@@ -1,0 +1,50 @@
+// A frame drawn by one thread over one stripe, with a probe: the serial driver around the same kernels that draw at
+// full speed. A probe that stops unwinds through here.
+//
+// Promise    a run that is not stopped leaves the very picture that Renderer::draw() makes
+#if defined(ZSCOPE_SERIAL_RUN_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_SERIAL_RUN_INL_H
+#undef ZSCOPE_SERIAL_RUN_INL_H
+#else
+#define ZSCOPE_SERIAL_RUN_INL_H
+#endif
+
+#include "core/frame/drivers-inl.h"
+#include "core/frame/frame_plan.h"
+#include "core/frame/renderer.h"
+#include "core/probe/probe.h"
+#include "core/shade/shade-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+inline void shadeWhole(const DrawRequest& request, Frame& frame)
+{
+    frame.colour.reset(request.camera.width, request.camera.height, kBackgroundColour);
+    shadeRows(request.scene->scene(), coloursOf(*request.scene), frame.visible, 0, request.camera.height, frame.colour.view());
+}
+
+/// `frame` and `scratch` stay as the run left them, finished or not.
+template <class Probe>
+void runSerially(const DrawRequest& request, Frame& frame, StripeScratch& scratch, const Probe& probe)
+{
+    const Camera&    camera = request.camera;
+    const Projection projection(camera);
+    frame.visible.resize(camera.width, camera.height, emptyDepth(camera.near, camera.far));
+    frame.visible.clearRows(0, camera.height);
+
+    StageClock   clock;
+    const Stripe whole{*request.scene, projection, request.faceCulling, frame.visible, 0, camera.height, {.report = {}, .cancel = request.cancel}};
+    drawStripe(request.pipeline, whole, scratch, clock, probe);
+    if (request.shade) {
+        probe(StageStarted{Stage::Shade});
+        shadeWhole(request, frame);
+        probe(StageFinished{Stage::Shade});
+    }
+    probe(FrameFinished{});
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_SERIAL_RUN_INL_H
