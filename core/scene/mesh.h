@@ -4,6 +4,7 @@
 // Polygons   polygon p has the corners [firstCorner[p], firstCorner[p+1]) of `corners`, in file order
 // Triangles  those of polygon p are [firstTriangle[p], firstTriangle[p+1]), in load order: convex faces as a
 //            fan from the first corner, concave ones by ears (docs/correctness.md, Polygons)
+//            (a polygon of n corners has n - 2 triangles, more where corners touch its own edges)
 // Promise    every index is in range; a face that was dropped while reading is in none of the lists
 #pragma once
 
@@ -18,6 +19,9 @@
 #include "core/base/ids.h"
 
 namespace zscope {
+
+enum class PolygonSplit;  // core/scene/triangulate.h
+class PolygonSplitter;
 
 /// Linear colour, each part in [0, 1].
 struct Rgb {
@@ -75,8 +79,12 @@ struct Mesh {
     Bounds bounds() const;
 
     /// Appends a polygon and splits it (core/scene/triangulate.h); the corners must be valid vertices, three or more.
-    /// Returns false if the outline was degenerate or self-intersecting, so that a fan was used and should be reported.
+    /// Returns false if the outline was degenerate or self-intersecting, so that a fan was used and should be reported,
+    /// or if it was refused (concave beyond kMaxConcaveCorners), so that nothing but droppedFaces changed.
     bool addPolygon(std::span<const std::uint32_t> outline, MaterialId material = {}, GroupId group = {});
+    /// The same for whoever adds many: says what was done, and uses the splitter's working memory again.
+    PolygonSplit addPolygon(std::span<const std::uint32_t> outline, MaterialId material, GroupId group,
+                            PolygonSplitter& splitter);
 };
 
 }  // namespace zscope
