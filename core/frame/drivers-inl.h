@@ -69,6 +69,7 @@ void drawSweep(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, 
     scratch.edges.clear(stripe.firstRow, stripe.endRow);
     visitAsSubmitted(stripe, scratch, clock, EnterEdges{scratch.edges, clock}, probe);
     scratch.edges.fillBuckets();
+    probe(EdgeTableReady{scratch.edges});
     clock.lap(Stage::Setup);
     probe(StageFinished{Stage::Setup});
 

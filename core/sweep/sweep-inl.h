@@ -22,7 +22,6 @@ namespace zscope::HWY_NAMESPACE {
 template <class Resolve, class Probe>
 void sweep(const EdgeTable& edges, ActiveEdges& active, Resolve& resolve, const Progress& progress, const Probe& probe)
 {
-    probe(EdgeTableReady{edges});
     active.clear();
     for (int y = edges.firstLine(); y < edges.endLine() && !progress.cancelled(); ++y) {
         active.retireBefore(y, probe);

@@ -1,0 +1,103 @@
+// Stepping: the frame again, serially and with one lane, stopped right after the wanted event.
+#define HWY_COMPILE_ONLY_SCALAR
+
+#include "core/lesson/replay.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "core/frame/serial_run-inl.h"
+#include "core/lesson/recorders.h"
+#include "core/lesson/sentences.h"
+
+namespace zscope {
+
+namespace {
+
+std::optional<Error> cannotStep(const DrawRequest& request, Grain grain)
+{
+    const std::vector<Grain> grains = grainsOf(request.pipeline);
+    if (std::ranges::find(grains, grain) != grains.end()) return std::nullopt;
+    std::string words;
+    for (const Grain has : grains) words += (words.empty() ? "" : ", ") + std::string(wordOf(has));
+    return Error{Trouble::Usage, nameOf(request.pipeline) + " has no steps of grain '" + std::string(wordOf(grain)) +
+                                     "'; its grains are " + words};
+}
+
+/// Runs until `probe` stops it; tells whether it did.
+template <class Probe>
+bool runUntilStopped(const DrawRequest& request, Frame& frame, StripeScratch& scratch, const Probe& probe)
+{
+    try {
+        HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch, probe);
+        return false;
+    } catch (const RunStopped&) {
+        return true;
+    }
+}
+
+Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to step through this frame"}; }
+Error wasCancelled() { return {Trouble::Cancelled, "stepping was cancelled"}; }
+
+}  // namespace
+
+Replay::Replay(DrawRequest request) : m_request(std::move(request)) {}
+
+Result<std::uint64_t> Replay::count(Grain grain)
+{
+    std::optional<std::uint64_t>& known = m_counts[static_cast<std::size_t>(grain)];
+    if (known) return *known;
+    if (const auto plan = planFrame(m_request); !plan) return plan.error();
+    if (const auto error = cannotStep(m_request, grain)) return *error;
+    try {
+        Frame         frame;
+        StripeScratch scratch;
+        StopAt        steps(grain);
+        runUntilStopped(m_request, frame, scratch, Listening(steps));
+        if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
+        known = steps.seen();
+        return *known;
+    } catch (const std::bad_alloc&) {
+        return outOfMemory();
+    }
+}
+
+Result<StepState> Replay::at(Grain grain, StepIndex step)
+{
+    const Result<std::uint64_t> steps = count(grain);
+    if (!steps) return steps.error();
+    if (step.value >= *steps) {
+        return Error{Trouble::Usage, "there is no step " + std::to_string(step.value) + ": the last of grain '" +
+                                         std::string(wordOf(grain)) + "' is " + std::to_string(*steps - 1)};
+    }
+    try {
+        StepState        state;
+        StripeScratch    scratch;
+        SweepRecorder    sweep;
+        TriangleRecorder triangle;
+        PixelRecorder    pixel;
+        MomentRecorder   moment;
+        StopAt           stop(grain, step.value);
+        runUntilStopped(m_request, state.frame, scratch, Listening(sweep, triangle, pixel, moment, stop));
+        if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
+        if (state.frame.colour.height() == 0) HWY_STATIC_DISPATCH(shadeWhole)(m_request, state.frame);
+
+        state.algorithm = nameOf(m_request.pipeline);
+        state.grain     = grain;
+        state.step      = step;
+        state.count     = *steps;
+        state.event     = stop.lastGrain();
+        state.stage     = moment.stage();
+        state.sweep     = sweep.state();
+        state.triangle  = triangle.state();
+        state.span      = pixel.span();
+        if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = pixel.pixel();
+        state.sentence  = sentenceFor(state, moment.moment(), m_request.scene->scene().triangleCount());
+        return state;
+    } catch (const std::bad_alloc&) {
+        return outOfMemory();
+    }
+}
+
+}  // namespace zscope

@@ -1,0 +1,130 @@
+#include "core/lesson/sentences.h"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace zscope {
+
+namespace {
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t value)
+{
+    std::string digits = std::to_string(value);
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
+    return digits;
+}
+
+std::string counted(std::uint64_t value, std::string_view one, std::string_view many)
+{
+    return fmt::format("{} {}", grouped(value), value == 1 ? one : many);
+}
+
+std::uint64_t coveredPixels(const VisibilityBuffer& visible)
+{
+    std::uint64_t covered = 0;
+    for (int y = 0; y < visible.height(); ++y)
+        for (int x = 0; x < visible.width(); ++x) covered += visible.rankRow(y)[x] != 0;
+    return covered;
+}
+
+std::string stageOver(const StepState& state)
+{
+    switch (state.stage) {
+    case Stage::Clear:
+        return "The picture is cleared: every pixel is background, farther than anything that may be kept.";
+    case Stage::Setup: {
+        std::uint64_t edges = 0;
+        for (const int starting : state.sweep->edgesStarting) edges += static_cast<std::uint64_t>(starting);
+        return fmt::format("The edge table is complete: {} in the buckets of their first lines, none active yet.",
+                           counted(edges, "edge waits", "edges wait"));
+    }
+    case Stage::Raster:
+        return fmt::format("Every pixel is decided: {} a triangle, the nearest that covers it.",
+                           counted(coveredPixels(state.frame.visible), "pixel shows", "pixels show"));
+    case Stage::Shade:
+        return fmt::format("{} taken the colour of its triangle, once.",
+                           counted(coveredPixels(state.frame.visible), "covered pixel has", "covered pixels have each"));
+    default: return fmt::format("The stage '{}' is over.", wordOf(state.stage));
+    }
+}
+
+std::string changesOf(const SweepState& sweep)
+{
+    if (sweep.entered.empty() && sweep.left.empty()) return "no edge enters or leaves";
+    std::string text;
+    if (sweep.entered.size() == 1)
+        text = fmt::format("an edge of triangle {} enters, because this is its first line", grouped(sweep.entered[0].polygon.value));
+    else if (!sweep.entered.empty())
+        text = fmt::format("{} edges enter on their first line", grouped(sweep.entered.size()));
+    if (sweep.left.empty()) return text;
+    if (!text.empty()) text += "; ";
+    if (sweep.left.size() == 1)
+        return text + fmt::format("an edge of triangle {} leaves: its last line was {}", grouped(sweep.left[0].polygon.value),
+                                  sweep.left[0].lastLine);
+    return text + fmt::format("{} edges leave: their last lines are past", grouped(sweep.left.size()));
+}
+
+std::string lineReady(const SweepState& sweep)
+{
+    return fmt::format("The sweep reaches line {}: {}. {}, sorted by x.", sweep.y, changesOf(sweep),
+                       counted(sweep.activeEdges.size(), "edge is active", "edges are active"));
+}
+
+std::string lineOver(const SweepState& sweep)
+{
+    return fmt::format("Line {} is drawn: {}. {} between {} gave {}.", sweep.y, changesOf(sweep),
+                       counted(sweep.activePolygons.size(), "triangle", "triangles"),
+                       counted(sweep.activeEdges.size(), "active edge", "active edges"),
+                       counted(sweep.spans.size(), "span", "spans"));
+}
+
+std::string spanOver(const StepState& state)
+{
+    const SpanRow&    span   = *state.span;
+    const std::string pixels = span.x1 - span.x0 == 1 ? fmt::format("pixel {}", span.x0)
+                                                      : fmt::format("pixels {} to {}", span.x0, span.x1 - 1);
+    return fmt::format("Triangle {} covers {} of its line: those whose centres lie between its left and right edge.",
+                       grouped(span.polygon.value), pixels);
+}
+
+std::string pixelOver(const PixelState& p)
+{
+    const std::string who = fmt::format("Pixel ({}, {}): triangle {}, depth {:.7g},", p.x, p.y, grouped(p.triangle.value), p.depth);
+    if (!p.rival && p.won) return who + " takes it from the background.";
+    if (!p.rival) return who + " lies beyond the far plane and is not kept.";
+    const std::string rival = fmt::format("triangle {}", grouped(p.rival->value));
+    if (p.depth == p.rivalDepth) {
+        return who + (p.won ? fmt::format(" is as near as {} and takes it: on equal depth the lower id wins.", rival)
+                            : fmt::format(" is as near as {} and loses: on equal depth the lower id wins.", rival));
+    }
+    if (p.won) return who + fmt::format(" is nearer than {} at {:.7g} and takes it.", rival, p.rivalDepth);
+    return who + fmt::format(" is farther than {} at {:.7g} and is hidden.", rival, p.rivalDepth);
+}
+
+}  // namespace
+
+std::string sentenceFor(const StepState& state, MomentRecorder::Moment moment, std::uint64_t trianglesInScene)
+{
+    using Moment = MomentRecorder::Moment;
+    switch (moment) {
+    case Moment::None: return "Nothing has happened yet.";
+    case Moment::StageOver: return stageOver(state);
+    case Moment::TriangleOver:
+        return fmt::format("Triangle {} is drawn: it is nearest so far at {}.", grouped(state.triangle->triangle.value),
+                           counted(state.triangle->pixelsWon, "pixel", "pixels"));
+    case Moment::LineReady: return lineReady(*state.sweep);
+    case Moment::LineOver: return lineOver(*state.sweep);
+    case Moment::SpanOver: return spanOver(state);
+    case Moment::PixelOver: return pixelOver(*state.pixel);
+    case Moment::FrameOver:
+        return fmt::format("The picture is finished: {} one of {}.",
+                           counted(coveredPixels(state.frame.visible), "pixel shows", "pixels show"),
+                           counted(trianglesInScene, "triangle", "triangles"));
+    }
+    return {};
+}
+
+}  // namespace zscope

@@ -1,0 +1,14 @@
+// One sentence per step, with live numbers and the rule that was applied.
+#pragma once
+
+#include <string>
+
+#include "core/lesson/recorders.h"
+#include "core/lesson/step_state.h"
+
+namespace zscope {
+
+/// What happened at `moment`, from the rest of the state.
+std::string sentenceFor(const StepState& state, MomentRecorder::Moment moment, std::uint64_t trianglesInScene);
+
+}  // namespace zscope

@@ -1,0 +1,66 @@
+#include <nlohmann/json.hpp>
+
+#include "core/lesson/replay.h"
+
+namespace zscope {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const EdgeRow& edge)
+{
+    return {{"polygon", edge.polygon.value}, {"x", edge.x},
+            {"x_subpixels", edge.xSubpixels}, {"dx", edge.dx},
+            {"first_line", edge.firstLine}, {"last_line", edge.lastLine}};
+}
+
+Json toJson(const SpanRow& span) { return {{"x0", span.x0}, {"x1", span.x1}, {"polygon", span.polygon.value}}; }
+
+Json toJson(const PixelState& pixel)
+{
+    Json json{{"x", pixel.x}, {"y", pixel.y}, {"triangle", pixel.triangle.value}, {"depth", pixel.depth}, {"won", pixel.won}};
+    json["rival"] = pixel.rival ? Json{{"triangle", pixel.rival->value}, {"depth", pixel.rivalDepth}} : Json(nullptr);
+    return json;
+}
+
+Json toJson(const TriangleState& triangle)
+{
+    return {{"id", triangle.triangle.value}, {"corners", triangle.corners}, {"pixels_won", triangle.pixelsWon}};
+}
+
+template <class Values>
+Json listOf(const Values& values)
+{
+    Json list = Json::array();
+    for (const auto& value : values) list.push_back(toJson(value));
+    return list;
+}
+
+void addSweep(Json& json, const SweepState& sweep)
+{
+    json["line"]         = sweep.y;
+    json["active_edges"] = listOf(sweep.activeEdges);
+    Json polygons        = Json::array();
+    for (const TriangleId polygon : sweep.activePolygons) polygons.push_back(polygon.value);
+    json["active_polygons"] = std::move(polygons);
+    json["spans"]           = listOf(sweep.spans);
+    json["entered"]         = listOf(sweep.entered);
+    json["left"]            = listOf(sweep.left);
+}
+
+}  // namespace
+
+std::string stateToJson(const StepState& state)
+{
+    Json json{{"algorithm", state.algorithm}, {"grain", wordOf(state.grain)}, {"step", state.step.value},
+              {"count", state.count},         {"sentence", state.sentence},   {"event", wordOf(state.event)},
+              {"stage", wordOf(state.stage)}};
+    if (state.sweep) addSweep(json, *state.sweep);
+    if (state.triangle) json["triangle"] = toJson(*state.triangle);
+    if (state.span) json["span"] = toJson(*state.span);
+    if (state.pixel) json["pixel"] = toJson(*state.pixel);
+    return json.dump(1) + "\n";
+}
+
+}  // namespace zscope

@@ -1,0 +1,83 @@
+// What a lesson shows of one step: values, copied out of the run, that no later step changes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/base/stages.h"
+#include "core/frame/renderer.h"
+#include "core/probe/grain.h"
+
+namespace zscope {
+
+/// One row of the active edge table as a lesson shows it.
+struct EdgeRow {
+    TriangleId                  polygon;
+    double                      x          = 0;       // where the edge meets the line's centre, pixels
+    std::int64_t                xSubpixels = 0;       // the same in 1/256 pixel, rounded down
+    std::array<std::int64_t, 2> dx{0, 1};             // pixels per line, an exact reduced fraction, denominator > 0
+    int                         firstLine = 0;        // inclusive
+    int                         lastLine  = 0;        // inclusive
+
+    friend bool operator==(const EdgeRow&, const EdgeRow&) = default;
+};
+
+/// A run of pixels [x0, x1) of one line that was given to a triangle's depth test.
+struct SpanRow {
+    int        x0 = 0;
+    int        x1 = 0;
+    TriangleId polygon;
+
+    friend bool operator==(const SpanRow&, const SpanRow&) = default;
+};
+
+/// The sweep's structures for the line the run has reached.
+struct SweepState {
+    int                     y = -1;          // -1: no line reached yet
+    std::vector<EdgeRow>    activeEdges;     // sorted by x
+    std::vector<TriangleId> activePolygons;  // each once, ascending
+    std::vector<SpanRow>    spans;           // in the order they were filled
+    std::vector<EdgeRow>    entered;         // since the previous line
+    std::vector<EdgeRow>    left;            // since the previous line
+    std::vector<int>        edgesStarting;   // per line of the picture: how many edges its edge-table bucket holds
+};
+
+/// One pixel's depth test.
+struct PixelState {
+    int                       x = 0;
+    int                       y = 0;
+    TriangleId                triangle;
+    float                     depth = 0;
+    bool                      won   = false;
+    std::optional<TriangleId> rival;           // who owned the pixel before; nothing: background
+    float                     rivalDepth = 0;  // 0 for background
+};
+
+/// The triangle that is being drawn or has just been drawn.
+struct TriangleState {
+    TriangleId                           triangle;
+    std::array<std::array<double, 2>, 3> corners{};  // snapped, pixels
+    std::uint64_t                        pixelsWon = 0;
+};
+
+/// Everything a lesson shows of one step; a value.
+struct StepState {
+    std::string                  algorithm;
+    Grain                        grain = Grain::Frame;
+    StepIndex                    step;
+    std::uint64_t                count = 0;
+    std::string                  sentence;  // one sentence with live numbers and the rule applied
+    Grain                        event = Grain::Frame;  // grain of the event the run stopped at
+    Stage                        stage = Stage::Clear;  // the stage the run is in
+    std::optional<SweepState>    sweep;     // sweep methods only
+    std::optional<TriangleState> triangle;  // stream methods, once a triangle was reached
+    std::optional<PixelState>    pixel;     // if the last event was a pixel
+    std::optional<SpanRow>       span;      // the last span filled
+    Frame                        frame;     // as the run left it, shaded
+};
+
+}  // namespace zscope
