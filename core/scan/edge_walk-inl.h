@@ -51,8 +51,9 @@ private:
         };
         EdgeStepper longSide = edge(0, 2), shortSide = edge(top, bottom);
         for (int y = first; y < end; ++y) {
-            const auto [left, right] = std::minmax(longSide.firstPixel(), shortSide.firstPixel());
-            fillSpan(triangle, y, std::max(left, triangle.box.x0), std::min(right, triangle.box.x1), visible, probe);
+            const int one = longSide.firstPixel(), other = shortSide.firstPixel();
+            fillSpan(triangle, y, std::max(std::min(one, other), triangle.box.x0),
+                     std::min(std::max(one, other), triangle.box.x1), visible, probe);
             longSide.nextLine();
             shortSide.nextLine();
         }
