@@ -5,7 +5,7 @@
 #include "core/scene/generators/circle.h"
 #include "core/scene/generators/hard_scene.h"
 
-namespace zscope::files {
+namespace zscope::generated {
 
 namespace {
 
@@ -263,4 +263,4 @@ std::vector<Generator> hard_a()
     };
 }
 
-}  // namespace zscope::files
+}  // namespace zscope::generated

@@ -7,7 +7,7 @@
 #include "core/scene/generators/hard_scene.h"
 #include "core/scene/generators/random.h"
 
-namespace zscope::files {
+namespace zscope::generated {
 
 namespace {
 
@@ -293,4 +293,4 @@ std::vector<Generator> hard_b()
     };
 }
 
-}  // namespace zscope::files
+}  // namespace zscope::generated

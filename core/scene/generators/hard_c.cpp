@@ -6,7 +6,7 @@
 #include "core/scene/generators/hard_scene.h"
 #include "core/scene/generators/random.h"
 
-namespace zscope::files {
+namespace zscope::generated {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::vector<Generator> hard_c()
     };
 }
 
-}  // namespace zscope::files
+}  // namespace zscope::generated

@@ -6,7 +6,7 @@
 #include "core/scene/generators/hard_scene.h"
 #include "core/scene/generators/random.h"
 
-namespace zscope::files {
+namespace zscope::generated {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::vector<Generator> hard_f()
     };
 }
 
-}  // namespace zscope::files
+}  // namespace zscope::generated
