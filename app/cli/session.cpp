@@ -23,8 +23,8 @@ extern "C" void requestInterrupt(int signal)
     std::signal(signal, SIG_DFL);
 }
 
-constexpr std::array<std::string_view, 8> kOutputOptions{"-o",     "--output", "--ids",  "--depth",
-                                                         "--stats", "--state", "--json", "--csv"};
+/// Options of the subcommands that make pictures; each takes a value.
+constexpr std::array<std::string_view, 6> kOutputOptions{"-o", "--output", "--ids", "--depth", "--stats", "--state"};
 
 std::string quotedForShell(std::string_view word)
 {
@@ -41,7 +41,7 @@ std::string commandWithoutOutputs(std::span<char* const> arguments)
     for (std::size_t i = 1; i < arguments.size(); ++i) {
         const std::string_view word   = arguments[i];
         const std::string_view option = word.substr(0, word.find('='));
-        if (word == "--quiet" || word.starts_with("-o") && word.size() > 2) continue;
+        if (word == "--quiet" || (word.starts_with("-o") && word.size() > 2)) continue;
         if (std::ranges::find(kOutputOptions, option) != kOutputOptions.end()) {
             if (option == word) ++i;  // its value is the next word
             continue;
@@ -111,7 +111,7 @@ void Session::warn(std::span<const Warning> warnings, std::size_t atMost)
     const std::size_t shown = std::min(atMost, warnings.size());
     for (const Warning& warning : warnings.first(shown))
         toStandardError(diagnostic(warning.file, warning.line, "warning", warning.sentence));
-    if (shown < warnings.size())
+    if (shown < warnings.size() && atMost > 0)
         note(fmt::format("{} more warnings; 'zscope-cli info' lists them all", warnings.size() - shown));
 }
 

@@ -38,6 +38,7 @@ public:
     void print(std::string_view text) const;
     /// "file:line: error: sentence"; gives back the status to end with.
     Exit fail(const Error& error);
+    /// The first warnings, and how many more there are; none at all if `atMost` is 0.
     void warn(std::span<const Warning> warnings, std::size_t atMost);
     /// A remark on standard error that is no result and no problem.
     void note(std::string_view text);

@@ -37,7 +37,7 @@ private:
     NpyTriangleWriter(FileWriter file, std::uint64_t triangles) : m_file(std::move(file)), m_missing(triangles) {}
 
     FileWriter    m_file;
-    std::uint64_t m_missing;  // triangles announced and not yet written; 0 at commit()
+    std::uint64_t m_missing;  // triangles announced and not yet written; 0 at commit(), unless writing failed
 };
 
 }  // namespace zscope

@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include "app/cli/options.h"
+#include "app/cli/words.h"
+
+namespace zscope::cli {
+namespace {
+
+constexpr const char* kDefaultAlgorithm = "zbuffer";
+
+std::vector<std::string> presetNames()
+{
+    std::vector<std::string> names;
+    for (const Preset& preset : presets()) names.emplace_back(preset.name);
+    return names;
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// "axis=choice" put into every pipeline; a pipeline that changes is reported by its new name.
+Result<Done> apply(const std::string& setting, std::vector<NamedPipeline>& algorithms)
+{
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+        return Error{Trouble::Usage, fmt::format("--set wants axis=choice, not '{}'", setting)};
+    for (NamedPipeline& algorithm : algorithms) {
+        const auto changed = withChoice(algorithm.pipeline, setting.substr(0, equals), setting.substr(equals + 1));
+        if (!changed) return changed.error();
+        if (*changed == algorithm.pipeline) continue;
+        algorithm.pipeline     = *changed;
+        algorithm.name         = nameOf(*changed);
+        const Preset* preset   = findPreset(algorithm.name);
+        algorithm.exact        = preset ? preset->exact : algorithm.exact;
+    }
+    return Done{};
+}
+
+}  // namespace
+
+void HowOptions::add(CLI::App& parser, Algorithms algorithms)
+{
+    m_algorithms = algorithms;
+    const bool        one   = algorithms == Algorithms::One;
+    const std::string which = joined(presetNames());
+    parser
+        .add_option("--algorithm", m_algorithm,
+                    one ? fmt::format("Which algorithm draws: {} (default {})", which, kDefaultAlgorithm)
+                        : fmt::format("Which algorithms: all, or some of {} (default {})", which, kDefaultAlgorithm))
+        ->type_name(one ? "NAME" : "NAME[,NAME...]|all")
+        ->group("How");
+    parser.add_option("--set", m_set, "Change one choice of the algorithm, see 'list choices' (repeatable)")
+        ->type_name("AXIS=CHOICE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->group("How");
+    parser.add_option("--threads", m_threads, "Threads to draw with (default: one per core)")
+        ->type_name("N")
+        ->group("How");
+    parser.add_option("--simd", m_simd, "Vector instructions: auto, scalar, sse4, avx2 or avx512 (default auto)")
+        ->type_name("WORD")
+        ->group("How");
+    parser
+        .add_option("--memory-limit", m_memoryLimit,
+                    "Most memory that may be taken (default: three quarters of the machine's)")
+        ->type_name("MIB")
+        ->group("How");
+}
+
+Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words)
+{
+    std::vector<NamedPipeline> algorithms;
+    const auto add = [&algorithms](const Preset& preset) {
+        algorithms.push_back({std::string(preset.name), preset.pipeline, preset.exact});
+    };
+    if (words == "all") {
+        for (const Preset& preset : presets()) add(preset);
+        return algorithms;
+    }
+    for (const std::string& word : listOf(words)) {
+        const Preset* preset = findPreset(word);
+        if (!preset) return unknownWord("algorithm", word, presetNames());
+        add(*preset);
+    }
+    return algorithms;
+}
+
+Result<int> threadsOf(std::string_view word)
+{
+    const auto threads = wholeNumber(word, "--threads", 1, kMaxThreads);
+    if (!threads) return threads.error();
+    return static_cast<int>(*threads);
+}
+
+Result<Simd> simdOf(std::string_view word)
+{
+    if (word == "auto") return Simd::Auto;
+    std::vector<std::string> words{"auto"};
+    for (const SimdEntry& entry : simdTargets()) {
+        words.emplace_back(entry.word);
+        if (entry.word != word) continue;
+        if (entry.available) return entry.target;
+        return Error{Trouble::Usage, fmt::format("this machine or build has no {}: see 'list simd'", entry.word)};
+    }
+    return unknownWord("vector target", word, words);
+}
+
+Result<std::uint64_t> memoryLimitOf(std::string_view word)
+{
+    constexpr std::int64_t kMebibyte = 1 << 20;
+    const auto             limit     = wholeNumber(word, "--memory-limit", 1, (std::int64_t{1} << 62) / kMebibyte);
+    if (!limit) return limit.error();
+    return static_cast<std::uint64_t>(*limit * kMebibyte);
+}
+
+Result<How> HowOptions::read() const
+{
+    How  how;
+    const std::string algorithm = m_algorithm.value_or(kDefaultAlgorithm);
+    if (m_algorithms == Algorithms::One && (algorithm == "all" || listOf(algorithm).size() != 1))
+        return unknownWord("algorithm", algorithm, presetNames());
+    auto algorithms = algorithmsOf(algorithm);
+    if (!algorithms) return algorithms.error();
+    how.algorithms = *std::move(algorithms);
+    for (const std::string& setting : m_set)
+        if (const Result<Done> done = apply(setting, how.algorithms); !done) return done.error();
+    for (const NamedPipeline& chosen : how.algorithms)
+        if (const auto why = explainInvalid(chosen.pipeline)) return Error{Trouble::Usage, *why};
+
+    if (m_threads) {
+        const Result<int> threads = threadsOf(*m_threads);
+        if (!threads) return threads.error();
+        how.threads = *threads;
+    }
+    if (m_simd) {
+        const Result<Simd> simd = simdOf(*m_simd);
+        if (!simd) return simd.error();
+        how.simd = *simd;
+    }
+    if (m_memoryLimit) {
+        const Result<std::uint64_t> limit = memoryLimitOf(*m_memoryLimit);
+        if (!limit) return limit.error();
+        how.memoryLimit = *limit;
+    }
+    return how;
+}
+
+DrawRequest How::request(const LoadedScene& scene, const ViewWords::View& view, const Session& session) const
+{
+    return {.scene       = scene.prepared,
+            .camera      = view.camera,
+            .faceCulling = view.faceCulling,
+            .pipeline    = algorithm().pipeline,
+            .threads     = threads,
+            .simd        = simd,
+            .shade       = true,
+            .memoryLimit = memoryLimit,
+            .cancel      = session.cancel()};
+}
+
+}  // namespace zscope::cli

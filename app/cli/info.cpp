@@ -1,0 +1,111 @@
+// zscope-cli info: what a scene holds; nothing is rendered.
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/json.h"
+#include "app/cli/options.h"
+#include "app/cli/table.h"
+
+namespace zscope::cli {
+namespace {
+
+struct InfoOptions {
+    SceneOption                scene;
+    std::optional<std::string> memoryLimit;
+    bool                       json = false;
+};
+
+/// Of every mesh once, however often it stands in the scene; triangles are in Scene.
+struct Counts {
+    std::uint64_t vertices = 0, polygons = 0, groups = 0, materials = 0, dropped = 0, split = 0;
+};
+
+Counts countsOf(const Scene& scene)
+{
+    Counts counts;
+    for (const auto& mesh : scene.meshes) {
+        counts.vertices += mesh->positions.size();
+        counts.polygons += mesh->polygonCount();
+        counts.groups += std::set(mesh->polygonGroup.begin(), mesh->polygonGroup.end()).size();
+        counts.materials += std::set(mesh->polygonMaterial.begin(), mesh->polygonMaterial.end()).size();
+        counts.dropped += mesh->droppedFaces;
+        counts.split += mesh->splitFaces;
+    }
+    return counts;
+}
+
+Json jsonOf(const Scene& scene, const Counts& counts)
+{
+    Json warnings = Json::array();
+    for (const Warning& warning : scene.warnings)
+        warnings.push_back({{"file", warning.file}, {"line", warning.line}, {"message", warning.sentence}});
+    return {{"vertices", counts.vertices},
+            {"polygons", counts.polygons},
+            {"triangles", scene.triangleCount()},
+            {"instances", scene.instances.size()},
+            {"groups", counts.groups},
+            {"materials", counts.materials},
+            {"dropped", counts.dropped},
+            {"split", counts.split},
+            {"bounds", cli::jsonOf(scene.bounds)},
+            {"warnings", std::move(warnings)},
+            {"digest", scene.digest}};
+}
+
+std::string tableOf(const Scene& scene, const Counts& counts)
+{
+    Table table({{"scene", Table::Align::Left}, {scene.name, Table::Align::Left}});
+    const auto row = [&table](const char* name, std::uint64_t value) { table.row({name, grouped(value)}); };
+    row("vertices", counts.vertices);
+    row("polygons", counts.polygons);
+    row("triangles", scene.triangleCount());
+    row("instances", scene.instances.size());
+    row("groups", counts.groups);
+    row("materials", counts.materials);
+    row("dropped", counts.dropped);
+    row("split", counts.split);
+    if (!scene.bounds.isEmpty()) {
+        const auto corner = [](const dvec3& p) { return fmt::format("{} {} {}", p.x, p.y, p.z); };
+        table.row({"from", corner(scene.bounds.min)});
+        table.row({"to", corner(scene.bounds.max)});
+    }
+    table.row({"warnings", grouped(scene.warnings.size())});
+    table.row({"digest", scene.digest});
+    return table.text();
+}
+
+Result<Exit> info(const InfoOptions& options, Session& session)
+{
+    std::uint64_t limit = 0;
+    if (options.memoryLimit) {
+        const auto given = memoryLimitOf(*options.memoryLimit);
+        if (!given) return given.error();
+        limit = *given;
+    }
+    const std::size_t shown = options.json ? 0 : std::numeric_limits<std::size_t>::max();
+    const auto        scene = cli::loadScene(options.scene.word(), session, limit, shown);
+    if (!scene) return scene.error();
+    const Counts counts = countsOf(**scene);
+    session.print(options.json ? textOf(jsonOf(**scene, counts)) : tableOf(**scene, counts));
+    return Exit::Done;
+}
+
+}  // namespace
+
+Command addInfo(CLI::App& parent)
+{
+    CLI::App* parser  = parent.add_subcommand("info", "Count what a scene holds; nothing is rendered");
+    auto      options = std::make_shared<InfoOptions>();
+    options->scene.add(*parser);
+    parser->add_flag("--json", options->json, "JSON instead of a table; warnings are part of it");
+    parser->add_option("--memory-limit", options->memoryLimit, "Most memory that the scene may take")->type_name("MIB");
+    return {parser, [options](Session& session) {
+                const Result<Exit> exit = info(*options, session);
+                return exit ? *exit : session.fail(exit.error());
+            }};
+}
+
+}  // namespace zscope::cli

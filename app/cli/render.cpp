@@ -1,0 +1,184 @@
+// zscope-cli render: one frame, as a picture, as arrays, and as the statistics of making it.
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/json.h"
+#include "app/cli/options.h"
+#include "app/cli/table.h"
+#include "app/cli/words.h"
+#include "core/io/file_writer.h"
+#include "core/io/npy.h"
+#include "core/io/png.h"
+#include "core/lesson/layers.h"
+
+namespace zscope::cli {
+namespace {
+
+struct RenderOptions {
+    SceneOption                scene;
+    ViewOptions                view;
+    HowOptions                 how;
+    std::optional<std::string> picture, ids, depth, stats, layer;
+    bool                       printCamera = false;
+};
+
+struct Drawn {
+    Frame       frame;
+    FrameReport report;
+};
+
+std::uint64_t coveredPixels(const VisibilityBuffer& visible)
+{
+    std::uint64_t covered = 0;
+    for (int y = 0; y < visible.height(); ++y)
+        covered += static_cast<std::uint64_t>(visible.width()
+                                              - std::count(visible.rankRow(y), visible.rankRow(y) + visible.width(), 0u));
+    return covered;
+}
+
+Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& drawn,
+             const std::vector<NamedCount>& counters)
+{
+    Json stages = Json::array();
+    for (const StageTime& stage : drawn.report.stages)
+        stages.push_back({{"name", wordOf(stage.stage)}, {"ms", stage.ms}, {"ran", stage.ran}, {"why", stage.why}});
+    const VisibilityBuffer& visible = drawn.frame.visible;
+    return {{"algorithm", algorithm},
+            {"threads", drawn.report.threads},
+            {"simd", wordOf(drawn.report.simd)},
+            {"scene",
+             {{"name", scene.name},
+              {"triangles", scene.triangleCount()},
+              {"instances", scene.instances.size()},
+              {"meshes", scene.meshes.size()},
+              {"digest", scene.digest}}},
+            {"picture", {{"width", visible.width()}, {"height", visible.height()}, {"covered", coveredPixels(visible)}}},
+            {"stages", std::move(stages)},
+            {"counters", jsonOf(counters)},
+            {"bytes", jsonOf(drawn.report.bytes)},
+            {"frame_ms", drawn.report.frameMs}};
+}
+
+std::string summaryOf(const std::string& algorithm, const Scene& scene, const Drawn& drawn)
+{
+    const VisibilityBuffer& visible = drawn.frame.visible;
+    std::string text = fmt::format("{}  {}x{}  {} triangles  {} pixels covered  {:.3f} ms  ({} thread{}, {})\n", algorithm,
+                                   visible.width(), visible.height(), grouped(scene.triangleCount()),
+                                   grouped(coveredPixels(visible)), drawn.report.frameMs, drawn.report.threads,
+                                   drawn.report.threads == 1 ? "" : "s", wordOf(drawn.report.simd));
+    Table stages({{"stage", Table::Align::Left}, {"ms"}, {"why", Table::Align::Left}});
+    for (const StageTime& stage : drawn.report.stages)
+        stages.row({std::string(wordOf(stage.stage)), stage.ran ? fmt::format("{:.3f}", stage.ms) : "-", stage.why});
+    return text + stages.text();
+}
+
+/// Every output that was asked for, one after another; each is complete or absent.
+Result<Done> write(const RenderOptions& options, const Layer& layer, const Scene& scene, const Drawn& drawn,
+                   const std::string& stats, const Session& session)
+{
+    const auto stillWanted = [&session](const std::optional<std::string>& output) -> Result<bool> {
+        if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
+        return output.has_value();
+    };
+    if (const auto wanted = stillWanted(options.picture); !wanted) {
+        return wanted.error();
+    } else if (*wanted) {
+        const Grid<std::uint32_t> painted = layer.paint(drawn.frame);
+        const auto texts = reproducingTexts(session.reproducingCommand(), scene.digest);
+        if (const auto done = writePng(*options.picture, painted.view(), texts); !done) return done;
+    }
+    if (options.ids || options.depth) {
+        const Picture picture = pictureOf(drawn.frame.visible);
+        if (const auto wanted = stillWanted(options.ids); !wanted) return wanted.error();
+        if (options.ids)
+            if (const auto done = writeNpy(*options.ids, picture.ids.view()); !done) return done;
+        if (const auto wanted = stillWanted(options.depth); !wanted) return wanted.error();
+        if (options.depth)
+            if (const auto done = writeNpy(*options.depth, picture.depth.view()); !done) return done;
+    }
+    if (const auto wanted = stillWanted(options.stats); !wanted) return wanted.error();
+    if (options.stats) return writeFile(*options.stats, stats);
+    return Done{};
+}
+
+Result<Exit> render(const RenderOptions& options, Session& session)
+{
+    const Result<ViewWords> words = options.view.read();
+    if (!words) return words.error();
+    const Result<How> how = options.how.read();
+    if (!how) return how.error();
+    if (options.layer && !options.picture)
+        return Error{Trouble::Usage, "--show chooses what the picture shows: say with -o where it goes"};
+    const Layer* layer = findLayer(options.layer.value_or(std::string(layers().front().word)));
+    if (!layer) {
+        std::vector<std::string> valid;
+        for (const Layer& each : layers()) valid.emplace_back(each.word);
+        return unknownWord("layer", *options.layer, valid);
+    }
+
+    if (options.printCamera) {
+        const auto scene = options.scene.load(session, how->memoryLimit);
+        if (!scene) return scene.error();
+        const auto view = words->of(**scene);
+        if (!view) return view.error();
+        session.print(cameraToJson(view->camera) + '\n');
+        return Exit::Done;
+    }
+
+    const Result<LoadedScene> scene = options.scene.prepare(session, how->memoryLimit);
+    if (!scene) return scene.error();
+    const auto view = words->of(*scene->scene);
+    if (!view) return view.error();
+
+    const DrawRequest request = how->request(*scene, *view, session);
+    Renderer          renderer;
+    Drawn             drawn;
+    Result<FrameReport> report = renderer.draw(request, drawn.frame);
+    if (!report) return report.error();
+    drawn.report = *std::move(report);
+
+    std::string stats;
+    if (options.stats) {
+        const auto counters = renderer.count(request);
+        if (!counters) return counters.error();
+        stats = textOf(statsOf(how->algorithm().name, *scene->scene, drawn, *counters));
+    }
+    if (const auto done = write(options, *layer, *scene->scene, drawn, stats, session); !done) return done.error();
+    session.print(summaryOf(how->algorithm().name, *scene->scene, drawn));
+    return Exit::Done;
+}
+
+}  // namespace
+
+Command addRender(CLI::App& parent)
+{
+    CLI::App* parser  = parent.add_subcommand("render", "Draw one frame");
+    auto      options = std::make_shared<RenderOptions>();
+    options->scene.add(*parser);
+    options->view.add(*parser);
+    options->how.add(*parser, HowOptions::Algorithms::One);
+    parser->add_option("-o,--output", options->picture, "The picture, PNG")->type_name("FILE")->group("Output");
+    parser->add_option("--ids", options->ids, "Triangle ids: int64 (H, W), -1 is background")
+        ->type_name("FILE.npy")
+        ->group("Output");
+    parser->add_option("--depth", options->depth, "Depth near/z: float32 (H, W), 0 is background")
+        ->type_name("FILE.npy")
+        ->group("Output");
+    parser->add_option("--stats", options->stats, "Stages, counters and bytes of the frame, JSON")
+        ->type_name("FILE.json")
+        ->group("Output");
+    parser->add_option("--show", options->layer, "What the picture shows, see 'list layers' (default shaded)")
+        ->type_name("LAYER")
+        ->group("Output");
+    parser->add_flag("--print-camera", options->printCamera, "Print the camera's ten numbers and draw nothing")
+        ->group("Output");
+    return {parser, [options](Session& session) {
+                const Result<Exit> exit = render(*options, session);
+                return exit ? *exit : session.fail(exit.error());
+            }};
+}
+
+}  // namespace zscope::cli

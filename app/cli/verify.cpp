@@ -1,0 +1,118 @@
+// zscope-cli verify: every algorithm's picture against the brute-force reference, pixel by pixel.
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/json.h"
+#include "app/cli/options.h"
+#include "app/cli/table.h"
+#include "app/cli/words.h"
+#include "core/measure/verify.h"
+
+namespace zscope::cli {
+namespace {
+
+struct VerifyOptions {
+    SceneOption                scene;
+    ViewOptions                view;
+    HowOptions                 how;
+    std::optional<std::string> sample;
+    bool                       json = false;
+};
+
+/// Pixels kept with their ids and depths in memory: more than the largest picture has is never needed.
+constexpr std::int64_t kMaxSamples = std::int64_t{kMaxPictureSide} * kMaxPictureSide;
+
+std::string tableOf(const std::vector<VerifyRow>& rows)
+{
+    Table table({{"algorithm", Table::Align::Left}, {"exact", Table::Align::Left}, {"threads"},
+                 {"simd", Table::Align::Left}, {"covered"}, {"holes"}, {"spills"}, {"wrong surface"},
+                 {"depth bits differ"}, {"max depth steps"}, {"lost"}, {"false culls"}, {"", Table::Align::Left}});
+    for (const VerifyRow& row : rows) {
+        const ErrorFigures& f = row.figures;
+        table.row({row.algorithm, row.exact ? "yes" : "no", std::to_string(row.threads),
+                   std::string(wordOf(row.simd)), grouped(f.covered), grouped(f.holes), grouped(f.spills),
+                   grouped(f.wrongSurface()), grouped(f.depthBitsDiffer), grouped(f.maxDepthSteps),
+                   grouped(f.lostTriangles), grouped(f.falseCulls),
+                   !row.passed() ? "WRONG" : row.exact ? "same picture" : "approximate"});
+    }
+    return table.text();
+}
+
+Json jsonOf(const std::vector<VerifyRow>& rows)
+{
+    Json list = Json::array();
+    for (const VerifyRow& row : rows) {
+        const ErrorFigures& f = row.figures;
+        list.push_back({{"algorithm", row.algorithm},
+                        {"exact", row.exact},
+                        {"threads", row.threads},
+                        {"simd", wordOf(row.simd)},
+                        {"covered", f.covered},
+                        {"holes", f.holes},
+                        {"spills", f.spills},
+                        {"wrong_surface", f.wrongSurface()},
+                        {"depth_bits_differ", f.depthBitsDiffer},
+                        {"max_depth_steps", f.maxDepthSteps},
+                        {"lost_triangles", f.lostTriangles},
+                        {"false_culls", f.falseCulls}});
+    }
+    return list;
+}
+
+Result<Exit> verifyScene(const VerifyOptions& options, Session& session)
+{
+    const Result<ViewWords> words = options.view.read();
+    if (!words) return words.error();
+    const Result<How> how = options.how.read();
+    if (!how) return how.error();
+    std::optional<std::uint64_t> samples;
+    if (options.sample) {
+        const auto count = wholeNumber(*options.sample, "--sample", 1, kMaxSamples);
+        if (!count) return count.error();
+        samples = static_cast<std::uint64_t>(*count);
+    }
+    const Result<LoadedScene> scene = options.scene.prepare(session, how->memoryLimit);
+    if (!scene) return scene.error();
+    const auto view = words->of(*scene->scene);
+    if (!view) return view.error();
+
+    VerifyRequest request{.scene       = scene->prepared,
+                          .camera      = view->camera,
+                          .faceCulling = view->faceCulling,
+                          .algorithms  = {},
+                          .threads     = {how->threads},
+                          .simd        = {how->simd},
+                          .samples     = samples,
+                          .memoryLimit = how->memoryLimit,
+                          .progress    = session.progress()};
+    for (const NamedPipeline& algorithm : how->algorithms)
+        request.algorithms.push_back({algorithm.name, {}, algorithm.pipeline, algorithm.exact});
+
+    const auto rows = verify(request);
+    if (!rows) return rows.error();
+    session.print(options.json ? textOf(jsonOf(*rows)) : tableOf(*rows));
+    return std::ranges::all_of(*rows, &VerifyRow::passed) ? Exit::Done : Exit::CheckFailed;
+}
+
+}  // namespace
+
+Command addVerify(CLI::App& parent)
+{
+    CLI::App* parser  = parent.add_subcommand("verify", "Compare algorithms with the brute-force reference");
+    auto      options = std::make_shared<VerifyOptions>();
+    options->scene.add(*parser);
+    options->view.add(*parser);
+    options->how.add(*parser, HowOptions::Algorithms::Several);
+    parser->add_option("--sample", options->sample, "Compare N random pixels instead of all (for very large scenes)")
+        ->type_name("N");
+    parser->add_flag("--json", options->json, "JSON instead of a table");
+    return {parser, [options](Session& session) {
+                const Result<Exit> exit = verifyScene(*options, session);
+                return exit ? *exit : session.fail(exit.error());
+            }};
+}
+
+}  // namespace zscope::cli

@@ -1,0 +1,198 @@
+#include "core/measure/bench.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/measure/reference.h"
+
+namespace zscope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::uint64_t differingPixels(const Picture& reference, const Picture& test)
+{
+    const auto ids = reference.ids.values(), testIds = test.ids.values();
+    const auto depth = reference.depth.values(), testDepth = test.depth.values();
+
+    std::uint64_t differing = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        differing += ids[i] != testIds[i]
+                     || std::bit_cast<std::uint32_t>(depth[i]) != std::bit_cast<std::uint32_t>(testDepth[i]);
+    return differing;
+}
+
+/// Fills the timing part of a row from the timed frames.
+void summarise(std::vector<FrameReport> reports, BenchRow& row)
+{
+    std::ranges::sort(reports, {}, &FrameReport::frameMs);
+    const auto at = [&reports](double p) -> const FrameReport& { return reports[quantileRank(reports.size(), p)]; };
+    row.bestMs    = reports.front().frameMs;
+    row.q1Ms      = at(0.25).frameMs;
+    row.medianMs  = at(0.5).frameMs;
+    row.q3Ms      = at(0.75).frameMs;
+    for (const StageTime& stage : at(0.5).stages) row.stageMs[static_cast<std::size_t>(stage.stage)] = stage.ms;
+    for (const NamedCount& part : at(0.5).bytes) row.bytes += part.value;
+}
+
+/// One bench: the scene made ready, the truth about it, and the objects every run uses again.
+class Bench {
+public:
+    explicit Bench(const BenchRequest& request) : m_request(request) {}
+
+    Result<std::vector<BenchRow>> run()
+    {
+        const Clock::time_point start = Clock::now();
+        m_scene   = std::make_shared<const PreparedScene>(m_request.scene);
+        m_buildMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+
+        if (m_request.verify) {
+            auto picture =
+                referencePicture(*m_request.scene, m_request.camera, m_request.faceCulling, m_request.progress);
+            if (!picture) return picture.error();
+            m_reference = *std::move(picture);
+        }
+        std::vector<BenchRow> rows;
+        const std::size_t     runs = m_request.algorithms.size() * m_request.threads.size() * m_request.simd.size();
+        for (const BenchAlgorithm& algorithm : m_request.algorithms) {
+            const auto counters = m_renderer.count(drawRequest(algorithm, 1, Simd::Scalar));
+            if (!counters) return counters.error();
+            for (const int threads : m_request.threads) {
+                for (const Simd simd : m_request.simd) {
+                    m_request.progress.at(static_cast<double>(rows.size()) / static_cast<double>(runs), algorithm.name);
+                    Result<BenchRow> row = time(algorithm, threads, simd);
+                    if (!row) return row.error();
+                    row->counters = *counters;
+                    rows.push_back(*std::move(row));
+                }
+            }
+        }
+        return rows;
+    }
+
+private:
+    DrawRequest drawRequest(const BenchAlgorithm& algorithm, int threads, Simd simd) const
+    {
+        return {.scene       = m_scene,
+                .camera      = m_request.camera,
+                .faceCulling = m_request.faceCulling,
+                .pipeline    = algorithm.pipeline,
+                .threads     = threads,
+                .simd        = simd,
+                .shade       = true,
+                .memoryLimit = m_request.memoryLimit,
+                .cancel      = m_request.progress.cancel};
+    }
+
+    Result<BenchRow> time(const BenchAlgorithm& algorithm, int threads, Simd simd)
+    {
+        const DrawRequest draw = drawRequest(algorithm, threads, simd);
+        BenchRow          row;
+        row.scene     = m_request.scene->name;
+        row.algorithm = algorithm.name;
+        row.triangles = m_request.scene->triangleCount();
+        row.pixels    = static_cast<std::uint64_t>(draw.camera.width) * static_cast<std::uint64_t>(draw.camera.height);
+        row.buildMs   = m_buildMs;
+
+        const Result<FrameReport> first = m_renderer.draw(draw, m_frame);
+        if (!first) return first.error();
+        row.threads = first->threads;
+        row.simd    = first->simd;
+        if (m_reference) row.wrongPixels = differingPixels(*m_reference, pictureOf(m_frame.visible));
+        for (int frame = 0; frame < m_request.warmUp; ++frame)
+            if (const auto report = m_renderer.draw(draw, m_frame); !report) return report.error();
+
+        std::vector<FrameReport> reports;
+        for (int frame = 0; frame < m_request.frames; ++frame) {
+            Result<FrameReport> report = m_renderer.draw(draw, m_frame);
+            if (!report) return report.error();
+            reports.push_back(*std::move(report));
+        }
+        summarise(std::move(reports), row);
+        return row;
+    }
+
+    const BenchRequest&                  m_request;
+    std::shared_ptr<const PreparedScene> m_scene;
+    double                               m_buildMs = 0;
+    std::optional<Picture>               m_reference;
+    Renderer                             m_renderer;
+    Frame                                m_frame;
+};
+
+/// A cell as RFC 4180 wants it.
+std::string csvCell(const std::string& text)
+{
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
+}  // namespace
+
+std::size_t quantileRank(std::size_t count, double p)
+{
+    assert(count > 0 && p > 0 && p <= 1);
+    return static_cast<std::size_t>(std::ceil(p * static_cast<double>(count))) - 1;
+}
+
+Result<std::vector<BenchRow>> bench(const BenchRequest& request)
+{
+    assert(request.frames >= 1 && request.warmUp >= 0);
+    return Bench(request).run();
+}
+
+std::string benchToCsv(std::span<const BenchRow> rows)
+{
+    std::string csv = "scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,"
+                      "triangles,pixels,build_ms,bytes";
+    for (const Stage stage : kStages) csv += fmt::format(",{}", wordOf(stage));
+    csv += '\n';
+    for (const BenchRow& row : rows) {
+        const std::string verified = row.wrongPixels ? (*row.wrongPixels == 0 ? "1" : "0") : "";
+        const std::string wrong    = row.wrongPixels ? std::to_string(*row.wrongPixels) : "";
+        csv += fmt::format("{},{},{},{},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{},{},{:.6f},{}", csvCell(row.scene),
+                           csvCell(row.algorithm), row.threads, wordOf(row.simd), verified, wrong, row.bestMs,
+                           row.medianMs, row.q1Ms, row.q3Ms, row.triangles, row.pixels, row.buildMs, row.bytes);
+        for (const double ms : row.stageMs) csv += fmt::format(",{:.6f}", ms);
+        csv += '\n';
+    }
+    return csv;
+}
+
+std::string benchToJson(std::span<const BenchRow> rows)
+{
+    using Json = nlohmann::ordered_json;
+    Json list  = Json::array();
+    for (const BenchRow& row : rows) {
+        Json stages = Json::object();
+        for (const Stage stage : kStages) stages[std::string(wordOf(stage))] = row.stageMs[static_cast<std::size_t>(stage)];
+        Json counters = Json::object();
+        for (const NamedCount& counter : row.counters) counters[counter.name] = counter.value;
+        list.push_back({{"scene", row.scene},
+                        {"algorithm", row.algorithm},
+                        {"threads", row.threads},
+                        {"simd", wordOf(row.simd)},
+                        {"verified", row.wrongPixels ? Json(*row.wrongPixels == 0) : Json(nullptr)},
+                        {"wrong_pixels", row.wrongPixels ? Json(*row.wrongPixels) : Json(nullptr)},
+                        {"best_ms", row.bestMs},
+                        {"median_ms", row.medianMs},
+                        {"q1_ms", row.q1Ms},
+                        {"q3_ms", row.q3Ms},
+                        {"triangles", row.triangles},
+                        {"pixels", row.pixels},
+                        {"build_ms", row.buildMs},
+                        {"bytes", row.bytes},
+                        {"stages", std::move(stages)},
+                        {"counters", std::move(counters)}});
+    }
+    return list.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace zscope

@@ -1,0 +1,74 @@
+// Times algorithms on a scene: verified first, then timed without a probe, then explained by counters.
+//
+// Runs       every algorithm with every thread count and vector target; each has warm-up frames, then `frames` timed
+//            ones of the shaded picture. Counters come from a separate run and never slow a timed one
+// Quantiles  nearest rank, so every figure is a time that was measured; the stage times are those of the median
+//            frame and add up to it
+// Threads    one render thread, OpenMP inside; nothing else should run meanwhile
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/stages.h"
+#include "core/frame/renderer.h"
+#include "core/scene/scene.h"
+
+namespace zscope {
+
+struct BenchAlgorithm {
+    std::string name;
+    Pipeline    pipeline;
+};
+
+struct BenchRequest {
+    std::shared_ptr<const Scene> scene;
+    Camera                       camera;
+    FaceCulling                  faceCulling = FaceCulling::None;
+    std::vector<BenchAlgorithm>  algorithms;
+    std::vector<int>             threads     = {0};  // 0: one per core
+    std::vector<Simd>            simd        = {Simd::Auto};
+    int                          warmUp      = 3;    // frames before the timed ones
+    int                          frames      = 30;   // timed, at least 1
+    bool                         verify      = true; // against the brute-force reference
+    std::uint64_t                memoryLimit = 0;    // bytes; as DrawRequest
+    Progress                     progress    = {};
+};
+
+struct BenchRow {
+    std::string scene;
+    std::string algorithm;
+    int         threads = 1;  // as used
+    Simd        simd    = Simd::Scalar;
+
+    /// Pixels whose id or depth bits differ from the reference; nothing: no reference was asked for.
+    std::optional<std::uint64_t> wrongPixels;
+
+    double        bestMs = 0, medianMs = 0, q1Ms = 0, q3Ms = 0;  // of a frame
+    std::uint64_t triangles = 0;                                 // of the scene, instances included
+    std::uint64_t pixels    = 0;                                 // of the picture
+    double        buildMs   = 0;                                 // making the scene ready for drawing, once
+    std::uint64_t bytes     = 0;                                 // of all structures of the frame
+
+    std::array<double, kStages.size()> stageMs{};  // of the median frame
+    std::vector<NamedCount>            counters;   // the work behind the times
+};
+
+/// Position in `count` sorted values of their quantile p in (0, 1]: nearest rank.
+std::size_t quantileRank(std::size_t count, double p);
+
+/// Errors: what the renderer refuses, Limit, Cancelled.
+Result<std::vector<BenchRow>> bench(const BenchRequest& request);
+
+/// A header and one line per row, the columns as the command line promises them.
+std::string benchToCsv(std::span<const BenchRow> rows);
+std::string benchToJson(std::span<const BenchRow> rows);
+
+}  // namespace zscope
