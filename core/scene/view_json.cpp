@@ -60,7 +60,7 @@ Result<dvec3> vectorOf(const JsonValue& value, const std::string& file, std::str
     const JsonValue::Array* entries = value.array();
     if (!entries || entries->size() != 3)
         return Error{Trouble::Input, fmt::format("'{}' must be a list of three numbers", what), file, value.line};
-    dvec3 vector;
+    dvec3 vector{0, 0, 0};
     for (int i = 0; i < 3; ++i) {
         const Result<double> real = realOf((*entries)[static_cast<std::size_t>(i)], file, what);
         if (!real) return real.error();

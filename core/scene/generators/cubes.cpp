@@ -1,4 +1,5 @@
-// builtin:cubes: a few boxes on a floor, some of them cutting into each other, all faces polygons of four corners.
+// builtin:cubes: a few boxes on a floor, some of them cutting into each other, all faces polygons of four corners;
+// builtin:cube: the one they are made of.
 
 #include <cmath>
 
@@ -40,7 +41,7 @@ Affine placed(const dvec3& half, double turn, double lean, const dvec3& at)
     return compose(Affine::translation(at), compose(turned, compose(leaned, size)));
 }
 
-Result<Scene> make(const Arguments&)
+Result<Scene> makeGroup(const Arguments&)
 {
     Scene scene;
     scene.meshes.push_back(unitCube());
@@ -66,11 +67,25 @@ Result<Scene> make(const Arguments&)
     return scene;
 }
 
+Result<Scene> makeOne(const Arguments&)
+{
+    Scene scene;
+    scene.meshes.push_back(unitCube());
+    scene.instances.push_back({MeshId{0}, Affine{}});
+    ViewRequest view;
+    view.eye         = dvec3{2.6, 2.4, 4.4};
+    view.target      = dvec3{0, 0, 0};
+    view.verticalFov = 36;
+    scene.views.push_back({"default", view});
+    return scene;
+}
+
 }  // namespace
 
 std::vector<Generator> cubes()
 {
-    return {{"cubes", "Boxes on a floor, some cutting into each other", {}, make}};
+    return {{"cubes", "Boxes on a floor, some cutting into each other", {}, makeGroup},
+            {"cube", "One cube, six quads", {}, makeOne}};
 }
 
 }  // namespace zscope::generated

@@ -16,6 +16,9 @@
     file(teapot)                     \
     file(soccer_ball)                \
     file(soccer_field)               \
+    file(city)                       \
+    file(soup)                       \
+    file(layers)                     \
     file(hard_a)                     \
     file(hard_b)                     \
     file(hard_c)                     \

@@ -1,0 +1,68 @@
+#include "core/scene/load.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/scene/generators/registry.h"
+#include "core/scene/obj/obj_import.h"
+#include "core/scene/scene_file.h"
+
+namespace zscope {
+
+namespace {
+
+constexpr std::string_view kBuiltin = "builtin:";
+
+/// Whether the path ends in `ending`, given in small letters, in letters of any size.
+bool endsIn(const std::string& path, std::string_view ending)
+{
+    if (path.size() < ending.size()) return false;
+    return std::ranges::equal(std::string_view(path).substr(path.size() - ending.size()), ending,
+                              [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+/// The one mesh of an OBJ file, where the file puts it.
+Result<Scene> loadObj(const std::string& path, const LoadOptions& options)
+{
+    Result<ObjImport> import = importObj(path, {.memoryLimit = options.memoryLimit, .progress = options.progress});
+    if (!import) return import.error();
+    Scene scene;
+    scene.name = path;
+    scene.meshes.push_back(std::move(import->mesh));
+    scene.instances.push_back({MeshId{0}, Affine{}});
+    scene.warnings = std::move(import->warnings);
+    return assemble(std::move(scene));
+}
+
+}  // namespace
+
+Result<Scene> loadScene(const std::string& word, const LoadOptions& options)
+{
+    if (word.starts_with(kBuiltin))
+        return generate(std::string_view(word).substr(kBuiltin.size()), options.memoryLimit, options.progress);
+    if (endsIn(word, ".json")) return loadSceneFile(word, options);
+    if (endsIn(word, ".obj")) return loadObj(word, options);
+    return Error{Trouble::Usage,
+                 fmt::format("'{}' is no scene: give a path that ends in .obj or .json, or builtin:NAME", word.substr(0, 200))};
+}
+
+std::span<const SceneEntry> builtinScenes()
+{
+    static const std::vector<std::string> defaults = [] {
+        std::vector<std::string> all;
+        for (const Generator& generator : generators()) all.push_back(defaultsOf(generator));
+        return all;
+    }();
+    static const std::vector<SceneEntry> entries = [] {
+        std::vector<SceneEntry> all;
+        for (const Generator& generator : generators())
+            all.push_back({generator.name, generator.title, defaults[all.size()]});
+        return all;
+    }();
+    return entries;
+}
+
+}  // namespace zscope
