@@ -66,7 +66,7 @@ template <class Probe>
 void drawSweep(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
 {
     probe(StageStarted{Stage::Setup});
-    scratch.edges.clear(stripe.firstRow, stripe.endRow);
+    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width());
     visitAsSubmitted(stripe, scratch, clock, EnterEdges{scratch.edges, clock}, probe);
     scratch.edges.fillBuckets();
     probe(EdgeTableReady{scratch.edges});

@@ -40,7 +40,7 @@ public:
     }
     void observe(const EdgeTableReady& e)
     {
-        for (int y = e.table.firstLine(); y < e.table.endLine(); ++y) m_edges += e.table.startingAt(y).size();
+        m_edges += e.table.edgeCount();
     }
     void observe(const ScanlineReady& e) { m_edgeLines += e.active.size(); }
     void observe(const SpanFilled&) { ++m_spans; }

@@ -43,10 +43,11 @@ struct ScreenTriangle {
 /// What became of a triangle at set-up.
 enum class SetUp { Drawn, Transparent, Outside, ClippedAway, BackFacing, Degenerate, NoPixelCentre, OutOfRange };
 
-/// First pixel whose centre is at or beyond `snapped`, for coordinates of any size; limited to +-2^30.
+/// First pixel (or line) whose centre, at 256 i + 128 subpixels, is at or beyond `snapped`; limited to +-2^30.
 inline int firstPixelCentreFrom(double snapped)
 {
-    return static_cast<int>(std::clamp(std::ceil((snapped - 128) / kSubpixels), -1073741824.0, 1073741824.0));
+    const std::int64_t pixel = (static_cast<std::int64_t>(snapped) + 127) >> 8;
+    return static_cast<int>(std::clamp<std::int64_t>(pixel, -(std::int64_t{1} << 30), std::int64_t{1} << 30));
 }
 
 /// The plane of the corners in the order given, as the definition writes it.

@@ -7,15 +7,16 @@ namespace zscope {
 
 namespace {
 
-/// The edge as a lesson shows it, standing where `crossing` stands.
-EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, const EdgeStepper& crossing)
+/// The edge as a lesson shows it on line y, one that it crosses.
+EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, int y)
 {
-    const ScreenTriangle& part = table.parts()[edge.part];
-    const std::size_t     a = edge.side, b = (a + 1u) % 3;
+    const ScreenTriangle& part = table.parts()[edge.part()];
+    const std::size_t     a = edge.side(), b = (a + 1u) % 3;
     auto dx = static_cast<std::int64_t>(part.x[b]) - static_cast<std::int64_t>(part.x[a]);
     auto dy = static_cast<std::int64_t>(part.y[b]) - static_cast<std::int64_t>(part.y[a]);
     if (dy < 0) dx = -dx, dy = -dy;
-    const std::int64_t common = std::gcd(dx, dy);
+    const std::int64_t common   = std::gcd(dx, dy);
+    const auto         crossing = edge.stepper<std::int64_t>(part, y, y);
 
     EdgeRow row;
     row.polygon    = part.id;
@@ -23,18 +24,9 @@ EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, const EdgeStepper&
     row.x          = (static_cast<double>(crossing.x()) +
              static_cast<double>(crossing.fraction()) / static_cast<double>(crossing.dy())) / kSubpixels;
     row.dx         = {dx / common, dy / common};
-    row.firstLine  = EdgeTable::linesOf(part, edge.side).first;
-    row.lastLine   = edge.lastLine;
+    row.firstLine  = EdgeTable::linesOf(part, edge.side()).first;
+    row.lastLine   = edge.lastLine();
     return row;
-}
-
-/// An edge that has left is shown where it stood on its last line.
-EdgeStepper onLastLine(const EdgeTable& table, const ActiveEdge& edge)
-{
-    const ScreenTriangle& part = table.parts()[edge.part];
-    std::size_t           top = edge.side, bottom = (top + 1) % 3;
-    if (part.y[bottom] < part.y[top]) std::swap(top, bottom);
-    return {part.x[top], part.y[top], part.x[bottom], part.y[bottom], edge.lastLine, edge.lastLine};
 }
 
 }  // namespace
@@ -78,14 +70,14 @@ std::optional<SweepState> SweepRecorder::state() const
     state.y     = m_y;
     state.spans = m_spans;
     for (const ActiveEdge& edge : m_active) {
-        state.activeEdges.push_back(rowOf(*m_table, edge, edge.crossing));
+        state.activeEdges.push_back(rowOf(*m_table, edge, m_y));
         state.activePolygons.push_back(state.activeEdges.back().polygon);
     }
     std::ranges::sort(state.activePolygons);
     const auto repeats = std::ranges::unique(state.activePolygons);
     state.activePolygons.erase(repeats.begin(), repeats.end());
-    for (const ActiveEdge& edge : m_entered) state.entered.push_back(rowOf(*m_table, edge, edge.crossing));
-    for (const ActiveEdge& edge : m_left) state.left.push_back(rowOf(*m_table, edge, onLastLine(*m_table, edge)));
+    for (const ActiveEdge& edge : m_entered) state.entered.push_back(rowOf(*m_table, edge, m_y));
+    for (const ActiveEdge& edge : m_left) state.left.push_back(rowOf(*m_table, edge, edge.lastLine()));
     for (int y = m_table->firstLine(); y < m_table->endLine(); ++y)
         state.edgesStarting.push_back(static_cast<int>(m_table->startingAt(y).size()));
     return state;

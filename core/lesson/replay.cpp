@@ -37,6 +37,11 @@ bool runUntilStopped(const DrawRequest& request, Frame& frame, StripeScratch& sc
     }
 }
 
+Error noSuchStep(Grain grain, StepIndex step, std::uint64_t count)
+{
+    return {Trouble::Usage, "there is no step " + std::to_string(step.value) + ": the last of grain '" +
+                                std::string(wordOf(grain)) + "' is " + std::to_string(count - 1)};
+}
 Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to step through this frame"}; }
 Error wasCancelled() { return {Trouble::Cancelled, "stepping was cancelled"}; }
 
@@ -63,14 +68,30 @@ Result<std::uint64_t> Replay::count(Grain grain)
     }
 }
 
+Result<std::uint64_t> Replay::eventsBy(Grain other, Grain grain, StepIndex step)
+{
+    const Result<std::uint64_t> steps = count(grain);
+    if (!steps) return steps.error();
+    if (step.value >= *steps) return noSuchStep(grain, step, *steps);
+    if (const auto error = cannotStep(m_request, other)) return *error;
+    try {
+        Frame         frame;
+        StripeScratch scratch;
+        StopAt        heard(other);
+        StopAt        stop(grain, step.value);
+        runUntilStopped(m_request, frame, scratch, Listening(heard, stop));
+        if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
+        return heard.seen();
+    } catch (const std::bad_alloc&) {
+        return outOfMemory();
+    }
+}
+
 Result<StepState> Replay::at(Grain grain, StepIndex step)
 {
     const Result<std::uint64_t> steps = count(grain);
     if (!steps) return steps.error();
-    if (step.value >= *steps) {
-        return Error{Trouble::Usage, "there is no step " + std::to_string(step.value) + ": the last of grain '" +
-                                         std::string(wordOf(grain)) + "' is " + std::to_string(*steps - 1)};
-    }
+    if (step.value >= *steps) return noSuchStep(grain, step, *steps);
     try {
         StepState        state;
         StripeScratch    scratch;

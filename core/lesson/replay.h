@@ -30,6 +30,9 @@ public:
     Result<std::uint64_t> count(Grain grain);
     /// Errors: Usage (no such grain, step beyond the last), Limit, Cancelled.
     Result<StepState> at(Grain grain, StepIndex step);
+    /// How many events of grain `other` or a coarser one have happened in the state at (grain, step): the way from a
+    /// step of one grain to the same moment in another. Errors as at().
+    Result<std::uint64_t> eventsBy(Grain other, Grain grain, StepIndex step);
 
 private:
     DrawRequest                                              m_request;

@@ -35,21 +35,27 @@ struct EdgeWalk {
 
         const PixelBox& box    = triangle.box;
         const int       middle = std::clamp(firstLineFrom(triangle.y[at[1]]), box.y0, box.y1);
-        walk(triangle, at, 0, 1, box.y0, middle, visible, probe);
-        walk(triangle, at, 1, 2, middle, box.y1, visible, probe);
+        if (triangle.wide) {
+            walk<std::int64_t>(triangle, at, 0, 1, box.y0, middle, visible, probe);
+            walk<std::int64_t>(triangle, at, 1, 2, middle, box.y1, visible, probe);
+        } else {
+            walk<std::int32_t>(triangle, at, 0, 1, box.y0, middle, visible, probe);
+            walk<std::int32_t>(triangle, at, 1, 2, middle, box.y1, visible, probe);
+        }
     }
 
 private:
     /// Lines [first, end) between the long side and the short side from corner `top` to `bottom` (in order of y).
-    template <class Probe>
+    template <class Integer, class Probe>
     static void walk(const ScreenTriangle& triangle, const std::array<std::size_t, 3>& at, std::size_t top, std::size_t bottom,
                      int first, int end, VisibilityBuffer& visible, const Probe& probe)
     {
         if (first >= end) return;
-        const auto  edge   = [&](std::size_t a, std::size_t b) {
-            return EdgeStepper(triangle.x[at[a]], triangle.y[at[a]], triangle.x[at[b]], triangle.y[at[b]], first, end - 1);
+        using Stepper   = EdgeStepper<Integer>;
+        const auto edge = [&](std::size_t a, std::size_t b) {
+            return Stepper(triangle.x[at[a]], triangle.y[at[a]], triangle.x[at[b]], triangle.y[at[b]], first, end - 1);
         };
-        EdgeStepper longSide = edge(0, 2), shortSide = edge(top, bottom);
+        Stepper longSide = edge(0, 2), shortSide = edge(top, bottom);
         for (int y = first; y < end; ++y) {
             const int one = longSide.firstPixel(), other = shortSide.firstPixel();
             fillSpan(triangle, y, std::max(std::min(one, other), triangle.box.x0),

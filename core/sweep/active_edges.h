@@ -1,8 +1,8 @@
 // The active edge table: the edges that cross the current line, from left to right.
 //
 // Order      by the exact crossing with the line's centre; the order of edges that meet in one point is not defined
-// Cost       per line: one pass to step, drop and re-sort (insertion: neighbours rarely change places), and a merge of
-//            the newcomers
+// Cost       per line one pass to drop, step and re-sort (insertion: neighbours rarely change places), and one merge of
+//            the newcomers, from the right, in place
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "core/scan/edge_stepper.h"
+#include "core/sweep/active_edge.h"
 #include "core/sweep/edge_table.h"
 #include "core/sweep/sweep_events.h"
 
@@ -20,62 +20,62 @@ class ActiveEdges {
 public:
     void clear() { m_edges.clear(); }
 
-    /// Drops the edges whose last line lies above y.
+    /// Moves on to line y: edges whose last line lies above it leave, the others step, and those that have crossed
+    /// change places.
     template <class Probe>
-    void retireBefore(int y, const Probe& probe)
+    void advanceTo(int y, const EdgeTable& table, const Probe& probe)
     {
-        const auto isOver = [&](const ActiveEdge& edge) {
-            if (edge.lastLine >= y) return false;
-            probe(EdgeLeft{edge});
-            return true;
-        };
-        m_edges.erase(std::remove_if(m_edges.begin(), m_edges.end(), isOver), m_edges.end());
+        std::size_t kept = 0;
+        for (ActiveEdge edge : m_edges) {
+            if (edge.lastLine() < y) {
+                probe(EdgeLeft{edge});
+                continue;
+            }
+            if (edge.isWide())
+                edge.placeWide(table.parts()[edge.part()], y);
+            else
+                edge.nextLine();
+            std::size_t place = kept++;
+            for (; place > 0 && edge.isLeftOf(m_edges[place - 1]); --place) m_edges[place] = m_edges[place - 1];
+            m_edges[place] = edge;
+        }
+        m_edges.erase(m_edges.begin() + static_cast<std::ptrdiff_t>(kept), m_edges.end());
     }
 
     /// Adds the edges of the table's bucket for line y, each in its place.
     template <class Probe>
-    void admit(const EdgeTable& table, int y, const Probe& probe)
+    void admit(int y, const EdgeTable& table, const Probe& probe)
     {
-        const std::span<const EdgeStart> starting = table.startingAt(y);
-        if (starting.empty()) return;
-        const auto before = static_cast<std::ptrdiff_t>(m_edges.size());
-        for (const EdgeStart& start : starting) {
-            m_edges.push_back(activate(table.parts()[start.part], start, y));
-            probe(EdgeEntered{m_edges.back()});
+        m_newcomers.clear();
+        for (const std::uint32_t index : table.startingAt(y)) {
+            m_newcomers.push_back(table.edge(index));
+            probe(EdgeEntered{m_newcomers.back()});
+            for (std::size_t i = m_newcomers.size() - 1; i > 0 && m_newcomers[i].isLeftOf(m_newcomers[i - 1]); --i)
+                std::swap(m_newcomers[i], m_newcomers[i - 1]);
         }
-        std::sort(m_edges.begin() + before, m_edges.end(), isLeftOf);
-        std::inplace_merge(m_edges.begin(), m_edges.begin() + before, m_edges.end(), isLeftOf);
-    }
-
-    /// Moves every edge to the next line and restores the order: edges that cross between two lines change places.
-    void advanceToNextLine()
-    {
-        for (ActiveEdge& edge : m_edges) edge.crossing.nextLine();
-        for (std::size_t i = 1; i < m_edges.size(); ++i) {
-            if (!isLeftOf(m_edges[i], m_edges[i - 1])) continue;
-            const ActiveEdge moving = m_edges[i];
-            std::size_t      place  = i;
-            for (; place > 0 && isLeftOf(moving, m_edges[place - 1]); --place) m_edges[place] = m_edges[place - 1];
-            m_edges[place] = moving;
-        }
+        mergeNewcomers();
     }
 
     std::span<const ActiveEdge> view() const { return m_edges; }
-    std::size_t                 bytes() const { return m_edges.capacity() * sizeof(ActiveEdge); }
+    std::size_t bytes() const { return (m_edges.capacity() + m_newcomers.capacity()) * sizeof(ActiveEdge); }
 
 private:
-    static bool isLeftOf(const ActiveEdge& a, const ActiveEdge& b) { return a.crossing.isLeftOf(b.crossing); }
-
-    static ActiveEdge activate(const ScreenTriangle& part, const EdgeStart& start, int y)
+    /// The rightmost of both lists goes to the end, and so on, until the newcomers are used up.
+    void mergeNewcomers()
     {
-        std::size_t top = start.side, bottom = (start.side + 1) % 3;
-        if (part.y[bottom] < part.y[top]) std::swap(top, bottom);
-        const auto lines = EdgeTable::linesOf(part, start.side);
-        return {EdgeStepper(part.x[top], part.y[top], part.x[bottom], part.y[bottom], y, lines.end - 1), start.part,
-                start.side, lines.end - 1};
+        std::size_t old = m_edges.size(), fresh = m_newcomers.size();
+        m_edges.insert(m_edges.end(), m_newcomers.begin(), m_newcomers.end());
+        while (fresh > 0) {
+            const std::size_t to = old + fresh - 1;
+            if (old > 0 && m_newcomers[fresh - 1].isLeftOf(m_edges[old - 1]))
+                m_edges[to] = m_edges[--old];
+            else
+                m_edges[to] = m_newcomers[--fresh];
+        }
     }
 
-    std::vector<ActiveEdge> m_edges;  // from left to right
+    std::vector<ActiveEdge> m_edges;      // from left to right
+    std::vector<ActiveEdge> m_newcomers;  // scratch
 };
 
 }  // namespace zscope

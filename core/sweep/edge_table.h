@@ -1,9 +1,10 @@
 // The edge table: every edge of the scene, in the bucket of the first line it crosses.
 //
 // Lines      a band [firstLine, endLine) of the picture; an edge that begins above the band starts at firstLine
-// Edges      only those that cross the centre of a line; horizontal edges never do
+// Edges      only those that cross the centre of a line; horizontal edges never do. Inside a bucket they are ordered by
+//            the pixel they enter at, so that the active edge table only has to merge them
 // Polygons   triangles after set-up; a triangle that the near plane cut in two is two parts with one id
-// Cost       counting sort: linear in edges and lines
+// Cost       two counting sorts: linear in edges, lines and columns
 #pragma once
 
 #include <algorithm>
@@ -13,24 +14,20 @@
 #include <vector>
 
 #include "core/geometry/screen_triangle.h"
-#include "core/scan/edge_stepper.h"
+#include "core/sweep/active_edge.h"
 
 namespace zscope {
 
-/// One entry of a bucket: side `side` (from corner side to corner side + 1) of part `part`.
-struct EdgeStart {
-    std::uint32_t part : 30;
-    std::uint32_t side : 2;
-};
-
 class EdgeTable {
 public:
-    void clear(int firstLine, int endLine)
+    void clear(int firstLine, int endLine, int width)
     {
         m_firstLine = firstLine;
         m_endLine   = endLine;
+        m_width     = width;
         m_parts.clear();
-        m_unsorted.clear();
+        m_edges.clear();
+        m_starts.clear();
     }
 
     /// `part` must have been set up for the lines of this table.
@@ -40,36 +37,39 @@ public:
         m_parts.push_back(part);
         for (std::uint32_t side = 0; side < 3; ++side) {
             const auto [first, end] = linesOf(part, side);
-            if (first < end) m_unsorted.push_back({first, {index & kMaxPart, side & 3}});
+            if (first >= end) continue;
+            m_edges.emplace_back(part, index, side, first, end - 1);
+            m_starts.push_back({first - m_firstLine, std::clamp(m_edges.back().firstPixel(), -1, m_width) + 1});
         }
     }
 
     /// Sorts the edges into their buckets; call once after the last add().
     void fillBuckets()
     {
-        m_bucketStart.assign(static_cast<std::size_t>(m_endLine - m_firstLine) + 1, 0);
-        for (const Entry& entry : m_unsorted) ++m_bucketStart[bucketOf(entry.line)];
-        std::uint32_t before = 0;
-        for (std::uint32_t& start : m_bucketStart) before += std::exchange(start, before);
-        m_sorted.resize(m_unsorted.size());
-        for (const Entry& entry : m_unsorted) m_sorted[m_bucketStart[bucketOf(entry.line)]++] = entry.start;
-        // Each start has moved to its bucket's end, which is where the next bucket begins.
-        std::copy_backward(m_bucketStart.begin(), m_bucketStart.end() - 1, m_bucketStart.end());
-        m_bucketStart.front() = 0;
+        m_order.resize(m_edges.size());
+        for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = i;
+        sortBy(&Start::column, m_width + 2);
+        sortBy(&Start::line, m_endLine - m_firstLine);  // leaves the buckets' bounds in m_bounds
     }
 
     int                             firstLine() const { return m_firstLine; }
     int                             endLine() const { return m_endLine; }
+    std::size_t                     edgeCount() const { return m_edges.size(); }
     std::span<const ScreenTriangle> parts() const { return m_parts; }
-    std::span<const EdgeStart>      startingAt(int y) const
+    /// Indices of the edges whose first line is y, to be looked up by edge().
+    std::span<const std::uint32_t> startingAt(int y) const
     {
-        const std::size_t bucket = bucketOf(y);
-        return std::span(m_sorted).subspan(m_bucketStart[bucket], m_bucketStart[bucket + 1] - m_bucketStart[bucket]);
+        const auto bucket = static_cast<std::size_t>(y - m_firstLine);
+        return std::span(m_order).subspan(m_bounds[bucket], m_bounds[bucket + 1] - m_bounds[bucket]);
     }
+    /// An edge as it stands on its first line.
+    const ActiveEdge& edge(std::uint32_t index) const { return m_edges[index]; }
+
     std::size_t bytes() const
     {
-        return m_parts.capacity() * sizeof(ScreenTriangle) + m_unsorted.capacity() * sizeof(Entry) +
-               m_sorted.capacity() * sizeof(EdgeStart) + m_bucketStart.capacity() * sizeof(std::uint32_t);
+        return m_parts.capacity() * sizeof(ScreenTriangle) + m_edges.capacity() * sizeof(ActiveEdge) +
+               m_starts.capacity() * sizeof(Start) +
+               (m_order.capacity() + m_scratch.capacity() + m_bounds.capacity()) * sizeof(std::uint32_t);
     }
 
     struct Lines {
@@ -83,21 +83,35 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kMaxPart = (1u << 30) - 1;  // more parts than any memory holds
-
-    struct Entry {
-        int       line;
-        EdgeStart start;
+    /// Where an edge enters, counted from the band's first line and from one pixel left of the picture.
+    struct Start {
+        int line, column;
     };
 
-    std::size_t bucketOf(int y) const { return static_cast<std::size_t>(y - m_firstLine); }
+    /// Stable counting sort of m_order by one part of Start, with values in [0, count).
+    void sortBy(int Start::*key, int count)
+    {
+        m_bounds.assign(static_cast<std::size_t>(count) + 1, 0);
+        for (const Start& start : m_starts) ++m_bounds[static_cast<std::size_t>(start.*key)];
+        std::uint32_t before = 0;
+        for (std::uint32_t& bound : m_bounds) before += std::exchange(bound, before);
+        m_scratch.resize(m_order.size());
+        for (const std::uint32_t index : m_order) m_scratch[m_bounds[static_cast<std::size_t>(m_starts[index].*key)]++] = index;
+        m_order.swap(m_scratch);
+        // Each bound has moved to its bucket's end, which is where the next bucket begins.
+        std::copy_backward(m_bounds.begin(), m_bounds.end() - 1, m_bounds.end());
+        m_bounds.front() = 0;
+    }
 
     int                         m_firstLine = 0;
     int                         m_endLine   = 0;
+    int                         m_width     = 0;
     std::vector<ScreenTriangle> m_parts;
-    std::vector<Entry>          m_unsorted;
-    std::vector<EdgeStart>      m_sorted;       // bucket after bucket
-    std::vector<std::uint32_t>  m_bucketStart;  // lines + 1 entries
+    std::vector<ActiveEdge>     m_edges;    // in the order they were added, each on its first line
+    std::vector<Start>          m_starts;   // likewise
+    std::vector<std::uint32_t>  m_order;    // indices of m_edges, bucket after bucket
+    std::vector<std::uint32_t>  m_scratch;  // for sorting
+    std::vector<std::uint32_t>  m_bounds;   // lines + 1 entries: where each bucket begins in m_order
 };
 
 }  // namespace zscope

@@ -32,13 +32,13 @@ public:
     {
         m_visible.clearRows(y, y + 1);
         for (const ActiveEdge& edge : active) {
-            const int pixel = edge.crossing.firstPixel();
-            int&      open  = m_openAt[edge.part];
+            const int pixel = edge.firstPixel();
+            int&      open  = m_openAt[edge.part()];
             if (open == kClosed) {
                 open = pixel;
                 continue;
             }
-            const ScreenTriangle& part = parts[edge.part];
+            const ScreenTriangle& part = parts[edge.part()];
             fillSpan(part, y, std::max(open, part.box.x0), std::min(pixel, part.box.x1), m_visible, probe);
             open = kClosed;
         }

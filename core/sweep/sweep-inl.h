@@ -24,12 +24,11 @@ void sweep(const EdgeTable& edges, ActiveEdges& active, Resolve& resolve, const 
 {
     active.clear();
     for (int y = edges.firstLine(); y < edges.endLine() && !progress.cancelled(); ++y) {
-        active.retireBefore(y, probe);
-        active.admit(edges, y, probe);
+        active.advanceTo(y, edges, probe);
+        active.admit(y, edges, probe);
         probe(ScanlineReady{y, active.view()});
         resolve.line(y, active.view(), edges.parts(), probe);
         probe(ScanlineFinished{y});
-        active.advanceToNextLine();
     }
 }
 

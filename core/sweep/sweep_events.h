@@ -4,21 +4,12 @@
 #include <cstdint>
 #include <span>
 
-#include "core/geometry/screen_triangle.h"
 #include "core/probe/grain.h"
-#include "core/scan/edge_stepper.h"
+#include "core/sweep/active_edge.h"
 
 namespace zscope {
 
 class EdgeTable;
-
-/// One row of the active edge table.
-struct ActiveEdge {
-    EdgeStepper   crossing;   // with the current line's centre
-    std::uint32_t part : 30;  // index into EdgeTable::parts()
-    std::uint32_t side : 2;   // from corner side to corner side + 1
-    int           lastLine;   // inclusive
-};
 
 /// Every bucket of the edge table is filled; no line has been swept.
 struct EdgeTableReady {
