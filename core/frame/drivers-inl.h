@@ -26,7 +26,7 @@ struct ScanConvert {
     StageClock&       clock;
     const Probe&      probe;
 
-    void operator()(const std::vector<ScreenTriangle>& triangles) const
+    void operator()(std::span<const ScreenTriangle> triangles) const
     {
         for (const ScreenTriangle& triangle : triangles) {
             probe(TriangleReached{triangle});
@@ -55,7 +55,7 @@ struct EnterEdges {
     EdgeTable&  edges;
     StageClock& clock;
 
-    void operator()(const std::vector<ScreenTriangle>& triangles) const
+    void operator()(std::span<const ScreenTriangle> triangles) const
     {
         for (const ScreenTriangle& triangle : triangles) edges.add(triangle);
         clock.lap(Stage::Setup);

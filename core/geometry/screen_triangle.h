@@ -8,8 +8,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/base/ids.h"
 #include "core/geometry/projection.h"
@@ -51,7 +54,7 @@ inline int firstPixelCentreFrom(double snapped)
 }
 
 /// The plane of the corners in the order given, as the definition writes it.
-inline DepthPlane depthPlane(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2)
+[[gnu::always_inline]] inline DepthPlane depthPlane(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2)
 {
     double x0 = p0.x, y0 = p0.y;
     double e1x = p1.x - p0.x, e1y = p1.y - p0.y, e2x = p2.x - p0.x, e2y = p2.y - p0.y;
@@ -83,7 +86,7 @@ inline DepthPlane depthPlane(const ScreenCorner& p0, const ScreenCorner& p1, con
 
 /// Twice the snapped area, its sign only: -1 counter-clockwise to the viewer (front), 0 degenerate, 1 clockwise.
 /// Exact for corners within kSnapLimit.
-inline int turnOf(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2, bool wide)
+[[gnu::always_inline]] inline int turnOf(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2, bool wide)
 {
     if (!wide) {
         const double area = (p1.xs - p0.xs) * (p2.ys - p0.ys) - (p1.ys - p0.ys) * (p2.xs - p0.xs);
@@ -96,7 +99,8 @@ inline int turnOf(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCo
 }
 
 /// Sets up one part for the pixels of `region`. `out` is complete only if the answer is SetUp::Drawn.
-inline SetUp setUpTriangle(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2, TriangleId id,
+/// Always inlined, so that each instruction set gets it in its own instructions.
+[[gnu::always_inline]] inline SetUp setUpTriangle(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2, TriangleId id,
                            bool wide, FaceCulling culling, const PixelBox& region, ScreenTriangle& out)
 {
     const int turn = turnOf(p0, p1, p2, wide);
@@ -118,5 +122,27 @@ inline SetUp setUpTriangle(const ScreenCorner& p0, const ScreenCorner& p1, const
     out.wide  = wide;
     return SetUp::Drawn;
 }
+
+/// Room for the triangles of one batch, filled in place.
+class TriangleList {
+public:
+    explicit TriangleList(std::size_t capacity) : m_triangles(capacity) {}
+
+    void clear() { m_count = 0; }
+    /// Where the next triangle may be written; it belongs to the list once keep() is called.
+    ScreenTriangle& next()
+    {
+        assert(m_count < m_triangles.size());
+        return m_triangles[m_count];
+    }
+    void keep() { ++m_count; }
+
+    std::span<const ScreenTriangle> view() const { return std::span(m_triangles).first(m_count); }
+    std::size_t                     bytes() const { return m_triangles.capacity() * sizeof(ScreenTriangle); }
+
+private:
+    std::vector<ScreenTriangle> m_triangles;
+    std::size_t                 m_count = 0;
+};
 
 }  // namespace zscope

@@ -2,10 +2,9 @@
 //
 // Plain      batches wholly in front of the near plane and inside the guard band: corners by index
 // Careful    the others: each triangle from its positions, cut at the near plane, every corner checked
+// Room       `out` must have room for two parts per triangle of the batch, and one to spare
 // Promise    each triangle's fate is told once (TriangleSetUp); parts keep the triangle's id
 #pragma once
-
-#include <vector>
 
 #include "core/geometry/geometry_events.h"
 #include "core/geometry/near_clip.h"
@@ -24,16 +23,15 @@ struct BatchPlace {
 };
 
 template <class Probe>
-void setUpPlain(const BatchPlace& place, const ScreenVertices& vertices, FaceCulling culling, const PixelBox& region,
-                std::vector<ScreenTriangle>& out, const Probe& probe)
+[[gnu::always_inline]] inline void setUpPlain(const BatchPlace& place, const ScreenVertices& vertices, FaceCulling culling, const PixelBox& region,
+                TriangleList& out, const Probe& probe)
 {
     const std::uint32_t first = place.batch.firstTriangle;
     for (std::uint32_t t = first; t < first + place.batch.triangleCount; ++t) {
-        const auto&    corner = place.mesh.triangles[t].corner;
-        ScreenTriangle triangle;
+        const auto& corner = place.mesh.triangles[t].corner;
         const SetUp fate = setUpTriangle(vertices.corner(corner[0]), vertices.corner(corner[1]), vertices.corner(corner[2]),
-                                         place.idOf(t), false, culling, region, triangle);
-        if (fate == SetUp::Drawn) out.push_back(triangle);
+                                         place.idOf(t), false, culling, region, out.next());
+        if (fate == SetUp::Drawn) out.keep();
         probe(TriangleSetUp{place.idOf(t), fate, 1, false});
     }
 }
@@ -55,7 +53,7 @@ inline SetUp setUpPart(const std::array<dvec3, 3>& view, TriangleId id, const Pr
 
 template <class Probe>
 void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceCulling culling, const PixelBox& region,
-                    std::vector<ScreenTriangle>& out, const Probe& probe)
+                    TriangleList& out, const Probe& probe)
 {
     const MeshBatches&  mesh  = place.mesh;
     const std::uint32_t first = place.batch.firstTriangle;
@@ -70,11 +68,10 @@ void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceC
         SetUp fate = SetUp::ClippedAway;
         bool  wide = false;
         for (std::size_t p = 0; p < kept.parts(); ++p) {
-            ScreenTriangle part;
-            const SetUp    partFate = setUpPart(kept.part(p), place.idOf(t), projection, culling, region, part);
+            const SetUp partFate = setUpPart(kept.part(p), place.idOf(t), projection, culling, region, out.next());
             if (partFate == SetUp::Drawn) {
-                out.push_back(part);
-                wide = wide || part.wide;
+                wide = wide || out.next().wide;
+                out.keep();
             }
             if (fate != SetUp::Drawn) fate = partFate;
         }

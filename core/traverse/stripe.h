@@ -31,15 +31,15 @@ struct Stripe {
 
 /// Scratch memory of one thread, reused frame after frame.
 struct StripeScratch {
-    ScreenVertices              vertices;
-    std::vector<ScreenTriangle> triangles;  // of the batch at hand
-    EdgeTable                   edges;      // sweep methods only, like the next two
-    ActiveEdges                 active;
-    std::vector<int>            openAt;
+    ScreenVertices   vertices;
+    TriangleList     triangles{2 * kBatchTriangles + 1};  // of the batch at hand
+    EdgeTable        edges;                               // sweep methods only, like the next two
+    ActiveEdges      active;
+    std::vector<int> openAt;
 
     std::size_t bytes() const
     {
-        return sizeof(*this) + triangles.capacity() * sizeof(ScreenTriangle) + edges.bytes() + active.bytes() +
+        return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() +
                openAt.capacity() * sizeof(int);
     }
 };

@@ -60,7 +60,7 @@ void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& 
                 continue;
             }
             setUpBatch(BatchPlace{mesh, batch, toWorld, scene.firstTriangle[i]}, InstanceId{i}, stripe, scratch, clock, probe);
-            consume(scratch.triangles);
+            consume(scratch.triangles.view());
         }
     }
     clock.lap(Stage::Cull);
