@@ -58,8 +58,8 @@ Result<Scene> makeGroup(const Arguments&)
     add(placed({0.5, 0.5, 0.5}, 0.03, 0, {-2.5, 0.9, 0.9}), palette::kWhite);       // overlaps, faces parallel
 
     ViewRequest view;
-    view.eye         = dvec3{-5.2, 5.4, 10.2};
-    view.target      = dvec3{0.1, 0.75, 0};
+    view.eye         = dvec3{-4.6, 6.2, 12.2};
+    view.target      = dvec3{0, 0.6, 0.2};
     view.verticalFov = 36;
     view.near        = 0.5;
     view.far         = 100;
