@@ -47,7 +47,7 @@ public:
         return before;
     }
     friend bool operator==(const CountingIterator& a, const CountingIterator& b) { return a.m_at == b.m_at; }
-    friend bool operator!=(const CountingIterator& a, const CountingIterator& b) { return a.m_at != b.m_at; }
+    friend bool operator!=(const CountingIterator& a, const CountingIterator& b) { return !(a == b); }
 
 private:
     const char*   m_at;
@@ -128,7 +128,7 @@ private:
             if (auto* array = std::get_if<JsonValue::Array>(&m_open.back()->value)) place = &array->emplace_back();
             else
                 place = &std::get<JsonValue::Object>(m_open.back()->value)
-                             .emplace_back(std::move(m_key), JsonValue{})
+                             .emplace_back(JsonMember{std::move(m_key), JsonValue{}})
                              .second;
         }
         place->value = std::move(value);

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -18,9 +17,11 @@ namespace zscope {
 
 inline constexpr int kMaxJsonDepth = 64;
 
+struct JsonMember;
+
 struct JsonValue {
     using Array  = std::vector<JsonValue>;
-    using Member = std::pair<std::string, JsonValue>;
+    using Member = JsonMember;
     using Object = std::vector<Member>;  // in the order of the file, keys unique
 
     /// null, bool, whole number, whole number beyond int64, real, text, array, object
@@ -31,6 +32,11 @@ struct JsonValue {
     const Object*      object() const { return std::get_if<Object>(&value); }
     const std::string* text() const { return std::get_if<std::string>(&value); }
     const bool*        truth() const { return std::get_if<bool>(&value); }
+};
+
+struct JsonMember {
+    std::string first;   // the key
+    JsonValue   second;  // what it stands for
 };
 
 /// `file` is named in errors. memoryLimit: bytes the values may take; 0 for the default.

@@ -74,8 +74,9 @@ std::optional<SweepState> SweepRecorder::state() const
         state.activePolygons.push_back(state.activeEdges.back().polygon);
     }
     std::ranges::sort(state.activePolygons);
-    const auto repeats = std::ranges::unique(state.activePolygons);
-    state.activePolygons.erase(repeats.begin(), repeats.end());
+    // Not std::ranges::unique: clang 14 cannot compile the standard library's.
+    state.activePolygons.erase(std::unique(state.activePolygons.begin(), state.activePolygons.end()),
+                               state.activePolygons.end());
     for (const ActiveEdge& edge : m_entered) state.entered.push_back(rowOf(*m_table, edge, m_y));
     for (const ActiveEdge& edge : m_left) state.left.push_back(rowOf(*m_table, edge, edge.lastLine()));
     for (int y = m_table->firstLine(); y < m_table->endLine(); ++y)

@@ -125,7 +125,8 @@ bool Outline::findContacts()
 
     const std::size_t limit = 4 * n + 64;
     for (std::size_t i = 0; i < n; ++i) {
-        const auto [a, b]   = edgeAt(i);
+        const Segment2 edge = edgeAt(i);
+        const auto&    a = edge.a, &b = edge.b;  // not bindings: clang 14 cannot capture those
         const bool isTangled = m_edges.anyNear(Segment2{a, b}, [&](std::size_t j) {
             if (j <= i) return false;  // each pair once
             const auto [c, d] = edgeAt(j);
@@ -134,9 +135,9 @@ bool Outline::findContacts()
             const int ofA = orientation(c, d, a), ofB = orientation(c, d, b);
             if (ofA * ofB > 0) return false;
             if (ofC * ofD < 0 && ofA * ofB < 0) return true;
-            const auto note = [&](int side, std::size_t edge, std::size_t corner, const Segment2& on) {
+            const auto note = [&](int side, std::size_t edgeIndex, std::size_t corner, const Segment2& on) {
                 if (side == 0 && strictlyBetween(m_ring[corner].at, on.a, on.b))
-                    m_contacts.push_back({static_cast<std::uint32_t>(edge), static_cast<std::uint32_t>(corner)});
+                    m_contacts.push_back({static_cast<std::uint32_t>(edgeIndex), static_cast<std::uint32_t>(corner)});
             };
             note(ofC, i, j, {a, b});
             note(ofD, i, j + 1 == n ? 0 : j + 1, {a, b});
