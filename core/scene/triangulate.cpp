@@ -40,8 +40,10 @@ PolygonSplit PolygonSplitter::split(std::span<const dvec3> positions, std::span<
 // Cuts corner after corner off the ring. A corner may go when it is
 //   a spike    its neighbours coincide, or it coincides with one of them: nothing is cut but the spike
 //   an ear     it turns left, the chord that closes the gap lies inside the ring where it starts and where it ends,
-//              and no other corner lies in the triangle or on its border. Corners at the same place as one of the
-//              three do not count: a ring with winding 0 and 1 cannot enter the triangle there
+//              and no other corner lies in the triangle or on its border. Corners at the places of the chord's ends do
+//              not count: whatever enters the triangle there also ends in it or leaves through one of its other
+//              sides, which are the ring's own. One at the place of the ear itself may leave through the chord, so
+//              its edges must not enter
 // A cut changes only its two neighbours, which are then looked at again.
 bool PolygonSplitter::cutEars(std::vector<Triangle>& triangles)
 {
@@ -76,7 +78,13 @@ bool PolygonSplitter::cutEars(std::vector<Triangle>& triangles)
         const Point2 pa = ring[a].at, pv = ring[v].at, pc = ring[c].at;
         return !m_corners.anyNear(Triangle2{pa, pv, pc}, [&](std::size_t other) {
             const Point2& p = ring[other].at;
-            if (p == pa || p == pv || p == pc) return false;
+            if (p == pa || p == pc) return false;
+            if (p == pv) {
+                const auto enters = [&](std::uint32_t to) {
+                    return orientation(pv, pc, ring[to].at) > 0 && orientation(pv, ring[to].at, pa) > 0;
+                };
+                return other != v && (enters(m_previous[other]) || enters(m_next[other]));
+            }
             return orientation(pa, pv, p) >= 0 && orientation(pv, pc, p) >= 0 && orientation(pc, pa, p) >= 0;
         });
     };
