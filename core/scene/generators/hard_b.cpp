@@ -39,21 +39,25 @@ Result<Scene> cornersBehind(const Arguments& arguments)
     return hard.finish();
 }
 
-/// Two triangles whose shared edge has one end behind the near plane, the edge listed once from each end.
+/// Two triangles whose shared edge has one end behind the near plane, the edge listed once from each end. They lie on
+/// different sides of the plane through the eye and that edge, so they do not overlap.
 Result<Scene> sharedEdgeAcrossNear(const Arguments& arguments)
 {
     Random     random(static_cast<std::uint64_t>(arguments.whole("seed")));
     HardScene  hard(64, 64);
-    const auto between = [&](double low, double high) { return random.between(low, high); };
-    // In front above the picture's middle, behind below it: the cut runs across the picture.
-    const double frontZ = between(0.3, 2), behindZ = between(-2, 0.2);
-    const Vertex front  = hard.inView({between(-8, 8) * frontZ, between(4, 30) * frontZ, frontZ});
-    const Vertex behind = hard.inView({between(-3, 3), between(-30, -8), behindZ});
-    const double leftZ = between(-1, 1.5), rightZ = between(-1, 1.5);
-    const Vertex left  = hard.inView({between(-30, -9), between(-4, 4), leftZ});
-    const Vertex right = hard.inView({between(9, 30), between(-4, 4), rightZ});
-    hard.triangle(front, left, behind);
-    hard.triangle(behind, right, front);
+    const auto side = [](const dvec3& p, const dvec3& q, const dvec3& r) {
+        return p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
+    };
+    dvec3 front, behind, left, right;
+    do {
+        front  = random.between(dvec3{-8, 0, 0.3}, dvec3{8, 28, 2});
+        behind = random.between(dvec3{-8, -30, -1}, dvec3{8, 4, 0.24});
+        left   = random.between(dvec3{-30, -9, -0.5}, dvec3{-1, 9, 1});
+        right  = random.between(dvec3{1, -9, -0.5}, dvec3{30, 9, 1});
+    } while (!(side(front, left, behind) > 0.5 && side(behind, right, front) > 0.5));
+    const Vertex a = hard.inView(front), b = hard.inView(left), c = hard.inView(behind), d = hard.inView(right);
+    hard.triangle(a, b, c);
+    hard.triangle(c, d, a);
     return hard.finish();
 }
 
