@@ -74,8 +74,8 @@ void drawSweep(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, 
     probe(StageFinished{Stage::Setup});
 
     probe(StageStarted{Stage::Raster});
-    LineZBuffer resolve(stripe.visible, scratch.openAt, scratch.edges.parts().size());
-    sweep(scratch.edges, scratch.active, resolve, stripe.progress, probe);
+    LineZBuffer resolve(stripe.visible);
+    sweep(scratch.edges, scratch.active, scratch.polygons, resolve, stripe.progress, probe);
     clock.lap(Stage::Raster);
     probe(StageFinished{Stage::Raster});
 }

@@ -10,7 +10,7 @@ namespace {
 /// The edge as a lesson shows it on line y, one that it crosses.
 EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, int y)
 {
-    const ScreenTriangle& part = table.parts()[edge.part()];
+    const ScreenTriangle& part = table.parts()[edge.polygon()];
     const std::size_t     a = edge.side(), b = (a + 1u) % 3;
     auto dx = static_cast<std::int64_t>(part.x[b]) - static_cast<std::int64_t>(part.x[a]);
     auto dy = static_cast<std::int64_t>(part.y[b]) - static_cast<std::int64_t>(part.y[a]);
@@ -46,12 +46,14 @@ void SweepRecorder::observe(const EdgeLeft& e)
 {
     beginLineIfOver();
     m_left.push_back(e.edge);
+    m_left.back().setPolygon(e.part);
 }
 
 void SweepRecorder::observe(const EdgeEntered& e)
 {
     beginLineIfOver();
     m_entered.push_back(e.edge);
+    m_entered.back().setPolygon(e.part);
 }
 
 void SweepRecorder::observe(const ScanlineReady& e)
@@ -59,6 +61,10 @@ void SweepRecorder::observe(const ScanlineReady& e)
     beginLineIfOver();
     m_y = e.y;
     m_active.assign(e.active.begin(), e.active.end());
+    for (ActiveEdge& edge : m_active) edge.setPolygon(e.polygons[edge.polygon()].part);
+    m_polygons.clear();
+    for (const ActivePolygon& polygon : e.polygons.rows())
+        if (polygon.edges > 0) m_polygons.push_back(polygon.id);
 }
 
 void SweepRecorder::observe(const SpanFilled& e) { m_spans.push_back({e.x0, e.x1, e.triangle}); }
@@ -69,10 +75,8 @@ std::optional<SweepState> SweepRecorder::state() const
     SweepState state;
     state.y     = m_y;
     state.spans = m_spans;
-    for (const ActiveEdge& edge : m_active) {
-        state.activeEdges.push_back(rowOf(*m_table, edge, m_y));
-        state.activePolygons.push_back(state.activeEdges.back().polygon);
-    }
+    for (const ActiveEdge& edge : m_active) state.activeEdges.push_back(rowOf(*m_table, edge, m_y));
+    state.activePolygons = m_polygons;
     std::ranges::sort(state.activePolygons);
     // Not std::ranges::unique: clang 14 cannot compile the standard library's.
     state.activePolygons.erase(std::unique(state.activePolygons.begin(), state.activePolygons.end()),

@@ -35,11 +35,8 @@ inline constexpr double kNotCovered = -2;
 /// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c.
 class DepthTest {
 public:
-    explicit DepthTest(const ScreenTriangle& triangle)
-        : m_a(triangle.depth.a),
-          m_farthest(triangle.depth.farthest),
-          m_nearest(triangle.depth.nearest),
-          m_rank(triangle.rank())
+    DepthTest(const DepthPlane& plane, std::uint32_t rank)
+        : m_a(plane.a), m_farthest(plane.farthest), m_nearest(plane.nearest), m_rank(rank)
     {
     }
 
@@ -88,18 +85,19 @@ inline double lineDepth(const DepthPlane& plane, int y) { return plane.b * (y + 
 
 /// Tests the pixels [x0, x1) of line y, all of them covered; they lie inside the picture.
 template <class Probe>
-void fillSpan(const ScreenTriangle& triangle, int y, int x0, int x1, VisibilityBuffer& visible, const Probe& probe)
+void fillSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
+              const Probe& probe)
 {
     if (x0 >= x1) return;
-    const DepthTest test(triangle);
-    const double    line  = lineDepth(triangle.depth, y);
+    const DepthTest test(plane, rankOfSpan);
+    const double    line  = lineDepth(plane, y);
     float*          depth = visible.depthRow(y);
     std::uint32_t*  rank  = visible.rankRow(y);
     for (int x = x0; x < x1; x += laneCount()) {
         const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
         test.offer(test.column(x), line, covered, depth + x, rank + x, x, y, probe);
     }
-    probe(SpanFilled{y, x0, x1, triangle.id});
+    probe(SpanFilled{y, x0, x1, TriangleId{rankOfSpan - 1}});
 }
 
 }  // namespace zscope::HWY_NAMESPACE

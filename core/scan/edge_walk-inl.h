@@ -58,7 +58,7 @@ private:
         Stepper longSide = edge(0, 2), shortSide = edge(top, bottom);
         for (int y = first; y < end; ++y) {
             const int one = longSide.firstPixel(), other = shortSide.firstPixel();
-            fillSpan(triangle, y, std::max(std::min(one, other), triangle.box.x0),
+            fillSpan(triangle.depth, triangle.rank(), y, std::max(std::min(one, other), triangle.box.x0),
                      std::min(std::max(one, other), triangle.box.x1), visible, probe);
             longSide.nextLine();
             shortSide.nextLine();

@@ -14,9 +14,9 @@ namespace zscope {
 
 class ActiveEdge {
 public:
-    /// Side `side` (from corner side to corner side + 1) of `part`, which has the index `index`, at `line`.
-    ActiveEdge(const ScreenTriangle& part, std::uint32_t index, std::uint32_t side, int line, int lastLine)
-        : m_part(index & kMaxPart), m_side(side & 3), m_lastLine(lastLine), m_wide(part.wide)
+    /// Side `side` (from corner side to corner side + 1) of `part` at `line`, owned by `polygon`.
+    ActiveEdge(const ScreenTriangle& part, std::uint32_t polygon, std::uint32_t side, int line, int lastLine)
+        : m_polygon(polygon), m_lastLine(lastLine), m_side(static_cast<std::uint8_t>(side)), m_wide(part.wide)
     {
         if (m_wide)
             placeWide(part, line);
@@ -42,21 +42,23 @@ public:
         return {part.x[top], part.y[top], part.x[bottom], part.y[bottom], line, lastLine};
     }
 
+    /// In the edge table: the index of the part. In the active edge table: the row of the active polygon table.
+    std::uint32_t polygon() const { return m_polygon; }
+    void          setPolygon(std::uint32_t row) { m_polygon = row; }
+
     bool          isLeftOf(const ActiveEdge& other) const { return m_crossing.isLeftOf(other.m_crossing); }
     int           firstPixel() const { return m_crossing.firstPixel(); }
-    std::uint32_t part() const { return m_part; }
     std::uint32_t side() const { return m_side; }
     int           lastLine() const { return m_lastLine; }  // inclusive
     bool          isWide() const { return m_wide; }
 
 private:
-    static constexpr std::uint32_t kMaxPart = (1u << 30) - 1;  // more parts than any memory holds
-    static constexpr std::int64_t  kFarAway = std::int64_t{1} << 29;
+    static constexpr std::int64_t kFarAway = std::int64_t{1} << 29;
 
-    EdgeStepper<std::int32_t> m_crossing;   // with the current line's centre
-    std::uint32_t             m_part : 30;  // index into EdgeTable::parts()
-    std::uint32_t             m_side : 2;
+    EdgeStepper<std::int32_t> m_crossing;  // with the current line's centre
+    std::uint32_t             m_polygon;
     int                       m_lastLine;
+    std::uint8_t              m_side;
     bool                      m_wide;
 };
 static_assert(sizeof(ActiveEdge) == 32);

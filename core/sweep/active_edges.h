@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/sweep/active_edge.h"
+#include "core/sweep/active_polygons.h"
 #include "core/sweep/edge_table.h"
 #include "core/sweep/sweep_events.h"
 
@@ -23,16 +24,17 @@ public:
     /// Moves on to line y: edges whose last line lies above it leave, the others step, and those that have crossed
     /// change places.
     template <class Probe>
-    void advanceTo(int y, const EdgeTable& table, const Probe& probe)
+    void advanceTo(int y, const EdgeTable& table, ActivePolygons& polygons, const Probe& probe)
     {
         std::size_t kept = 0;
         for (ActiveEdge edge : m_edges) {
             if (edge.lastLine() < y) {
-                probe(EdgeLeft{edge});
+                probe(EdgeLeft{edge, polygons[edge.polygon()].part});
+                polygons.leave(edge.polygon());
                 continue;
             }
             if (edge.isWide())
-                edge.placeWide(table.parts()[edge.part()], y);
+                edge.placeWide(table.parts()[polygons[edge.polygon()].part], y);
             else
                 edge.nextLine();
             std::size_t place = kept++;
@@ -42,14 +44,16 @@ public:
         m_edges.erase(m_edges.begin() + static_cast<std::ptrdiff_t>(kept), m_edges.end());
     }
 
-    /// Adds the edges of the table's bucket for line y, each in its place.
+    /// Adds the edges of the table's bucket for line y, each in its place, and their polygons.
     template <class Probe>
-    void admit(int y, const EdgeTable& table, const Probe& probe)
+    void admit(int y, const EdgeTable& table, ActivePolygons& polygons, const Probe& probe)
     {
         m_newcomers.clear();
         for (const std::uint32_t index : table.startingAt(y)) {
             m_newcomers.push_back(table.edge(index));
-            probe(EdgeEntered{m_newcomers.back()});
+            const std::uint32_t part = m_newcomers.back().polygon();
+            m_newcomers.back().setPolygon(polygons.enter(table.parts()[part], part));
+            probe(EdgeEntered{m_newcomers.back(), part});
             for (std::size_t i = m_newcomers.size() - 1; i > 0 && m_newcomers[i].isLeftOf(m_newcomers[i - 1]); --i)
                 std::swap(m_newcomers[i], m_newcomers[i - 1]);
         }

@@ -9,9 +9,8 @@
 #define ZSCOPE_LINE_ZBUFFER_INL_H
 #endif
 
-#include <limits>
+#include <algorithm>
 #include <span>
-#include <vector>
 
 #include "core/scan/depth_test-inl.h"
 #include "core/sweep/sweep_events.h"
@@ -21,34 +20,27 @@ namespace zscope::HWY_NAMESPACE {
 
 class LineZBuffer {
 public:
-    /// `openAt` is scratch memory, one entry per part, reused from band to band.
-    LineZBuffer(VisibilityBuffer& visible, std::vector<int>& openAt, std::size_t parts) : m_visible(visible), m_openAt(openAt)
-    {
-        m_openAt.assign(parts, kClosed);
-    }
+    explicit LineZBuffer(VisibilityBuffer& visible) : m_visible(visible) {}
 
     template <class Probe>
-    void line(int y, std::span<const ActiveEdge> active, std::span<const ScreenTriangle> parts, const Probe& probe)
+    void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
     {
         m_visible.clearRows(y, y + 1);
         for (const ActiveEdge& edge : active) {
-            const int pixel = edge.firstPixel();
-            int&      open  = m_openAt[edge.part()];
-            if (open == kClosed) {
-                open = pixel;
+            ActivePolygon& polygon = polygons[edge.polygon()];
+            const int      pixel   = edge.firstPixel();
+            if (polygon.openAt == ActivePolygon::kClosed) {
+                polygon.openAt = pixel;
                 continue;
             }
-            const ScreenTriangle& part = parts[edge.part()];
-            fillSpan(part, y, std::max(open, part.box.x0), std::min(pixel, part.box.x1), m_visible, probe);
-            open = kClosed;
+            fillSpan(polygon.depth, polygon.rank(), y, std::max(polygon.openAt, 0), std::min(pixel, m_visible.width()),
+                     m_visible, probe);
+            polygon.openAt = ActivePolygon::kClosed;
         }
     }
 
 private:
-    static constexpr int kClosed = std::numeric_limits<int>::min();
-
     VisibilityBuffer& m_visible;
-    std::vector<int>& m_openAt;  // per part: the first pixel of the span that has begun, or kClosed
 };
 
 }  // namespace zscope::HWY_NAMESPACE

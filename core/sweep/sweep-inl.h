@@ -20,14 +20,16 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 template <class Resolve, class Probe>
-void sweep(const EdgeTable& edges, ActiveEdges& active, Resolve& resolve, const Progress& progress, const Probe& probe)
+void sweep(const EdgeTable& edges, ActiveEdges& active, ActivePolygons& polygons, Resolve& resolve,
+           const Progress& progress, const Probe& probe)
 {
     active.clear();
+    polygons.clear(edges.parts().size());
     for (int y = edges.firstLine(); y < edges.endLine() && !progress.cancelled(); ++y) {
-        active.advanceTo(y, edges, probe);
-        active.admit(y, edges, probe);
-        probe(ScanlineReady{y, active.view()});
-        resolve.line(y, active.view(), edges.parts(), probe);
+        active.advanceTo(y, edges, polygons, probe);
+        active.admit(y, edges, polygons, probe);
+        probe(ScanlineReady{y, active.view(), polygons});
+        resolve.line(y, active.view(), polygons, probe);
         probe(ScanlineFinished{y});
     }
 }

@@ -6,6 +6,7 @@
 
 #include "core/probe/grain.h"
 #include "core/sweep/active_edge.h"
+#include "core/sweep/active_polygons.h"
 
 namespace zscope {
 
@@ -18,17 +19,20 @@ struct EdgeTableReady {
 
 struct EdgeEntered {
     const ActiveEdge& edge;  // valid only during the call
+    std::uint32_t     part;  // index into EdgeTable::parts()
 };
 
 struct EdgeLeft {
-    const ActiveEdge& edge;  // valid only during the call
+    const ActiveEdge& edge;  // as it stood on its last line; valid only during the call
+    std::uint32_t     part;
 };
 
 /// The active edge table is complete for line y; nothing of that line has been drawn yet.
 struct ScanlineReady {
     static constexpr Grain      grain = Grain::Span;
     int                         y;       // 0 is the top line
-    std::span<const ActiveEdge> active;  // sorted by x; valid only during the call
+    std::span<const ActiveEdge> active;  // sorted by x; valid only during the call, like the next
+    const ActivePolygons&       polygons;
 };
 
 /// Line y is drawn; the active edge table still stands at it.

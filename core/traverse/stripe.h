@@ -12,6 +12,7 @@
 #include "core/geometry/screen_triangle.h"
 #include "core/geometry/screen_vertices.h"
 #include "core/sweep/active_edges.h"
+#include "core/sweep/active_polygons.h"
 #include "core/sweep/edge_table.h"
 
 namespace zscope {
@@ -35,12 +36,11 @@ struct StripeScratch {
     TriangleList     triangles{2 * kBatchTriangles + 1};  // of the batch at hand
     EdgeTable        edges;                               // sweep methods only, like the next two
     ActiveEdges      active;
-    std::vector<int> openAt;
+    ActivePolygons   polygons;
 
     std::size_t bytes() const
     {
-        return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() +
-               openAt.capacity() * sizeof(int);
+        return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes();
     }
 };
 
