@@ -53,19 +53,19 @@ Result<Scene> crossing(const Arguments& arguments)
     return hard.finish();
 }
 
-/// Three long triangles, each with its base above the tip of the one before it.
+/// Three long triangles along the sides of a triangle, each beginning near the eye and ending far behind the next.
 Result<Scene> cyclicOverlap(const Arguments&)
 {
-    HardScene hard(128, 128);
+    HardScene  hard(128, 128);
+    const auto onGrid = [](double x, double y) { return Place{std::round(x * 256) / 256, std::round(y * 256) / 256}; };
     for (int i = 0; i < 3; ++i) {
-        const auto [bx, by] = pointOnCircle(i / 3.0 + 0.05);
-        const auto [tx, ty] = pointOnCircle((i + 1) / 3.0 + 0.05);
-        const auto onGrid   = [](double pixels) { return std::round(pixels * 256) / 256; };
-        const Place base{64 + 40 * bx, 64 + 40 * by}, tip{64 + 60 * tx - 8 * bx, 64 + 60 * ty - 8 * by};
-        const Place across{12 * bx, 12 * by};
-        const Vertex a = hard.at({onGrid(base.x - across.x), onGrid(base.y - across.y)}, 0.5);
-        const Vertex b = hard.at({onGrid(base.x + across.x), onGrid(base.y + across.y)}, 0.5);
-        const Vertex c = hard.at({onGrid(tip.x), onGrid(tip.y)}, 0.125);
+        const auto [fromX, fromY] = pointOnCircle(i / 3.0 + 0.05);
+        const auto [toX, toY]     = pointOnCircle((i + 1) / 3.0 + 0.05);
+        const double alongX = toX - fromX, alongY = toY - fromY;  // of length 1.73; the corners lie 24 pixels out
+        const double startX = 64 + 24 * fromX - 12 * alongX, startY = 64 + 24 * fromY - 12 * alongY;
+        const Vertex a = hard.at(onGrid(startX - 6 * alongY, startY + 6 * alongX), 0.5);
+        const Vertex b = hard.at(onGrid(startX + 6 * alongY, startY - 6 * alongX), 0.5);
+        const Vertex c = hard.at(onGrid(64 + 24 * toX + 15 * alongX, 64 + 24 * toY + 15 * alongY), 0.125);
         hard.triangle(a, c, b);
     }
     return hard.finish();
