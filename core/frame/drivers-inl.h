@@ -13,6 +13,7 @@
 #include "core/frame/frame_events.h"
 #include "core/frame/pipeline.h"
 #include "core/scan/half_space-inl.h"
+#include "core/sweep/intervals-inl.h"
 #include "core/sweep/sweep-inl.h"
 #include "core/traverse/submitted-inl.h"
 
@@ -62,8 +63,8 @@ struct EnterEdges {
     }
 };
 
-template <class Probe>
-void drawSweep(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
+template <class Resolve, class Probe>
+void drawSweep(const Stripe& stripe, StripeScratch& scratch, Resolve resolve, StageClock& clock, const Probe& probe)
 {
     probe(StageStarted{Stage::Setup});
     scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width());
@@ -74,7 +75,6 @@ void drawSweep(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, 
     probe(StageFinished{Stage::Setup});
 
     probe(StageStarted{Stage::Raster});
-    LineZBuffer resolve(stripe.visible);
     sweep(scratch.edges, scratch.active, scratch.polygons, resolve, stripe.progress, probe);
     clock.lap(Stage::Raster);
     probe(StageFinished{Stage::Raster});
@@ -87,7 +87,9 @@ void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     switch (pipeline.scan) {
     case Scan::HalfSpace: return drawStream<HalfSpace>(stripe, scratch, clock, probe);
     case Scan::EdgeWalk: return drawStream<EdgeWalk>(stripe, scratch, clock, probe);
-    case Scan::SweepZLine: return drawSweep(stripe, scratch, clock, probe);
+    case Scan::SweepZLine: return drawSweep(stripe, scratch, LineZBuffer(stripe.visible), clock, probe);
+    case Scan::SweepIntervals:
+        return drawSweep(stripe, scratch, Intervals(stripe.visible, scratch.open), clock, probe);
     }
 }
 

@@ -68,7 +68,8 @@ std::string nameOf(const Pipeline& pipeline)
 
 Family familyOf(const Pipeline& pipeline)
 {
-    return pipeline.scan == Scan::SweepZLine ? Family::Sweep : Family::Stream;
+    const bool sweeps = pipeline.scan == Scan::SweepZLine || pipeline.scan == Scan::SweepIntervals;
+    return sweeps ? Family::Sweep : Family::Stream;
 }
 
 std::vector<Grain> grainsOf(const Pipeline& pipeline)
@@ -76,7 +77,8 @@ std::vector<Grain> grainsOf(const Pipeline& pipeline)
     switch (pipeline.scan) {
     case Scan::HalfSpace: return {Grain::Frame, Grain::Stage, Grain::Triangle, Grain::Pixel};
     case Scan::EdgeWalk: return {Grain::Frame, Grain::Stage, Grain::Triangle, Grain::Span, Grain::Pixel};
-    case Scan::SweepZLine: return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Span, Grain::Pixel};
+    case Scan::SweepZLine:
+    case Scan::SweepIntervals: return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Span, Grain::Pixel};
     }
     return {};
 }

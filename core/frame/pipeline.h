@@ -16,7 +16,7 @@
 namespace zscope {
 
 /// How triangles become pixels.
-enum class Scan { HalfSpace, EdgeWalk, SweepZLine };
+enum class Scan { HalfSpace, EdgeWalk, SweepZLine, SweepIntervals };
 
 struct Pipeline {
     Scan scan = Scan::HalfSpace;

@@ -13,6 +13,7 @@ inline constexpr std::array kScanChoices{
     ChoiceEntry{"half-space", "Three edge functions over tiles"},
     ChoiceEntry{"edge-walk", "Left and right edge of each triangle, line by line"},
     ChoiceEntry{"sweep-z-line", "The scene line by line, with a one-line z-buffer"},
+    ChoiceEntry{"sweep-intervals", "The scene line by line, interval by interval"},
 };
 
 }  // namespace zscope

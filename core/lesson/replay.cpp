@@ -114,7 +114,7 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.triangle  = triangle.state();
         state.span      = pixel.span();
         if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = pixel.pixel();
-        state.sentence  = sentenceFor(state, moment.moment(), m_request.scene->scene().triangleCount());
+        state.sentence  = sentenceFor(state, m_request.pipeline, moment.moment(), m_request.scene->scene().triangleCount());
         return state;
     } catch (const std::bad_alloc&) {
         return outOfMemory();

@@ -81,11 +81,14 @@ std::string lineOver(const SweepState& sweep)
                        counted(sweep.spans.size(), "span", "spans"));
 }
 
-std::string spanOver(const StepState& state)
+std::string spanOver(const StepState& state, const Pipeline& pipeline)
 {
     const SpanRow&    span   = *state.span;
     const std::string pixels = span.x1 - span.x0 == 1 ? fmt::format("pixel {}", span.x0)
                                                       : fmt::format("pixels {} to {}", span.x0, span.x1 - 1);
+    if (pipeline.scan == Scan::SweepIntervals)
+        return fmt::format("Between two neighbouring edges triangle {} is the nearest that is open: {} of line {} {} its own.",
+                           grouped(span.polygon.value), pixels, state.sweep->y, span.x1 - span.x0 == 1 ? "is" : "are");
     return fmt::format("Triangle {} covers {} of its line: those whose centres lie between its left and right edge.",
                        grouped(span.polygon.value), pixels);
 }
@@ -106,7 +109,8 @@ std::string pixelOver(const PixelState& p)
 
 }  // namespace
 
-std::string sentenceFor(const StepState& state, MomentRecorder::Moment moment, std::uint64_t trianglesInScene)
+std::string sentenceFor(const StepState& state, const Pipeline& pipeline, MomentRecorder::Moment moment,
+                        std::uint64_t trianglesInScene)
 {
     using Moment = MomentRecorder::Moment;
     switch (moment) {
@@ -117,7 +121,7 @@ std::string sentenceFor(const StepState& state, MomentRecorder::Moment moment, s
                            counted(state.triangle->pixelsWon, "pixel", "pixels"));
     case Moment::LineReady: return lineReady(*state.sweep);
     case Moment::LineOver: return lineOver(*state.sweep);
-    case Moment::SpanOver: return spanOver(state);
+    case Moment::SpanOver: return spanOver(state, pipeline);
     case Moment::PixelOver: return pixelOver(*state.pixel);
     case Moment::FrameOver:
         return fmt::format("The picture is finished: {} one of {}.",

@@ -3,12 +3,14 @@
 
 #include <string>
 
+#include "core/frame/pipeline.h"
 #include "core/lesson/recorders.h"
 #include "core/lesson/step_state.h"
 
 namespace zscope {
 
 /// What happened at `moment`, from the rest of the state.
-std::string sentenceFor(const StepState& state, MomentRecorder::Moment moment, std::uint64_t trianglesInScene);
+std::string sentenceFor(const StepState& state, const Pipeline& pipeline, MomentRecorder::Moment moment,
+                        std::uint64_t trianglesInScene);
 
 }  // namespace zscope

@@ -54,8 +54,7 @@ public:
         const F64  d64;
         const F32  d32;
         const U32  u32;
-        auto       z = column + hn::Set(d64, line);
-        z            = hn::Min(hn::Max(z, hn::Set(d64, m_farthest)), hn::Set(d64, m_nearest));
+        const auto z     = limited(column + hn::Set(d64, line));
         const auto depth = hn::DemoteTo(d32, hn::IfThenElse(covered, z, hn::Set(d64, kNotCovered)));
 
         const auto stored = hn::LoadU(d32, depthRow);
@@ -75,7 +74,23 @@ public:
         }
     }
 
+    /// Stores the first `count` lanes (all of them if there are fewer) without a test.
+    void store(Vec64 column, double line, int count, float* depthRow, std::uint32_t* rankRow) const
+    {
+        const F32  d32;
+        const U32  u32;
+        const auto depth  = hn::DemoteTo(d32, limited(column + hn::Set(F64(), line)));
+        const auto inside = hn::Iota(d32, 0.0f) < hn::Set(d32, static_cast<float>(count));
+        hn::StoreU(hn::IfThenElse(inside, depth, hn::LoadU(d32, depthRow)), d32, depthRow);
+        hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, inside), hn::Set(u32, m_rank), hn::LoadU(u32, rankRow)), u32, rankRow);
+    }
+
 private:
+    Vec64 limited(Vec64 z) const
+    {
+        return hn::Min(hn::Max(z, hn::Set(F64(), m_farthest)), hn::Set(F64(), m_nearest));
+    }
+
     double        m_a, m_farthest, m_nearest;
     std::uint32_t m_rank;
 };
@@ -85,10 +100,9 @@ inline double lineDepth(const DepthPlane& plane, int y) { return plane.b * (y + 
 
 /// Tests the pixels [x0, x1) of line y, all of them covered; they lie inside the picture.
 template <class Probe>
-void fillSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
+void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
               const Probe& probe)
 {
-    if (x0 >= x1) return;
     const DepthTest test(plane, rankOfSpan);
     const double    line  = lineDepth(plane, y);
     float*          depth = visible.depthRow(y);
@@ -97,7 +111,26 @@ void fillSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, 
         const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
         test.offer(test.column(x), line, covered, depth + x, rank + x, x, y, probe);
     }
+}
+
+/// testSpan(), and tells that the span was filled.
+template <class Probe>
+void fillSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
+              const Probe& probe)
+{
+    if (x0 >= x1) return;
+    testSpan(plane, rankOfSpan, y, x0, x1, visible, probe);
     probe(SpanFilled{y, x0, x1, TriangleId{rankOfSpan - 1}});
+}
+
+/// Stores the pixels [x0, x1) of line y without a test: the caller knows that nothing there is nearer.
+inline void storeSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible)
+{
+    const DepthTest test(plane, rankOfSpan);
+    const double    line  = lineDepth(plane, y);
+    float*          depth = visible.depthRow(y);
+    std::uint32_t*  rank  = visible.rankRow(y);
+    for (int x = x0; x < x1; x += laneCount()) test.store(test.column(x), line, x1 - x, depth + x, rank + x);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -2,7 +2,7 @@
 //
 // Idea       an edge enters the table on its first line, moves by a constant from line to line, and leaves after
 //            its last; between a polygon's left and right edge lie its pixels
-// Resolve    decides who is seen on the line, given the active edges (LineZBuffer here)
+// Resolve    decides who is seen on the line, given the active edges (LineZBuffer, Intervals)
 // Bands      a band of lines is swept on its own, with a table of its own
 // Source     Wylie, Romney, Evans, Erdahl: Half-tone perspective drawings by computer, FJCC 1967
 #if defined(ZSCOPE_SWEEP_INL_H) == defined(HWY_TARGET_TOGGLE)

@@ -38,9 +38,12 @@ struct StripeScratch {
     ActiveEdges      active;
     ActivePolygons   polygons;
 
+    std::vector<std::uint32_t> open;  // interval method only: polygons open at the interval at hand
+
     std::size_t bytes() const
     {
-        return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes();
+        return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes() +
+               open.capacity() * sizeof(std::uint32_t);
     }
 };
 
