@@ -24,7 +24,7 @@ constexpr double kBlockX = 64, kBlockZ = 44;  // a block without its streets
 constexpr double kStreet   = 14;
 constexpr double kPavement = 0.15;
 constexpr int    kLotsX = 3, kLotsZ = 2;
-constexpr double kTrianglesPerBlock = 6500;  // on average, rounded up, for the memory check
+constexpr double kTrianglesPerBlock = 7500;  // on average, rounded up, for the memory check
 
 enum Surface : std::uint32_t { Asphalt, Marking, Pavement, Grass, Sand, Brick, Plaster, Slate, Glass, DarkGlass, Roof, Tile, Bark, Leaf };
 
