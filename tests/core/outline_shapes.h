@@ -2,12 +2,15 @@
 // that a test can count with 64-bit integers what lies inside.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <random>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/affine.h"
@@ -81,6 +84,26 @@ inline GridPolygon bridgedRing(int corners, std::int64_t outer, std::int64_t inn
     polygon.corners.push_back(hole.front());
     for (std::size_t i = hole.size(); i-- > 0;) polygon.corners.push_back(hole[i]);
     return polygon;
+}
+
+/// Unit squares joined one by one across a random edge of the ring: seams where squares meet again are walked there
+/// and back, corners coincide up to four times, and holes are closed by bridges.
+inline GridPolygon grownFromSquares(int squares, std::uint64_t seed)
+{
+    std::mt19937_64                random(seed);
+    std::vector<GridPoint>         ring{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    std::set<std::pair<std::int64_t, std::int64_t>> taken{{0, 0}};  // lower left corners
+    while (static_cast<int>(taken.size()) < squares) {
+        const std::size_t i = random() % ring.size();
+        const GridPoint   a = ring[i], b = ring[(i + 1) % ring.size()];
+        const GridPoint   out{b.y - a.y, a.x - b.x};  // to the right of a -> b
+        const GridPoint   c{a.x + out.x, a.y + out.y}, d{b.x + out.x, b.y + out.y};
+        const std::pair   cell{std::min({a.x, b.x, c.x, d.x}), std::min({a.y, b.y, c.y, d.y})};
+        if (!taken.insert(cell).second) continue;
+        ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, {c, d});
+    }
+    for (GridPoint& p : ring) p = {p.x * 8, p.y * 8};
+    return {"grown from " + std::to_string(squares) + " squares, seed " + std::to_string(seed), ring};
 }
 
 inline std::vector<GridPolygon> cuttablePolygons()

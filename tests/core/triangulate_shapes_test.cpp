@@ -174,6 +174,20 @@ TEST(Ears, AreFoundInRandomPolygonsOnACoarseGridWithManyContacts)
     EXPECT_GT(cutCount, 200) << "seed 17";
 }
 
+TEST(Ears, AreFoundHoweverOftenTheOutlineMeetsItself)
+{
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        const GridPolygon polygon = test::grownFromSquares(static_cast<int>(3 + seed % 60), seed);
+        const Cut         result  = cut(test::inPlane(polygon.corners));
+        if (result.how == PolygonSplit::Fan) continue;  // a row of squares
+        ASSERT_EQ(result.how, PolygonSplit::Ears) << polygon.name;
+        EXPECT_EQ(result.triangles.size(), polygon.corners.size() - 2) << polygon.name;
+        expectEveryPointInAsManyTrianglesAsInsideOutlines(polygon, result.triangles, 200);
+    }
+    const Cut large = cut(test::inPlane(test::grownFromSquares(2000, 7).corners));
+    EXPECT_EQ(large.how, PolygonSplit::Ears);
+}
+
 TEST(Fan, IsWhatAConvexPolygonGetsFromItsFirstCorner)
 {
     for (const int corners : {4, 5, 12, 300}) {
