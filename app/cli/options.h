@@ -51,7 +51,9 @@ struct ViewWords {
         Camera      camera;
         FaceCulling faceCulling = FaceCulling::None;
     };
-    /// Completes it from the scene's own default view and its bounds.
+    /// The scene's own default view with what was said put over it.
+    ViewRequest requestFor(const Scene& scene) const;
+    /// The camera of that, completed from the scene's bounds.
     Result<View> of(const Scene& scene) const;
 };
 

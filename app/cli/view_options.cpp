@@ -102,7 +102,7 @@ Result<ViewWords> ViewOptions::readParts(ViewWords words) const
     return words;
 }
 
-Result<ViewWords::View> ViewWords::of(const Scene& scene) const
+ViewRequest ViewWords::requestFor(const Scene& scene) const
 {
     ViewRequest view;
     if (!scene.views.empty()) view = scene.views.front().view;
@@ -125,9 +125,16 @@ Result<ViewWords::View> ViewWords::of(const Scene& scene) const
         if (option == "--near") view.near = request.near;
         if (option == "--far") view.far = request.far;
     }
+    if (faceCulling) view.faceCulling = faceCulling;
+    return view;
+}
+
+Result<ViewWords::View> ViewWords::of(const Scene& scene) const
+{
+    const ViewRequest    view   = requestFor(scene);
     const Result<Camera> camera = makeCamera(view, scene.bounds);
     if (!camera) return camera.error();
-    return View{*camera, faceCulling.value_or(view.faceCulling.value_or(FaceCulling::None))};
+    return View{*camera, view.faceCulling.value_or(FaceCulling::None)};
 }
 
 }  // namespace zscope::cli

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// zscope: the window. The command line is read before Qt starts, so that --help and mistakes need no display.
+//
+// Exit       0 closed by the user; 2 the command line is wrong; 4 there is no display to open a window on
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QStyleFactory>
+#include <QTimer>
+
+#include "app/cli/options.h"
+#include "ui/view/frame_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+
+namespace {
+
+using zscope::cli::Exit;
+
+struct Options {
+    std::string               scene = "builtin:teapot";
+    bool                      resetSettings = false;
+    std::string               settings;    // a file; empty: the user's own
+    std::string               screenshot;  // a file; empty: none
+    std::string               grain;
+    std::optional<std::uint64_t> step;
+    zscope::cli::ViewOptions  view;
+    zscope::cli::HowOptions   how;
+};
+
+void declare(CLI::App& parser, Options& options)
+{
+    parser.set_version_flag("--version", "ZScope " ZSCOPE_VERSION);
+    parser.add_option("SCENE", options.scene, "An .obj file, a scene .json file, or builtin:NAME[?key=value&...]")
+        ->type_name("");
+    options.view.add(parser);
+    options.how.add(parser, zscope::cli::HowOptions::Algorithms::One);
+    parser.add_option("--grain", options.grain, "Grain of the steps: stage, triangle, line, span or pixel")->type_name("GRAIN")->group("Step");
+    parser.add_option("--at", options.step, "Step to begin at, counted from 0 (default: the finished picture)")->type_name("K")->group("Step");
+    parser.add_flag("--reset-settings", options.resetSettings, "Forget layout, recent files and appearance")->group("Window");
+    parser.add_option("--settings", options.settings, "Keep settings in this file instead")->type_name("FILE")->group("Window");
+    parser.add_option("--screenshot", options.screenshot,
+                      "Save a picture of the whole window once the scene is drawn, and quit; for course notes and tests")
+        ->type_name("FILE.png")->group("Window");
+}
+
+Exit complain(Exit exit, const std::string& sentence)
+{
+    std::fprintf(stderr, "zscope: error: %s\n", sentence.c_str());
+    return exit;
+}
+
+constexpr const char* kNoDisplay =
+    "zscope: error: there is no display to open a window on; set DISPLAY or WAYLAND_DISPLAY, start it under xvfb-run, "
+    "or draw pictures with zscope-cli";
+
+/// Qt aborts when it finds no display; this ends with a sentence and a status instead.
+void endWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QString& message)
+{
+    if (type != QtFatalMsg) {
+        if (type != QtDebugMsg && type != QtInfoMsg && !message.contains("platform plugin") && !message.contains("display"))
+            std::fprintf(stderr, "zscope: %s\n", qPrintable(message));
+        return;
+    }
+    std::fprintf(stderr, "%s\n", kNoDisplay);
+    std::_Exit(static_cast<int>(Exit::Output));
+}
+
+/// Writes the picture of the window when everything asked for is on it.
+void screenshotWhenIdle(zscope::ui::MainWindow& window, zscope::ui::Session& session, const QString& file)
+{
+    auto* poll = new QTimer(&window);
+    QObject::connect(poll, &QTimer::timeout, &window, [&window, &session, file, poll] {
+        const bool failed = !window.messages().sentence().isEmpty();
+        if (!session.isIdle() || (!session.now().step && !failed)) return;
+        poll->stop();
+        QTimer::singleShot(100, &window, [&window, file, failed] {
+            const bool saved = window.grab().save(file, "PNG");
+            if (!saved) std::fprintf(stderr, "zscope: error: %s cannot be written\n", qPrintable(file));
+            if (failed) std::fprintf(stderr, "zscope: error: %s\n", qPrintable(window.messages().sentence()));
+            QApplication::exit(static_cast<int>(!saved ? Exit::Output : failed ? Exit::Input : Exit::Done));
+        });
+    });
+    poll->start(50);
+}
+
+Exit run(int argc, char** argv)
+{
+    Options  options;
+    CLI::App parser("ZScope: a microscope for visible-surface algorithms", "zscope");
+    declare(parser, options);
+    try {
+        parser.parse(argc, argv);
+    } catch (const CLI::Success& help) {  // --help and --version
+        parser.exit(help);
+        return Exit::Done;
+    } catch (const CLI::ParseError& error) {
+        return complain(Exit::Usage, error.what());
+    }
+    const auto view = options.view.read();
+    if (!view) return complain(zscope::cli::exitOf(view.error().kind), view.error().text());
+    const auto how = options.how.read();
+    if (!how) return complain(zscope::cli::exitOf(how.error().kind), how.error().text());
+    const auto grain = zscope::grainOf(options.grain);
+    if (!options.grain.empty() && !grain)
+        return complain(Exit::Usage, "unknown grain '" + options.grain + "': see zscope-cli list grains");
+
+    const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
+    if (!set("QT_QPA_PLATFORM") && !set("DISPLAY") && !set("WAYLAND_DISPLAY")) {
+        std::fprintf(stderr, "%s\n", kNoDisplay);
+        return Exit::Output;
+    }
+    if (options.resetSettings) zscope::ui::Settings::forget();
+
+    const QtMessageHandler before = qInstallMessageHandler(endWithoutDisplay);
+    int                    qtArgc = 1;  // Qt has no say in our command line
+    QApplication           application(qtArgc, argv);
+    qInstallMessageHandler(before);
+    QApplication::setApplicationName("ZScope");
+    QApplication::setApplicationVersion(ZSCOPE_VERSION);
+    QApplication::setDesktopFileName("zscope");
+    const QPalette system = QApplication::palette();
+    QApplication::setStyle(QStyleFactory::create("Fusion"));
+
+    zscope::ui::Settings settings(QString::fromLocal8Bit(options.settings.c_str()));
+    settings.beginStart();
+    zscope::ui::Session session({.threads = how->threads, .simd = how->simd, .memoryLimit = how->memoryLimit});
+    zscope::ui::MainWindow window(session, settings, system);
+    session.setPipeline(how->algorithm().pipeline);
+    if (grain) session.setGrain(*grain);
+    window.show();
+    window.open(QString::fromLocal8Bit(options.scene.c_str()),
+                [words = *view](const zscope::Scene& scene) { return words.requestFor(scene); });
+    if (options.step) session.startAt(*options.step);
+    if (!options.screenshot.empty()) screenshotWhenIdle(window, session, QString::fromLocal8Bit(options.screenshot.c_str()));
+    return static_cast<Exit>(QApplication::exec());
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return static_cast<int>(run(argc, argv));
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/active_edges/active_edges_panel.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QLabel>
+#include <QStackedLayout>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "ui/panels/active_edges/bucket_chart.h"
+#include "ui/panels/active_edges/edge_table_model.h"
+#include "ui/panels/active_edges/line_strip.h"
+#include "ui/text/numbers.h"
+#include "ui/theme/theme.h"
+
+namespace zscope::ui {
+namespace {
+
+constexpr std::size_t kPolygonsNamed = 60;  // the tool tip of the list; the line itself shows what fits
+
+}  // namespace
+
+ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
+    : Panel(session, parent), m_model(new EdgeTableModel(this)), m_table(new QTableView), m_changes(new QLabel),
+      m_polygons(new QLabel), m_hint(new QLabel), m_strip(new LineStrip), m_buckets(new BucketChart)
+{
+    m_table->setModel(m_model);
+    m_table->setAccessibleName(tr("Active edge table"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setMinimumHeight(120);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setMinimumSectionSize(18);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+
+    m_hint->setObjectName("hint");
+    m_hint->setWordWrap(true);
+    m_hint->setAlignment(Qt::AlignCenter);
+    m_hint->setMargin(2 * kStep);
+    m_changes->setTextFormat(Qt::RichText);
+    m_polygons->setObjectName("soft");
+    for (QLabel* label : {m_changes, m_polygons}) label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+
+    auto* tableOrHint = new QWidget;
+    m_tableOrHint     = new QStackedLayout(tableOrHint);
+    m_tableOrHint->addWidget(m_table);
+    m_tableOrHint->addWidget(m_hint);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
+    layout->setSpacing(6);
+    layout->addWidget(tableOrHint, 1);
+    layout->addWidget(m_changes);
+    layout->addWidget(m_polygons);
+    layout->addWidget(m_strip);
+    layout->addWidget(m_buckets);
+
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
+        if (m_filling || !row.isValid()) return;
+        this->session().selectEdge(m_model->rows()[static_cast<std::size_t>(row.row())].edge);
+    });
+    connect(m_strip, &LineStrip::picked, this, [this](int x) {
+        if (const SweepState* sweep = this->session().now().sweep()) this->session().pick(QPoint(x, sweep->y));
+    });
+}
+
+void ActiveEdgesPanel::present(const Snapshot& shown, Changes what)
+{
+    if (!(what & (Change::Picture | Change::Selection | Change::Pipeline | Change::Scene))) return;
+    showRows(shown);
+    showWords(shown);
+    m_strip->present(shown);
+    m_buckets->present(shown);
+}
+
+void ActiveEdgesPanel::showRows(const Snapshot& shown)
+{
+    m_filling = true;
+    m_model->setPalette(palette());
+    m_model->present(shown);
+    fitColumns();
+    const int selected = shown.selectedEdge ? m_model->rowOf(*shown.selectedEdge) : -1;
+    if (selected >= 0) m_table->selectRow(selected);
+    m_filling = false;
+
+    int reveal = selected;
+    if (reveal < 0) {  // what the step or the pick is about
+        const auto picked = pickedTriangle(shown);
+        const auto found  = std::ranges::find_if(m_model->rows(), [&](const EdgeTableModel::Row& row) {
+            return picked ? row.edge.polygon == *picked : row.state == EdgeTableModel::State::Now;
+        });
+        if (found != m_model->rows().end()) reveal = static_cast<int>(found - m_model->rows().begin());
+    }
+    if (reveal >= 0) m_table->scrollTo(m_model->index(reveal, 0), QAbstractItemView::PositionAtCenter);
+
+    const SweepState* sweep = shown.sweep();
+    const bool        rows  = !m_model->rows().empty();
+    m_tableOrHint->setCurrentIndex(rows ? 0 : 1);
+    if (rows) return;
+    if (familyOf(shown.pipeline) != Family::Sweep)
+        m_hint->setText(tr("This algorithm keeps no active edges. Choose the scanline algorithm to see them."));
+    else if (!sweep)
+        m_hint->setText(shown.scene ? tr("The edges appear when the edge table has been built.") : tr("Open a scene to see its edges."));
+    else if (shown.showsStep)
+        m_hint->setText(tr("No edge is active here. Press Right to go on, or choose the grain “line”."));
+    else
+        m_hint->setText(tr("The picture is finished and no edge is active. Press Left to step back, or drag the timeline."));
+}
+
+void ActiveEdgesPanel::showWords(const Snapshot& shown)
+{
+    const SweepState* sweep = shown.sweep();
+    const bool        line  = sweep && sweep->y >= 0;
+    m_changes->setVisible(line);
+    m_polygons->setVisible(line);
+    if (!line) {
+        emit summaryChanged({});
+        return;
+    }
+    const int edges = static_cast<int>(sweep->activeEdges.size()), polygons = static_cast<int>(sweep->activePolygons.size());
+    emit summaryChanged(tr("line %1 · %2 · %3")
+                            .arg(grouped(static_cast<unsigned>(sweep->y)), tr("%n edge(s)", nullptr, edges),
+                                 tr("%n polygon(s)", nullptr, polygons)));
+
+    const Theme& theme = themeOf(palette());
+    m_changes->setText(QStringLiteral("<span style='color:%1'>▲</span> %2 &nbsp;&nbsp; <span style='color:%3'>▼</span> %4")
+                           .arg(theme.entered.name(), tr("%n entered", nullptr, static_cast<int>(sweep->entered.size())),
+                                theme.left.name(), tr("%n left", nullptr, static_cast<int>(sweep->left.size()))));
+
+    QStringList ids;
+    for (std::size_t i = 0; i < sweep->activePolygons.size() && i < kPolygonsNamed; ++i)
+        ids << grouped(sweep->activePolygons[i].value);
+    QString all = ids.join(QStringLiteral("   "));
+    if (sweep->activePolygons.size() > kPolygonsNamed) all += QStringLiteral(" …");
+    m_polygons->setText(tr("Active polygons   %1").arg(all.isEmpty() ? tr("none") : all));
+    m_polygons->setToolTip(all);
+}
+
+void ActiveEdgesPanel::fitColumns()
+{
+    // As wide as the widest text, measured over all rows by the longest string, so that columns do not dance.
+    using Model = EdgeTableModel;
+    const QFontMetrics metrics = m_table->fontMetrics();
+    for (int column = 0; column < Model::kColumns; ++column) {
+        int width = metrics.horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+        for (int row = 0; row < m_model->rowCount(); ++row)
+            width = std::max(width, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
+        width = std::max(column == Model::Mark ? 20 : width + 14, m_model->rowCount() > 0 ? 0 : 20);
+        if (width > m_table->columnWidth(column) || width < m_table->columnWidth(column) - 40)
+            m_table->setColumnWidth(column, width);
+    }
+    m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + 5);
+}
+
+void ActiveEdgesPanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        m_model->setPalette(palette());
+        showWords(session().now());
+    }
+    Panel::changeEvent(event);
+}
+
+}  // namespace zscope::ui

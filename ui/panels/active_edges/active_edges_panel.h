@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The active edge table of the line that the sweep has reached: the table, the active polygons, the line's strip, and
+// the edge table's buckets. Selecting a row highlights the edge in the picture; picking a pixel lights up the rows.
+#pragma once
+
+#include "ui/panels/panel.h"
+
+class QLabel;
+class QStackedLayout;
+class QTableView;
+
+namespace zscope::ui {
+
+class BucketChart;
+class EdgeTableModel;
+class LineStrip;
+
+class ActiveEdgesPanel final : public Panel {
+    Q_OBJECT
+
+public:
+    explicit ActiveEdgesPanel(Session& session, QWidget* parent = nullptr);
+
+    void present(const Snapshot& shown, Changes what) override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showRows(const Snapshot& shown);
+    void showWords(const Snapshot& shown);
+    void fitColumns();
+
+    EdgeTableModel* m_model;
+    QTableView*     m_table;
+    QLabel*         m_changes;
+    QLabel*         m_polygons;
+    QLabel*         m_hint;
+    LineStrip*      m_strip;
+    BucketChart*    m_buckets;
+    QStackedLayout* m_tableOrHint;
+    bool            m_filling = false;  // rows are being replaced: what happens to the selection is not the user's
+};
+
+}  // namespace zscope::ui

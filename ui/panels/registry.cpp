@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/registry.h"
+
+#include <array>
+
+#include <QCoreApplication>
+
+#include "ui/panels/active_edges/active_edges_panel.h"
+#include "ui/panels/depth_test/depth_test_panel.h"
+#include "ui/panels/pipeline/pipeline_panel.h"
+#include "ui/panels/scene/scene_panel.h"
+#include "ui/panels/timeline/timeline_panel.h"
+
+namespace zscope::ui {
+namespace {
+
+template <class Kind>
+Panel* make(Session& session)
+{
+    return new Kind(session);
+}
+
+bool always(const Pipeline&) { return true; }
+bool sweeps(const Pipeline& pipeline) { return familyOf(pipeline) == Family::Sweep; }
+
+constexpr std::array kPanels{
+    PanelEntry{"scene", QT_TRANSLATE_NOOP("Panels", "Scene"), Qt::LeftDockWidgetArea, make<ScenePanel>, always},
+    PanelEntry{"pipeline", QT_TRANSLATE_NOOP("Panels", "Pipeline"), Qt::LeftDockWidgetArea, make<PipelinePanel>, always},
+    PanelEntry{"active-edges", QT_TRANSLATE_NOOP("Panels", "Active edges"), Qt::RightDockWidgetArea,
+               make<ActiveEdgesPanel>, sweeps},
+    PanelEntry{"depth-test", QT_TRANSLATE_NOOP("Panels", "Depth test"), Qt::RightDockWidgetArea, make<DepthTestPanel>,
+               always},
+    PanelEntry{"timeline", QT_TRANSLATE_NOOP("Panels", "Timeline"), Qt::BottomDockWidgetArea, make<TimelinePanel>,
+               always},
+};
+
+}  // namespace
+
+QString PanelEntry::translatedTitle() const { return QCoreApplication::translate("Panels", title); }
+
+std::span<const PanelEntry> panels() { return kPanels; }
+
+}  // namespace zscope::ui

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/timeline/step_track.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include "ui/text/numbers.h"
+#include "ui/theme/theme.h"
+
+namespace zscope::ui {
+
+int TrackScale::maximum() const
+{
+    return count - 1 <= static_cast<std::uint64_t>(kMost) ? static_cast<int>(count - 1) : kMost;
+}
+
+int TrackScale::positionOf(std::uint64_t step) const
+{
+    if (count - 1 <= static_cast<std::uint64_t>(kMost)) return static_cast<int>(std::min(step, count - 1));
+    return static_cast<int>(std::llround(static_cast<double>(step) / static_cast<double>(count - 1) * kMost));
+}
+
+std::uint64_t TrackScale::stepOf(int position) const
+{
+    if (count - 1 <= static_cast<std::uint64_t>(kMost)) return static_cast<std::uint64_t>(position);
+    return std::min(count - 1, static_cast<std::uint64_t>(static_cast<double>(position) / kMost * static_cast<double>(count - 1)));
+}
+
+StepTrack::StepTrack(QWidget* parent) : QAbstractSlider(parent)
+{
+    setOrientation(Qt::Horizontal);
+    setFocusPolicy(Qt::TabFocus);
+    setAccessibleName(tr("Step"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setMouseTracking(true);
+    connect(this, &QAbstractSlider::valueChanged, this, [this](int position) {
+        update();
+        if (!m_presenting) emit stepChosen(m_scale.stepOf(position));
+    });
+}
+
+void StepTrack::present(std::uint64_t step, std::uint64_t count)
+{
+    m_presenting  = true;
+    m_scale.count = std::max<std::uint64_t>(count, 1);
+    setRange(0, m_scale.maximum());
+    setPageStep(std::max(1, maximum() / 20));
+    setValue(m_scale.positionOf(step));
+    m_presenting = false;
+    update();
+}
+
+int StepTrack::positionAt(double x) const
+{
+    const double part = std::clamp(x / std::max(1, width() - 1), 0.0, 1.0);
+    return static_cast<int>(std::llround(part * maximum()));
+}
+
+void StepTrack::paintEvent(QPaintEvent*)
+{
+    const Theme& theme = themeOf(palette());
+    QPainter     painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF track = QRectF(rect()).adjusted(0.5, 3.5, -0.5, -3.5);
+    const double part  = maximum() > 0 ? static_cast<double>(value()) / maximum() : 1;
+    painter.setPen(Qt::NoPen);
+    QColor rest = theme.idle;
+    rest.setAlpha(56);
+    painter.setBrush(rest);
+    painter.drawRoundedRect(track, 4, 4);
+    painter.setBrush(theme.idle);
+    painter.setClipRect(QRectF(0, 0, part * width(), height()));
+    painter.drawRoundedRect(track, 4, 4);
+    painter.setClipping(false);
+    const double at = std::clamp(part * width(), 3.0, width() - 3.0);
+    painter.setBrush(theme.now);
+    painter.drawRoundedRect(QRectF(at - 3, 0.5, 6, height() - 1), 3, 3);
+    if (hasFocus()) {
+        painter.setPen(theme.picked);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(track, 4, 4);
+    }
+}
+
+void StepTrack::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton) setValue(positionAt(event->position().x()));
+}
+
+void StepTrack::mouseMoveEvent(QMouseEvent* event)
+{
+    if (event->buttons() & Qt::LeftButton) setValue(positionAt(event->position().x()));
+}
+
+void StepTrack::wheelEvent(QWheelEvent* event)
+{
+    const int notches = event->angleDelta().y() / 120;
+    if (notches != 0) setValue(value() - notches);
+    event->accept();
+}
+
+bool StepTrack::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip) return QAbstractSlider::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(), tr("step %1").arg(grouped(m_scale.stepOf(positionAt(help->pos().x())) + 1)), this);
+    return true;
+}
+
+}  // namespace zscope::ui

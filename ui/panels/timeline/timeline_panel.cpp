@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/timeline/timeline_panel.h"
+
+#include <array>
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "ui/panels/timeline/step_track.h"
+#include "ui/text/numbers.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/theme.h"
+
+namespace zscope::ui {
+namespace {
+
+constexpr std::array kSpeeds{1, 2, 5, 10, 30, 60, 200, 1000, 10'000, 100'000};
+constexpr int        kFirstSpeed = 30;
+
+QString grainText(Grain grain)
+{
+    switch (grain) {
+    case Grain::Frame: return TimelinePanel::tr("frame");
+    case Grain::Stage: return TimelinePanel::tr("stage");
+    case Grain::Node: return TimelinePanel::tr("node");
+    case Grain::Triangle: return TimelinePanel::tr("triangle");
+    case Grain::Line: return TimelinePanel::tr("line");
+    case Grain::Span: return TimelinePanel::tr("span");
+    case Grain::Pixel: return TimelinePanel::tr("pixel");
+    }
+    return {};
+}
+
+}  // namespace
+
+QString positionText(const std::optional<Session::Position>& at)
+{
+    if (!at) return {};
+    return TimelinePanel::tr("step %1 of %2").arg(grouped(at->step + 1), grouped(at->count));
+}
+
+TimelinePanel::TimelinePanel(Session& session, QWidget* parent)
+    : Panel(session, parent), m_first(new QPushButton), m_back(new QPushButton(tr("Left"))),
+      m_play(new QPushButton), m_forward(new QPushButton(tr("Right"))), m_last(new QPushButton), m_grain(new QComboBox),
+      m_speed(new QComboBox), m_position(new QLabel), m_track(new StepTrack), m_sentence(new QLabel)
+{
+    m_first->setAccessibleName(tr("First step"));
+    m_first->setToolTip(tr("First step (Home)"));
+    m_back->setToolTip(tr("One step back (Left); Shift+Left: one of the next coarser grain"));
+    m_play->setToolTip(tr("Play or pause (Space)"));
+    m_play->setObjectName("strong");
+    m_forward->setToolTip(tr("One step forward (Right); Shift+Right: one of the next coarser grain"));
+    m_forward->setLayoutDirection(Qt::RightToLeft);  // the arrow after the word
+    m_last->setAccessibleName(tr("Last step"));
+    m_last->setToolTip(tr("The finished picture (End)"));
+    m_grain->setAccessibleName(tr("Grain of a step"));
+    m_grain->setToolTip(tr("How large a step is"));
+    m_speed->setAccessibleName(tr("Speed of playing"));
+    m_speed->setToolTip(tr("Steps per second while playing"));
+    for (const int speed : kSpeeds) {
+        m_speed->addItem(tr("%1 / s").arg(grouped(static_cast<unsigned>(speed))), speed);
+        if (speed == kFirstSpeed) m_speed->setCurrentIndex(m_speed->count() - 1);
+    }
+    session.player().setSpeed(kFirstSpeed);
+    m_grain->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kStep);
+    for (QPushButton* button : {m_first, m_back, m_play, m_forward, m_last}) {
+        button->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(button);
+    }
+    row->addSpacing(kStep);
+    row->addWidget(m_grain);
+    row->addWidget(m_speed);
+    row->addStretch(1);
+    row->addWidget(m_position);
+
+    m_sentence->setWordWrap(true);
+    m_sentence->setTextFormat(Qt::PlainText);
+    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_sentence->setAccessibleName(tr("What this step did"));
+    m_sentence->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    QFont large = m_sentence->font();
+    large.setPointSizeF(large.pointSizeF() * 1.15);
+    m_sentence->setFont(large);
+    m_sentence->setFixedHeight(2 * QFontMetrics(large).lineSpacing() + 2);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kStep + 4, kStep, kStep + 4, 6);
+    layout->setSpacing(6);
+    layout->addLayout(row);
+    layout->addWidget(m_track);
+    layout->addWidget(m_sentence);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+
+    connect(m_first, &QPushButton::clicked, this, [this] { this->session().goToStart(); });
+    connect(m_back, &QPushButton::clicked, this, [this] { this->session().stepBy(-1); });
+    connect(m_forward, &QPushButton::clicked, this, [this] { this->session().stepBy(1); });
+    connect(m_last, &QPushButton::clicked, this, [this] { this->session().goToEnd(); });
+    connect(m_play, &QPushButton::clicked, this, [this] { this->session().player().setPlaying(!this->session().player().isPlaying()); });
+    connect(&session.player(), &Player::playingChanged, this, &TimelinePanel::dressButtons);
+    connect(m_track, &StepTrack::stepChosen, this, [this](std::uint64_t step) { this->session().goToStep(step); });
+    connect(m_grain, &QComboBox::activated, this, [this](int index) {
+        this->session().setGrain(static_cast<Grain>(m_grain->itemData(index).toInt()));
+    });
+    connect(m_speed, &QComboBox::activated, this,
+            [this](int index) { this->session().player().setSpeed(m_speed->itemData(index).toDouble()); });
+    dressButtons();
+}
+
+void TimelinePanel::dressButtons()
+{
+    const Theme& theme = themeOf(palette());
+    m_first->setIcon(iconOf("first", theme.text));
+    m_back->setIcon(iconOf("back", theme.text));
+    m_forward->setIcon(iconOf("forward", theme.text));
+    m_last->setIcon(iconOf("last", theme.text));
+    m_play->setIcon(iconOf(session().player().isPlaying() ? "pause" : "play", theme.buttonText));
+    m_play->setText(session().player().isPlaying() ? tr("Pause") : tr("Play"));
+}
+
+void TimelinePanel::present(const Snapshot& shown, Changes what)
+{
+    if (what & Change::Pipeline) showGrains(shown);
+    if (what & (Change::Picture | Change::Pipeline | Change::Scene | Change::Busy)) showStep(shown);
+}
+
+void TimelinePanel::showGrains(const Snapshot& shown)
+{
+    const QSignalBlocker quiet(m_grain);
+    m_grain->clear();
+    for (const Grain grain : grainsOf(shown.pipeline)) {
+        m_grain->addItem(grainText(grain), static_cast<int>(grain));
+        if (grain == shown.grain) m_grain->setCurrentIndex(m_grain->count() - 1);
+    }
+}
+
+void TimelinePanel::showStep(const Snapshot& shown)
+{
+    const auto at = session().position();
+    if (at) m_track->present(at->step, at->count);
+    m_track->setEnabled(at.has_value());
+    m_position->setText(positionText(at));
+    const ShownStep* step = shown.stepOfPicture();
+    m_sentence->setText(step ? QString::fromStdString(step->state.sentence)
+                        : shown.scene ? QString()
+                                      : tr("The steps of the algorithm appear here once a scene is open."));
+    const bool scene = shown.scene != nullptr;
+    for (QPushButton* button : {m_first, m_back, m_play, m_forward, m_last}) button->setEnabled(scene);
+}
+
+void TimelinePanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange && m_sentence) dressButtons();
+    Panel::changeEvent(event);
+}
+
+}  // namespace zscope::ui

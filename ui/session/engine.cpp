@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/engine.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include <QFileInfo>
+
+namespace zscope::ui {
+namespace {
+
+constexpr std::size_t kFramesKept = 3;  // one shown, one in the queue of the window, one being drawn
+
+/// Counts covered pixels and the triangles that own one.
+void takeStock(DrawnFrame& drawn, std::uint64_t triangles)
+{
+    std::vector<bool> seen(triangles + 1, false);  // by rank
+    const VisibilityBuffer& visible = drawn.frame.visible;
+    for (int y = 0; y < visible.height(); ++y) {
+        const std::uint32_t* row = visible.rankRow(y);
+        for (int x = 0; x < visible.width(); ++x) {
+            if (row[x] == 0) continue;
+            ++drawn.coveredPixels;
+            if (seen[row[x]]) continue;
+            seen[row[x]] = true;
+            ++drawn.visibleTriangles;
+        }
+    }
+}
+
+/// Nothing for the shaded picture: the frame holds it.
+Grid<std::uint32_t> paintedBy(const Layer& layer, const Frame& frame)
+{
+    return &layer == &layers().front() ? Grid<std::uint32_t>() : layer.paint(frame);
+}
+
+QRgb mixed(QRgb a, QRgb b, int parts)  // parts of 256 of b
+{
+    const auto part = [parts](int from, int to) { return from + ((to - from) * parts) / 256; };
+    return qRgb(part(qRed(a), qRed(b)), part(qGreen(a), qGreen(b)), part(qBlue(a), qBlue(b)));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const LoadedScene>> Engine::load(const QString& word, const LoadOptions& options) const
+{
+    auto scene = loadScene(word.toStdString(), options);
+    if (!scene) return scene.error();
+
+    auto loaded   = std::make_shared<LoadedScene>();
+    loaded->word  = word;
+    loaded->title = word.startsWith(QLatin1String("builtin:")) ? word.mid(8) : QFileInfo(word).fileName();
+    loaded->cube  = normalCubeOf(*scene);
+    for (const auto& mesh : scene->meshes) {
+        loaded->vertices += mesh->positions.size();
+        loaded->polygons += mesh->polygonCount();
+    }
+    loaded->prepared = std::make_shared<PreparedScene>(std::make_shared<const Scene>(std::move(scene).value()));
+    return std::shared_ptr<const LoadedScene>(std::move(loaded));
+}
+
+Result<std::shared_ptr<const DrawnFrame>> Engine::draw(std::uint64_t generation, const DrawRequest& request,
+                                                       const Layer& layer)
+{
+    std::shared_ptr<DrawnFrame> drawn = unusedFrame();
+    auto report = m_renderer.draw(request, drawn->frame);
+    if (!report) return report.error();
+
+    drawn->generation       = generation;
+    drawn->camera           = request.camera;
+    drawn->pipeline         = request.pipeline;
+    drawn->report           = std::move(report).value();
+    drawn->painted          = paintedBy(layer, drawn->frame);
+    drawn->coveredPixels    = 0;
+    drawn->visibleTriangles = 0;
+    takeStock(*drawn, request.scene->scene().triangleCount());
+    m_latest = drawn;
+    return std::shared_ptr<const DrawnFrame>(std::move(drawn));
+}
+
+std::shared_ptr<DrawnFrame> Engine::unusedFrame()
+{
+    const auto unused = std::ranges::find_if(m_frames, [](const auto& frame) { return frame.use_count() == 1; });
+    if (unused != m_frames.end()) {
+        std::atomic_thread_fence(std::memory_order_acquire);  // after the last reader let go
+        return *unused;
+    }
+    auto frame = std::make_shared<DrawnFrame>();
+    if (m_frames.size() < kFramesKept) m_frames.push_back(frame);
+    return frame;
+}
+
+Result<std::shared_ptr<const ShownStep>> Engine::step(std::uint64_t generation, const DrawRequest& request,
+                                                      const Layer& layer, const StepWish& wish)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    if (!m_replay || m_replayOf != generation) {
+        m_replay.emplace(request);
+        m_replayOf = generation;
+    }
+    const auto count = m_replay->count(wish.grain);
+    if (!count) return count.error();
+    const auto at = resolve(wish, *count);
+    if (!at) return at.error();
+    auto state = m_replay->at(wish.grain, StepIndex{*at});
+    if (!state) return state.error();
+
+    auto shown        = std::make_shared<ShownStep>();
+    shown->generation = generation;
+    shown->camera     = request.camera;
+    shown->pipeline   = request.pipeline;
+    shown->state      = std::move(state).value();
+    shown->painted    = paintedBy(layer, shown->state.frame);
+    if (m_latest && m_latest->generation == generation) shown->ghosted = ghosted(*shown, *m_latest);
+    shown->replayMs =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    return std::shared_ptr<const ShownStep>(std::move(shown));
+}
+
+Result<std::uint64_t> Engine::resolve(const StepWish& wish, std::uint64_t count)
+{
+    const auto limited = [](std::int64_t step, std::uint64_t of) {
+        return static_cast<std::uint64_t>(std::clamp<std::int64_t>(step, 0, static_cast<std::int64_t>(of) - 1));
+    };
+    const auto counted = wish.from == StepWish::From::Fraction ? Result<std::uint64_t>(count)
+                                                               : m_replay->count(wish.counted);
+    if (!counted) return counted.error();
+    const auto offset = static_cast<std::int64_t>(wish.offset);
+
+    std::uint64_t at    = 0;
+    Grain         grain = wish.counted;
+    switch (wish.from) {
+    case StepWish::From::Start: at = limited(offset, *counted); break;
+    case StepWish::From::End: at = limited(static_cast<std::int64_t>(*counted) - 1 - offset, *counted); break;
+    case StepWish::From::Fraction:
+        at    = limited(std::llround(wish.fraction * static_cast<double>(count - 1)), count);
+        grain = wish.grain;
+        break;
+    }
+    if (wish.move != 0) {
+        const auto all  = m_replay->count(wish.moveGrain);
+        const auto done = m_replay->eventsBy(wish.moveGrain, grain, StepIndex{at});
+        if (!all) return all.error();
+        if (!done) return done.error();
+        auto target = static_cast<std::int64_t>(*done) - 1 + wish.move;
+        if (wish.move < 0 && *done > 0) {  // between two coarse events, the first step back goes to the earlier one
+            const auto there = m_replay->eventsBy(grain, wish.moveGrain, StepIndex{*done - 1});
+            if (!there) return there.error();
+            if (*there - 1 < at) ++target;
+        }
+        at    = limited(target, *all);
+        grain = wish.moveGrain;
+    }
+    if (grain != wish.grain) {
+        const auto done = m_replay->eventsBy(wish.grain, grain, StepIndex{at});
+        if (!done) return done.error();
+        at = limited(static_cast<std::int64_t>(*done) - 1, count);
+    }
+    return limited(static_cast<std::int64_t>(at) + wish.after, count);
+}
+
+QImage ghosted(const ShownStep& step, const DrawnFrame& finished)
+{
+    constexpr int kPale = 205;  // of 256 towards the background
+
+    const auto& visible  = step.state.frame.visible;
+    const auto& colours  = step.painted.width() > 0 ? step.painted : step.state.frame.colour;
+    const auto& complete = finished.painted.width() > 0 ? finished.painted : finished.frame.colour;
+    QImage      image(visible.width(), visible.height(), QImage::Format_RGB32);
+    for (int y = 0; y < visible.height(); ++y) {
+        const std::uint32_t* now   = visible.rankRow(y);
+        const std::uint32_t* later = finished.frame.visible.rankRow(y);
+        const auto           here  = colours.view().row(y);
+        const auto           there = complete.view().row(y);
+        auto*                out   = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < visible.width(); ++x) {
+            const auto at = static_cast<std::size_t>(x);
+            out[x]        = now[x] == 0 && later[x] != 0 ? mixed(there[at], here[at], kPale) : here[at];
+        }
+    }
+    return image;
+}
+
+QImage imageOf(const Grid<std::uint32_t>& colours)
+{
+    if (colours.width() == 0) return {};
+    return {reinterpret_cast<const uchar*>(colours.values().data()), colours.width(), colours.height(),
+            colours.width() * static_cast<qsizetype>(sizeof(QRgb)), QImage::Format_RGB32};
+}
+
+}  // namespace zscope::ui

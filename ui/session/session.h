@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one owner of what the window is about: scene, camera, pipeline, grain, step, picked pixel. Panels read its
+// snapshot and ask it for changes; everything long happens on its worker. No widgets.
+//
+// Requests   return at once; the answer comes with changed(). The newest request wins
+// Kept       camera and step over a change of algorithm; camera, algorithm and step over a reload; everything when
+//            a file cannot be loaded
+// Threads    to be used from one thread; destroying it in the middle of anything cancels the work and waits for it
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include <QObject>
+#include <QTimer>
+
+#include "ui/session/engine.h"
+#include "ui/session/player.h"
+#include "ui/session/worker.h"
+
+namespace zscope::ui {
+
+/// What stays the same for the whole run of the program; from the command line.
+struct DrawSettings {
+    int           threads     = 0;  // 0: one per core
+    Simd          simd        = Simd::Auto;
+    FaceCulling   faceCulling = FaceCulling::None;
+    std::uint64_t memoryLimit = 0;
+};
+
+class Session final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Session(const DrawSettings& settings = {}, QObject* parent = nullptr);
+    ~Session() override;
+
+    const Snapshot&     now() const { return m_now; }
+    const DrawSettings& settings() const { return m_settings; }
+
+    // Scene
+    /// Chooses the view of a scene that has been loaded.
+    using ViewOf = std::function<ViewRequest(const Scene&)>;
+
+    /// A path or builtin:NAME. Without `viewOf` the scene's own first view in the picture's present size, else one
+    /// framed from its bounds.
+    void open(const QString& word, const ViewOf& viewOf = {});
+    void reload();
+    /// Stops what is being loaded, drawn or replayed.
+    void cancelWork();
+
+    // Camera
+    void useView(const ViewRequest& view);
+    /// Lets `move` change the camera; the session keeps picture size, field of view, near and far.
+    void moveCamera(const std::function<void(CameraControl&)>& move);
+    CameraControl control() const;
+    void          resetCamera();
+    void          normaliseModel();
+    void          setPictureSize(int width, int height);
+
+    // Algorithm
+    void setPipeline(const Pipeline& pipeline);
+    void setFaceCulling(FaceCulling culling);
+    void setLayer(const Layer& layer);
+
+    // Steps
+    void setGrain(Grain grain);
+    void goToStep(std::uint64_t step);
+    /// The step to show when the scene that is being loaded is there.
+    void startAt(std::uint64_t step) { m_firstStep = step; }
+    void goToStart() { goToStep(0); }
+    void goToEnd();
+    void stepBy(int steps);
+    /// To the next (+1) or an earlier (-1) step of the next coarser grain that the algorithm has.
+    void stepCoarser(int steps);
+
+    // Selection
+    void pick(const std::optional<QPoint>& pixel);
+    void nudgePick(const QPoint& by);
+    void selectEdge(const std::optional<EdgeRow>& edge);
+
+    bool    isIdle() const;
+    Player& player() { return m_player; }
+    /// Number of steps at the current grain and the step that is wanted; nothing while they are not known.
+    struct Position {
+        std::uint64_t step, count;
+    };
+    std::optional<Position> position() const;
+
+signals:
+    void changed(zscope::ui::Changes what);
+    /// One sentence a person can act on, with file and line where they are known.
+    void failed(const QString& sentence);
+
+private:
+    void draw();
+    void step();
+    void startOver();             // something the picture depends on has changed
+    void applyView(const ViewRequest& view);
+    void adoptGrain();            // after a change of algorithm
+    void sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const ViewOf& viewOf, bool keepsCamera);
+    void frameDrawn(const std::shared_ptr<const DrawnFrame>& frame);
+    void stepMade(const std::shared_ptr<const ShownStep>& step, std::uint64_t wish);
+    void troubled(const Error& error);
+    void setBusy(const QString& what, double progress = -1);
+    void load(const QString& word, const ViewOf& viewOf, bool keepsCamera);
+    void wishFor(const StepWish& wish);
+    bool isSettled() const { return m_settledWish == m_wishNumber; }
+    DrawRequest request() const;
+
+    /// Runs in this thread what a job of the worker hands back, unless the session is gone by then.
+    template <class Answer>
+    void deliver(Answer answer)
+    {
+        QMetaObject::invokeMethod(this, std::move(answer), Qt::QueuedConnection);
+    }
+
+    DrawSettings                 m_settings;
+    Snapshot                     m_now;
+    std::optional<CameraControl> m_control;      // once the user has moved the camera
+    ViewRequest                  m_home;         // what reset goes back to
+    std::uint64_t                m_generation = 0;
+    StepWish                     m_wish;
+    std::uint64_t                m_wishNumber  = 0;
+    std::uint64_t                m_settledWish = ~std::uint64_t{0};  // the wish that m_now.step answers
+    std::optional<std::uint64_t> m_firstStep;
+    std::optional<Grain>         m_preferredGrain;  // what the user chose, also while an algorithm lacks it
+    Player                       m_player{*this};
+    QTimer                       m_rest;         // the finished picture's tables are made when the camera rests
+    std::shared_ptr<Engine>      m_engine;       // used by jobs of the worker only
+    std::unique_ptr<Worker>      m_worker;       // last: stops before anything else goes
+};
+
+}  // namespace zscope::ui
+
+Q_DECLARE_METATYPE(zscope::ui::Changes)

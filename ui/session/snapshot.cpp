@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/snapshot.h"
+
+#include <QCoreApplication>
+
+namespace zscope::ui {
+
+std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel)
+{
+    const VisibilityBuffer* visible = shown.visible();
+    if (!visible || pixel.x() < 0 || pixel.y() < 0 || pixel.x() >= visible->width() || pixel.y() >= visible->height())
+        return {};
+
+    PixelFacts facts;
+    facts.pixel = pixel;
+    const std::int64_t id = visible->idAt(pixel.x(), pixel.y());
+    if (id < 0) return facts;
+    facts.triangle = TriangleId{static_cast<std::uint32_t>(id)};
+    facts.depth    = visible->depthAt(pixel.x(), pixel.y());
+    facts.z        = shown.pictureCamera().near / static_cast<double>(facts.depth);
+
+    // While a new scene is being drawn the picture may still be the old one's.
+    if (!shown.scene || static_cast<std::uint64_t>(id) >= shown.scene->scene().triangleCount()) return facts;
+    const Scene&      scene    = shown.scene->scene();
+    const InstanceId  instance = scene.instanceOf(*facts.triangle);
+    const Mesh&       mesh     = scene.meshOf(instance);
+    const std::size_t inMesh   = facts.triangle->value - scene.firstTriangle[instance.value];
+    const PolygonId   polygon  = mesh.trianglePolygon[inMesh];
+    facts.polygon  = polygon.value;
+    facts.group    = QString::fromStdString(mesh.groups[mesh.polygonGroup[polygon.value].value]);
+    facts.material = QString::fromStdString(mesh.materialOf(polygon).name);
+    if (scene.instances.size() > 1)
+        facts.instance = QCoreApplication::translate("PixelFacts", "%1 of %2").arg(instance.value).arg(scene.instances.size());
+    return facts;
+}
+
+std::optional<TriangleId> pickedTriangle(const Snapshot& shown)
+{
+    if (!shown.picked) return {};
+    const auto facts = factsOf(shown, *shown.picked);
+    return facts ? facts->triangle : std::nullopt;
+}
+
+}  // namespace zscope::ui

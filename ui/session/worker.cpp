@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/worker.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace zscope::ui {
+
+Worker::Worker(QObject* parent) : QObject(parent)
+{
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(kPatience);
+    connect(&m_patience, &QTimer::timeout, this, &Worker::losePatience);
+    m_thread = std::thread([this] { run(); });
+}
+
+Worker::~Worker()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stop = true;
+        for (auto& job : m_waiting) job.reset();
+        m_cancel = true;
+    }
+    m_wake.notify_one();
+    m_thread.join();
+}
+
+void Worker::post(Slot slot, Job job)
+{
+    bool wait = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        for (auto kind = static_cast<std::size_t>(slot); kind < kSlots; ++kind) m_waiting[kind].reset();
+        m_waiting[static_cast<std::size_t>(slot)] = std::move(job);
+        if (m_running && *m_running >= slot) {
+            m_pointless = true;
+            if (slot == Slot::Load) m_cancel = true;
+            else wait = true;
+        }
+    }
+    if (wait && !m_patience.isActive()) m_patience.start();
+    m_wake.notify_one();
+}
+
+void Worker::cancel()
+{
+    const std::lock_guard lock(m_mutex);
+    for (auto& job : m_waiting) job.reset();
+    if (m_running) m_cancel = true;
+}
+
+bool Worker::isBusy() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_running || std::ranges::any_of(m_waiting, [](const auto& job) { return job.has_value(); });
+}
+
+void Worker::losePatience()
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_running && m_pointless) m_cancel = true;
+}
+
+void Worker::run()
+{
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+        const auto next = std::ranges::find_if(m_waiting, [](const auto& job) { return job.has_value(); });
+        if (m_stop) return;
+        if (next == m_waiting.end()) {
+            m_wake.wait(lock);
+            continue;
+        }
+        Job job = std::move(**next);
+        next->reset();
+        m_running   = static_cast<Slot>(next - m_waiting.begin());
+        m_pointless = false;
+        m_cancel    = false;
+
+        lock.unlock();
+        job(m_cancel);
+        job = nullptr;  // what it held may be large: let it go outside the lock
+        lock.lock();
+
+        m_running.reset();
+        if (std::ranges::none_of(m_waiting, [](const auto& waiting) { return waiting.has_value(); }))
+            QMetaObject::invokeMethod(this, &Worker::idle, Qt::QueuedConnection);
+    }
+}
+
+}  // namespace zscope::ui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one thread that does the window's long work, one job at a time, the newest request first.
+//
+// Slots      at most one job of each kind waits; a newer one takes its place. A load makes every other job
+//            pointless, a drawing makes the step of the old drawing pointless
+// Cancel     a running job that a newer one has made pointless is asked to stop: at once by a load, otherwise when
+//            it has had kPatience since the newer one came, so that a dragged camera still sees frames finish
+// Threads    post(), cancel() and the destructor from the thread the worker lives in; jobs run on the thread it
+//            owns. The destructor asks the running job to stop and waits for it
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <QObject>
+#include <QTimer>
+
+namespace zscope::ui {
+
+class Worker final : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Slot { Load, Draw, Step };  // the most urgent first
+    static constexpr std::chrono::milliseconds kPatience{150};
+
+    /// The flag is this worker's for all jobs, and stays where it is while the worker lives.
+    using Job = std::function<void(const std::atomic<bool>& cancel)>;
+
+    explicit Worker(QObject* parent = nullptr);
+    ~Worker() override;
+
+    void post(Slot slot, Job job);
+    /// Forgets what waits and asks what runs to stop.
+    void cancel();
+
+    bool isBusy() const;
+
+signals:
+    /// Emitted in the worker's own thread of life, never from the thread of the jobs.
+    void idle();
+
+private:
+    static constexpr std::size_t kSlots = 3;
+
+    void run();
+    void losePatience();
+
+    mutable std::mutex                     m_mutex;  // guards everything below but the thread and the timer
+    std::condition_variable                m_wake;
+    std::array<std::optional<Job>, kSlots> m_waiting;
+    std::optional<Slot>                    m_running;
+    bool                                   m_pointless = false;  // the running job's answer is no longer wanted
+    bool                                   m_stop      = false;
+    std::atomic<bool>                      m_cancel{false};
+    QTimer                                 m_patience;
+    std::thread                            m_thread;
+};
+
+}  // namespace zscope::ui

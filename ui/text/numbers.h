@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How numbers are written in the window: grouped by thousands, a real minus sign, a fixed number of decimals, so
+// that a column of them lines up.
+//
+// Locale     that of the user; where it has no grouping (the C locale) the English one
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <QString>
+
+namespace zscope::ui {
+
+QString grouped(std::uint64_t value);
+QString groupedSigned(std::int64_t value);
+/// `decimals` digits after the point, grouped before it.
+QString decimal(double value, int decimals);
+/// The same with a sign in front of everything but zero.
+QString signedDecimal(double value, int decimals);
+/// "13/64", "−15/128"; a whole number without its denominator of 1.
+QString fraction(const std::array<std::int64_t, 2>& value);
+/// Two decimals below 100 ms, none above; with the unit.
+QString milliseconds(double ms);
+/// A depth in (0, 1] with as many digits as tell neighbours apart: 6 significant ones.
+QString depthText(float depth);
+
+}  // namespace zscope::ui

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/frame_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFontDatabase>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+
+#include "ui/text/numbers.h"
+#include "ui/view/magnifier.h"
+
+namespace zscope::ui {
+namespace {
+
+constexpr double kGridFrom     = 10;    // device pixels per pixel from which the grid is drawn
+constexpr double kValuesFrom   = 52;    // and the numbers, times the screen's scale
+constexpr double kClickReach   = 4;     // logical pixels a click may wander
+constexpr double kWheelStep    = 1.25;  // zoom per notch
+constexpr double kOrbitPerSize = 3.2;   // radians per height of the view
+constexpr double kFlyPerSecond = 0.6;   // scene units
+constexpr double kFlyFaster    = 4;     // with Shift
+
+}  // namespace
+
+FrameView::FrameView(Session& session, QWidget* parent)
+    : QWidget(parent), m_session(session), m_magnifier(new Magnifier(this))
+{
+    setAccessibleName(tr("Frame view"));
+    setAccessibleDescription(tr("The picture of the chosen algorithm at the chosen step"));
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    m_flight.setInterval(16);
+    connect(&m_flight, &QTimer::timeout, this, &FrameView::moveOn);
+}
+
+void FrameView::present(const Snapshot& shown, Changes what)
+{
+    m_shown = shown;
+    if (what & (Change::Picture | Change::Scene)) showPicture();
+    if (what & (Change::Picture | Change::Selection | Change::Scene)) {
+        m_overlay = overlayOf(m_shown, m_layers);
+        placeMagnifier();
+        update();
+    }
+}
+
+void FrameView::showPicture()
+{
+    const Grid<std::uint32_t>* colours = m_shown.colours();
+    if (!colours) m_picture = {};
+    else if (m_shown.showsStep && m_layers.ghost && !m_shown.step->ghosted.isNull()) m_picture = m_shown.step->ghosted;
+    else m_picture = imageOf(*colours);
+    if (!m_picture.isNull() && m_picture.size() != m_view.picture()) {
+        m_view.setPicture(m_picture.size());
+        emit viewChanged();
+    }
+}
+
+void FrameView::setTool(Tool tool)
+{
+    m_held.clear();
+    m_flight.stop();
+    setCursor(tool == Tool::Camera ? Qt::SizeAllCursor : Qt::ArrowCursor);
+    if (tool == m_tool) return;
+    m_tool = tool;
+    update();
+    emit toolChanged(tool);
+}
+
+void FrameView::setLayers(const Layers& layers)
+{
+    m_layers  = layers;
+    m_overlay = overlayOf(m_shown, m_layers);
+    showPicture();
+    placeMagnifier();
+    update();
+}
+
+void FrameView::fit()
+{
+    m_view.fit();
+    viewMoved();
+}
+
+void FrameView::oneToOne()
+{
+    m_view.oneToOne();
+    viewMoved();
+}
+
+void FrameView::zoomBy(double factor)
+{
+    m_view.zoomAt(device(QPointF(rect().center())), factor);
+    viewMoved();
+}
+
+void FrameView::reveal(const QPoint& pixel)
+{
+    m_view.reveal(pixel);
+    viewMoved();
+}
+
+void FrameView::viewMoved()
+{
+    update();
+    emit viewChanged();
+}
+
+QImage FrameView::picture(bool decorated) const
+{
+    const Grid<std::uint32_t>* colours = m_shown.colours();
+    if (!colours) return {};
+    if (!decorated) return imageOf(*colours).copy();
+    QImage        image = m_picture.copy();
+    ViewTransform plain;
+    plain.setPicture(image.size());
+    plain.setArea(image.size());
+    QPainter painter(&image);
+    paintOverlay(painter, m_overlay, plain, themeOf(palette()), 1);
+    return image;
+}
+
+void FrameView::placeMagnifier()
+{
+    const std::optional<QPoint> pixel = m_shown.picked ? m_shown.picked : m_hovered;
+    m_magnifier->present(m_shown, m_picture, m_layers.magnifier ? pixel : std::nullopt);
+    const QSize size = m_magnifier->size();
+    QPoint      at(width() - size.width() - 2 * kStep, height() - size.height() - 2 * kStep);
+    if (QRect(at, size).adjusted(-2 * kStep, -2 * kStep, 2 * kStep, 2 * kStep).contains(m_last.toPoint()) &&
+        underMouse())
+        at.setY(2 * kStep);  // out of the way of the cursor
+    m_magnifier->move(at);
+}
+
+bool FrameView::usesCamera(Qt::KeyboardModifiers modifiers) const
+{
+    return m_tool == Tool::Camera || (modifiers & Qt::AltModifier);
+}
+
+// Painting ----------------------------------------------------------------------------------------------------------
+
+void FrameView::paintEvent(QPaintEvent*)
+{
+    const Theme& theme = themeOf(palette());
+    const double scale = devicePixelRatioF();
+    QPainter     painter(this);
+    painter.fillRect(rect(), theme.canvas);
+    if (m_picture.isNull()) {
+        paintHint(painter);
+        return;
+    }
+    painter.save();
+    painter.scale(1 / scale, 1 / scale);  // from here in device pixels
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, m_view.zoom() < 1);
+    const QRect  seen = m_view.visiblePixels();
+    const QRectF at   = m_view.toView(QRectF(QPointF(0, 0), QSizeF(m_picture.size())));
+    if (m_view.zoom() < 1) painter.drawImage(at, m_picture);
+    else painter.drawImage(m_view.toView(QRectF(seen)), m_picture, QRectF(seen));
+    if (m_layers.grid && m_view.zoom() >= kGridFrom) paintGrid(painter);
+    if (m_layers.grid && m_view.zoom() >= kValuesFrom * scale) paintValues(painter);
+    paintOverlay(painter, m_overlay, m_view, theme, scale);
+    painter.restore();
+    paintChips(painter);
+}
+
+void FrameView::paintGrid(QPainter& painter) const
+{
+    const QRect seen = m_view.visiblePixels();
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(QColor(128, 128, 128, 70), 1));
+    for (int x = seen.left(); x <= seen.right() + 1; ++x)
+        painter.drawLine(m_view.toView(QPointF(x, seen.top())), m_view.toView(QPointF(x, seen.bottom() + 1)));
+    for (int y = seen.top(); y <= seen.bottom() + 1; ++y)
+        painter.drawLine(m_view.toView(QPointF(seen.left(), y)), m_view.toView(QPointF(seen.right() + 1, y)));
+}
+
+void FrameView::paintValues(QPainter& painter) const
+{
+    const VisibilityBuffer* visible = m_shown.visible();
+    if (!visible) return;
+    QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    font.setPixelSize(static_cast<int>(std::clamp(m_view.zoom() / 6.5, 8.0, 20.0 * devicePixelRatioF())));
+    painter.setFont(font);
+    const QRect seen = m_view.visiblePixels().intersected(QRect(0, 0, visible->width(), visible->height()));
+    for (int y = seen.top(); y <= seen.bottom(); ++y) {
+        for (int x = seen.left(); x <= seen.right(); ++x) {
+            const std::int64_t id = visible->idAt(x, y);
+            if (id < 0) continue;
+            const bool isDark = qGray(m_picture.pixel(x, y)) < 128;
+            painter.setPen(isDark ? Qt::white : Qt::black);
+            painter.drawText(m_view.toView(QRectF(x, y, 1, 1)), Qt::AlignCenter,
+                             QString::number(id) + '\n' +
+                                 QString::number(static_cast<double>(visible->depthAt(x, y)), 'f', 4));
+        }
+    }
+}
+
+void FrameView::paintChips(QPainter& painter) const
+{
+    const Theme& theme = themeOf(palette());
+    QStringList  chips{m_shown.showsStep ? tr("Step") : tr("Finished picture")};
+    if (m_shown.showsStep && !m_overlay.edges.empty()) chips << tr("Active edges");
+    chips << tr("× %1").arg(decimal(m_view.zoom(), m_view.zoom() < 10 ? 2 : 0));
+    if (m_tool == Tool::Camera) chips << tr("Camera");
+
+    painter.setRenderHint(QPainter::Antialiasing, true);
+    int x = 2 * kStep;
+    for (const QString& chip : chips) {
+        const QRectF at(x, 1.5 * kStep, fontMetrics().horizontalAdvance(chip) + 3 * kStep, 3 * kStep);
+        painter.setPen(theme.border);
+        painter.setBrush(theme.card);
+        painter.drawRoundedRect(at.adjusted(0.5, 0.5, -0.5, -0.5), at.height() / 2, at.height() / 2);
+        painter.setPen(theme.text);
+        painter.drawText(at, Qt::AlignCenter, chip);
+        x += static_cast<int>(at.width()) + kStep;
+    }
+}
+
+void FrameView::paintHint(QPainter& painter) const
+{
+    const Theme& theme = themeOf(palette());
+    QFont        large = font();
+    large.setPointSizeF(large.pointSizeF() * 1.5);
+    const QRect upper(0, 0, width(), height() / 2), lower(0, height() / 2 + kStep, width(), height() / 2);
+    painter.setPen(theme.text);
+    painter.setFont(large);
+    painter.drawText(upper, Qt::AlignHCenter | Qt::AlignBottom,
+                     m_shown.busy.isEmpty() ? tr("Drop an OBJ file here") : m_shown.busy);
+    painter.setPen(theme.softText);
+    painter.setFont(font());
+    painter.drawText(lower, Qt::AlignHCenter | Qt::AlignTop,
+                     tr("or press Ctrl+O to open one, or choose an example in File ▸ Examples"));
+}
+
+void FrameView::resizeEvent(QResizeEvent*)
+{
+    m_view.setArea(QSizeF(size()) * devicePixelRatioF());
+    placeMagnifier();
+    emit viewChanged();
+}
+
+// Mouse -------------------------------------------------------------------------------------------------------------
+
+void FrameView::wheelEvent(QWheelEvent* event)
+{
+    // With Alt held some systems turn a vertical wheel into a horizontal one.
+    const QPoint turned  = event->angleDelta();
+    const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
+    if (notches == 0) return;
+    const double factor = std::pow(kWheelStep, notches);
+    if (usesCamera(event->modifiers())) {
+        m_session.moveCamera([factor](CameraControl& camera) { camera.dolly(1 / std::sqrt(factor)); });
+    } else {
+        m_view.zoomAt(device(event->position()), factor);
+        viewMoved();
+    }
+    event->accept();
+}
+
+void FrameView::mousePressEvent(QMouseEvent* event)
+{
+    m_pressed = m_last = event->position();
+    const bool camera  = usesCamera(event->modifiers());
+    switch (event->button()) {
+    case Qt::LeftButton: m_drag = camera ? Drag::Orbit : Drag::PanPicture; break;
+    case Qt::MiddleButton: m_drag = camera ? Drag::PanCamera : Drag::PanPicture; break;
+    case Qt::RightButton:
+        if (camera) m_drag = Drag::Look;
+        else m_session.pick(m_view.pixelAt(device(event->position())));
+        break;
+    default: return QWidget::mousePressEvent(event);
+    }
+}
+
+void FrameView::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPointF moved = event->position() - m_last;
+    m_last              = event->position();
+    const bool isDrag   = (m_last - m_pressed).manhattanLength() > kClickReach;
+    const double size   = std::max(height(), 1);
+    switch (m_drag) {
+    case Drag::PanPicture:
+        if (!isDrag) break;
+        m_view.panBy(device(moved));
+        viewMoved();
+        break;
+    case Drag::Orbit:
+    case Drag::Look:
+        m_session.moveCamera([&](CameraControl& camera) {
+            const double aboutUp = -moved.x() / size * kOrbitPerSize, aboutRight = -moved.y() / size * kOrbitPerSize;
+            if (m_drag == Drag::Orbit) camera.orbit(aboutUp, aboutRight);
+            else camera.look(aboutUp, aboutRight);
+        });
+        break;
+    case Drag::PanCamera:
+        m_session.moveCamera([&](CameraControl& camera) {  // the point under the cursor stays under it
+            const double pictureHeight = m_view.zoom() * m_view.picture().height() / devicePixelRatioF();
+            camera.pan(-moved.x() / pictureHeight, moved.y() / pictureHeight, m_shown.camera.focal);
+        });
+        break;
+    case Drag::None: break;
+    }
+    if (m_drag == Drag::None || m_drag == Drag::PanPicture) {
+        const auto pixel = m_view.pixelAt(device(m_last));
+        if (pixel != m_hovered) {
+            m_hovered = pixel;
+            emit hovered(pixel);
+        }
+        placeMagnifier();
+    }
+}
+
+void FrameView::mouseReleaseEvent(QMouseEvent* event)
+{
+    const bool isClick = (event->position() - m_pressed).manhattanLength() <= kClickReach;
+    if (event->button() == Qt::LeftButton && m_drag == Drag::PanPicture && isClick)
+        m_session.pick(m_view.pixelAt(device(event->position())));
+    m_drag = Drag::None;
+}
+
+void FrameView::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+
+void FrameView::leaveEvent(QEvent*)
+{
+    m_hovered.reset();
+    emit hovered({});
+    placeMagnifier();
+}
+
+// Keys: only those that are held; single presses are actions of the window -------------------------------------------
+
+void FrameView::keyPressEvent(QKeyEvent* event)
+{
+    static const QSet<int> flying{Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E, Qt::Key_Shift};
+    const bool plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    if (m_tool != Tool::Camera || !plain || !flying.contains(event->key())) return QWidget::keyPressEvent(event);
+    if (event->isAutoRepeat()) return;
+    m_held.insert(event->key());
+    if (event->key() == Qt::Key_Shift || m_flight.isActive()) return;
+    m_sinceTick.start();
+    m_flight.start();
+}
+
+void FrameView::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->isAutoRepeat() || !m_held.remove(event->key())) return QWidget::keyReleaseEvent(event);
+    if (m_held.isEmpty()) m_flight.stop();
+}
+
+void FrameView::focusOutEvent(QFocusEvent* event)
+{
+    m_held.clear();
+    m_flight.stop();
+    QWidget::focusOutEvent(event);
+}
+
+void FrameView::moveOn()
+{
+    const double seconds = static_cast<double>(m_sinceTick.restart()) / 1000;
+    const double way     = seconds * kFlyPerSecond * (m_held.contains(Qt::Key_Shift) ? kFlyFaster : 1);
+    const auto   along   = [&](Qt::Key plus, Qt::Key minus) {
+        return way * ((m_held.contains(plus) ? 1 : 0) - (m_held.contains(minus) ? 1 : 0));
+    };
+    const double right = along(Qt::Key_D, Qt::Key_A), up = along(Qt::Key_E, Qt::Key_Q),
+                 ahead = along(Qt::Key_W, Qt::Key_S);
+    if (right == 0 && up == 0 && ahead == 0) return;
+    m_session.moveCamera([&](CameraControl& camera) { camera.fly(right, up, ahead); });
+}
+
+}  // namespace zscope::ui

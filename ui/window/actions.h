@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything a key or a menu can do, as one action each, and the menus and toolbar made of them. Algorithms, layers,
+// grains and examples come from the registries of core.
+//
+// Keys       mean one thing per tool: actions that belong to one tool are enabled only while it is chosen
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QObject>
+
+#include "ui/session/session.h"
+#include "ui/view/frame_view.h"
+
+class QAction;
+class QActionGroup;
+class QComboBox;
+class QMainWindow;
+class QMenu;
+class QToolBar;
+
+namespace zscope::ui {
+
+/// What an action asks of the window itself.
+struct WindowRequests {
+    std::function<void()>                   open, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel,
+                                            resetLayout, about, keys;
+    std::function<void(Appearance)>         look;
+    std::function<void(const QString&)>     openWord;
+};
+
+class Actions final : public QObject {
+    Q_OBJECT
+
+public:
+    Actions(QMainWindow& window, Session& session, FrameView& view, WindowRequests requests);
+
+    void present(const Snapshot& shown, Changes what);
+    void showTool(Tool tool);
+    void showRecent(const QStringList& files);
+    void showAppearance(Appearance appearance);
+    void dress(const Theme& theme);
+
+    QMenu*    panelsMenu() const { return m_panels; }
+    QToolBar* toolBar() const { return m_toolBar; }
+    /// All of them, for the list of keys.
+    const std::vector<QAction*>& all() const { return m_all; }
+
+private:
+    QAction* add(QMenu* menu, const QString& text, const QList<QKeySequence>& keys, std::function<void()> run,
+                 const QString& icon = {});
+    QAction* add(QMenu* menu, const QString& text, const QKeySequence& key, std::function<void()> run,
+                 const QString& icon = {})
+    {
+        return add(menu, text, key.isEmpty() ? QList<QKeySequence>{} : QList<QKeySequence>{key}, std::move(run), icon);
+    }
+    void makeFileMenu();
+    void makeViewMenu();
+    void makeLayersMenu(QMenu* view);
+    void makeSizeMenu(QMenu* view);
+    void makeAppearanceMenu(QMenu* view);
+    void makeCameraMenu();
+    void makeAlgorithmMenu();
+    void makeStepMenu();
+    void makeHelpMenu();
+    void makeToolBar();
+    void showNamedViews(const Snapshot& shown);
+
+    QMainWindow&   m_window;
+    Session&       m_session;
+    FrameView&     m_view;
+    WindowRequests m_requests;
+
+    std::vector<QAction*>                      m_all;
+    std::vector<std::pair<QAction*, QString>>  m_icons;         // with the name of each one's icon
+    std::vector<QAction*>                      m_inspectOnly, m_cameraOnly, m_needScene;
+    std::vector<QAction*>                      m_algorithms;    // in the order of presets()
+    std::vector<QAction*>                      m_layerChoices;  // in the order of layers()
+    QAction *                                  m_open = nullptr, *m_inspect = nullptr, *m_camera = nullptr,
+            *m_fit = nullptr, *m_cull = nullptr;
+    std::vector<QAction*> m_appearances;
+    QMenu *               m_recent = nullptr, *m_panels = nullptr, *m_namedViews = nullptr, *m_layers = nullptr;
+    QToolBar*             m_toolBar       = nullptr;
+    QComboBox*            m_algorithmBox  = nullptr;
+};
+
+}  // namespace zscope::ui

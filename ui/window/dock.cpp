@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/dock.h"
+
+#include <QCloseEvent>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "ui/panels/registry.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/theme.h"
+
+namespace zscope::ui {
+namespace {
+
+/// The timeline explains itself: a title would only cost height.
+bool isTitled(const PanelEntry& entry) { return entry.area != Qt::BottomDockWidgetArea; }
+
+}  // namespace
+
+PanelDock::PanelDock(const PanelEntry& entry, Panel* panel, QWidget* parent)
+    : QDockWidget(entry.translatedTitle(), parent), m_entry(entry), m_panel(panel)
+{
+    setObjectName(QString("dock-") + entry.word);
+    setAccessibleName(entry.translatedTitle());
+    auto* body = new QFrame;
+    body->setObjectName("cardBody");
+    auto* layout = new QVBoxLayout(body);
+    layout->setContentsMargins(1, 0, 1, 1);
+    layout->addWidget(panel);
+    if (isTitled(entry)) {
+        setTitleBarWidget(makeTitle());
+    } else {
+        body->setObjectName("cardWhole");
+        setTitleBarWidget(new QWidget);
+        setFeatures(DockWidgetClosable);
+    }
+    setWidget(body);
+    dress();
+}
+
+QWidget* PanelDock::makeTitle()
+{
+    auto* title = new QFrame;
+    title->setObjectName("cardTitle");
+    auto* name = new QLabel(windowTitle());
+    name->setObjectName("title");
+    m_summary = new QLabel;
+    m_summary->setObjectName("soft");
+    m_close = new QToolButton;
+    m_close->setObjectName("plain");
+    m_close->setFocusPolicy(Qt::TabFocus);
+    m_close->setAccessibleName(tr("Close the panel %1").arg(windowTitle()));
+    m_close->setToolTip(tr("Close; the View menu opens it again"));
+    connect(m_close, &QToolButton::clicked, this, [this] { setWanted(false); });
+    connect(m_panel, &Panel::summaryChanged, m_summary, &QLabel::setText);
+
+    auto* layout = new QHBoxLayout(title);
+    layout->setContentsMargins(kStep + 4, kStep, kStep, 6);
+    layout->setSpacing(kStep);
+    layout->addWidget(name);
+    layout->addStretch(1);
+    layout->addWidget(m_summary);
+    layout->addWidget(m_close);
+    return title;
+}
+
+void PanelDock::dress()
+{
+    if (m_close) m_close->setIcon(iconOf("close", themeOf(palette()).softText));
+}
+
+void PanelDock::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange) dress();
+    QDockWidget::changeEvent(event);
+}
+
+void PanelDock::closeEvent(QCloseEvent* event)
+{
+    QDockWidget::closeEvent(event);
+    setWanted(false);
+}
+
+void PanelDock::setWanted(bool wanted)
+{
+    const bool changed = wanted != m_wanted;
+    m_wanted           = wanted;
+    setVisible(m_wanted && m_needed);
+    if (changed) emit wantedChanged(wanted);
+}
+
+void PanelDock::setNeeded(bool needed)
+{
+    m_needed = needed;
+    setVisible(m_wanted && m_needed);
+}
+
+}  // namespace zscope::ui

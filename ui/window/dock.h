@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A panel in a dock that looks like a card: a title, a few words on what it shows, a close button, and no frame inside
+// a frame. Dragging the title moves it.
+#pragma once
+
+#include <QDockWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace zscope::ui {
+
+class Panel;
+struct PanelEntry;
+
+class PanelDock final : public QDockWidget {
+    Q_OBJECT
+
+public:
+    PanelDock(const PanelEntry& entry, Panel* panel, QWidget* parent = nullptr);
+
+    Panel&            panel() const { return *m_panel; }
+    const PanelEntry& entry() const { return m_entry; }
+    /// Whether the user wants it, seen or folded away for want of anything to show.
+    bool isWanted() const { return m_wanted; }
+    void setWanted(bool wanted);
+    void setNeeded(bool needed);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+signals:
+    void wantedChanged(bool wanted);
+
+private:
+    QWidget* makeTitle();
+    void     dress();
+
+    const PanelEntry& m_entry;
+    Panel*            m_panel;
+    QLabel*           m_summary = nullptr;
+    QToolButton*      m_close   = nullptr;
+    bool              m_wanted  = true;
+    bool              m_needed  = true;
+};
+
+}  // namespace zscope::ui

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window: the picture in the middle, the panels of the registry around it, and the files in between. It hands the
+// session's snapshot to everybody and holds nothing of its own but where things are.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QMainWindow>
+
+#include "ui/session/session.h"
+#include "ui/window/settings.h"
+
+class QLabel;
+
+namespace zscope::ui {
+
+class Actions;
+class FrameView;
+class MessageBar;
+class PanelDock;
+class StatusLine;
+
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow(Session& session, Settings& settings, const QPalette& systemPalette);
+    ~MainWindow() override;
+
+    /// Files are added to the recent ones; builtin scenes are not.
+    void open(const QString& word, const Session::ViewOf& viewOf = {});
+
+    FrameView&  view() const { return *m_view; }
+    MessageBar& messages() const { return *m_messages; }
+    PanelDock*  dock(const QString& panelWord) const;
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+    void present(Changes what);
+    void makeCentre();
+    void makeDocks();
+    void placeDocks();
+    void resetLayout();
+    void restoreLayout();
+    void applyAppearance(Appearance appearance);
+    void chooseFile();
+    void savePicture(bool decorated);
+    void savePictureAs();
+    void copyPicture();
+    void goToPixel();
+    void showKeys();
+    void showAbout();
+
+    Session&                m_session;
+    Settings&               m_settings;
+    const QPalette          m_systemPalette;
+    FrameView*              m_view     = nullptr;
+    MessageBar*             m_messages = nullptr;
+    StatusLine*             m_status   = nullptr;
+    Actions*                m_actions  = nullptr;
+    QLabel*                 m_sceneName = nullptr;
+    std::vector<PanelDock*> m_docks;  // in the order of panels()
+};
+
+}  // namespace zscope::ui
