@@ -47,9 +47,9 @@ Result<Done> forEachTriangle(const Scene& scene, const View& view, const Progres
                              const Body& body)
 {
     const auto         total     = static_cast<std::int64_t>(scene.triangleCount());
-    const std::int64_t chunkSize = std::clamp<std::int64_t>(total / 4096, 16, 4096);
+    const std::int64_t chunkSize = std::clamp<std::int64_t>(total / 4096, 64, 4096);
     const std::int64_t chunks    = (total + chunkSize - 1) / chunkSize;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (chunks > 1)
     for (std::int64_t chunk = 0; chunk < chunks; ++chunk) {
         if (progress.cancelled()) continue;
         if (omp_get_thread_num() == 0) {

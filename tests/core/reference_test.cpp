@@ -1,10 +1,12 @@
 // The brute-force reference against pictures worked out by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/measure/definition.h"
@@ -156,6 +158,79 @@ TEST(Reference, CountsWhatBecameOfEveryTriangle)
     EXPECT_EQ(*fates, (TriangleFates{.drawn = 1, .culled = 1, .degenerate = 1, .outOfRange = 2, .behindNear = 1}));
     const auto picture = referencePicture(*scene, camera, FaceCulling::Back);
     for (const std::int64_t id : picture->ids.values()) EXPECT_LE(id, 0);
+}
+
+std::vector<definition::Part> partsOf(const Camera& camera, const Corners& corners)
+{
+    std::vector<definition::Part> parts;
+    definition::partsOf(*sceneOf(std::vector<Corners>{corners}), InstanceId{0}, 0,
+                        definition::View(camera, FaceCulling::None), parts);
+    return parts;
+}
+
+TEST(Reference, SnapsTiesToTheEvenGridPoint)
+{
+    const Camera camera = plainCamera(4, 4);
+    const auto   parts  = partsOf(camera, flat(camera, {{{2.5 / 256, 3.5 / 256}, {4, 0}, {-2.5 / 256, 4}}}));
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_EQ(parts[0].corners()[0].xs, 2);
+    EXPECT_EQ(parts[0].corners()[0].ys, 4);
+    EXPECT_EQ(parts[0].corners()[2].xs, -2);
+}
+
+TEST(Reference, ProjectsInTheWrittenOrder)
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Camera camera = plainCamera(1023, 769);
+        camera.focal  = 1 + 0.1 / static_cast<double>(seed);  // not a power of two: another order rounds elsewhere
+        camera.near   = 0.3;
+        const double  s = 1 / static_cast<double>(2 * seed + 1);
+        const Corners corners{dvec3{s, 0.7, 1.1}, dvec3{-0.3, s, 1.3}, dvec3{0.2, -0.4, 1.7 + s}};
+        const auto    parts = partsOf(camera, corners);
+        ASSERT_EQ(parts.size(), 1u);
+        const double k = ((769 * 0.5) * camera.focal) / camera.near;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double depth = camera.near / corners[i].z;
+            EXPECT_EQ(parts[0].corners()[i].depth, depth);
+            EXPECT_EQ(parts[0].corners()[i].x, 1023 * 0.5 + (corners[i].x * depth) * k);
+            EXPECT_EQ(parts[0].corners()[i].y, 769 * 0.5 - (corners[i].y * depth) * k);
+        }
+    }
+}
+
+TEST(Reference, CutsAnEdgeAtTheSamePointWhicheverWayItIsListed)
+{
+    Camera camera = plainCamera(640, 480);
+    camera.near   = 0.3;
+    for (int i = 1; i <= 50; ++i) {
+        const double s = 1.0 / (2 * i + 1);
+        const dvec3  inside{s, 0.2, 0.9 + s}, left{-0.4, s, 0.1 - s}, right{0.7 - s, -0.1, -0.2};
+        const auto   cutsOf = [&](const Corners& corners) {
+            std::vector<std::array<double, 2>> cuts;
+            for (const auto& part : partsOf(camera, corners)) {
+                for (const auto& c : part.corners()) {
+                    if (c.depth == 1) cuts.push_back({c.x, c.y});
+                }
+            }
+            std::ranges::sort(cuts);
+            return cuts;
+        };
+        const auto cuts = cutsOf({inside, left, right});
+        ASSERT_EQ(cuts.size(), 2u);
+        EXPECT_EQ(cutsOf({right, left, inside}), cuts);
+    }
+}
+
+TEST(Reference, TakesTheSnappedPlaneOfPartsTooThinToHaveTheirOwn)
+{
+    const Camera             camera = plainCamera(1024, 1024);
+    const definition::Corner a{.x = 0, .y = 0, .depth = 0.25, .xs = 0, .ys = 0};
+    const definition::Corner b{.x = 0, .y = 4, .depth = 0.5, .xs = 0, .ys = 1024};
+    const auto apex = [](double x) { return definition::Corner{.x = x, .y = 2, .depth = 0.75, .xs = 256, .ys = 512}; };
+    // Thinner than 4 / 1024 per 4 pixels: the plane through (0, 0), (0, 4) and the snapped (1, 2).
+    EXPECT_EQ(definition::Part({a, b, apex(0x1p-10)}, -1, camera).depth(0, 1), 0.53125f);
+    // Just thicker: its own plane is far too steep for a pixel's width, so the limit answers.
+    EXPECT_EQ(definition::Part({a, b, apex(0x1.1p-10)}, -1, camera).depth(0, 1), 0.75f);
 }
 
 TEST(Reference, LeavesTransparentFacesOutAndKeepsTheirIds)
