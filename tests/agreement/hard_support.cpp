@@ -177,7 +177,9 @@ std::map<std::string, std::uint64_t> expectCounters(const HardCase& hard, FaceCu
         }
         EXPECT_LE(of("drawn"), fates->drawn);
         if (first.empty()) first = named;
-        EXPECT_EQ(named["pixels_tested"], first["pixels_tested"]);
+        EXPECT_LE(named["pixels_tested"], first["pixels_tested"]);
+        const bool testsEverySample = preset.name == "zbuffer" || preset.name == "edge-walk" || preset.name == "scanline";
+        if (testsEverySample) { EXPECT_EQ(named["pixels_tested"], first["pixels_tested"]); }
         for (const auto& [name, value] : first) {
             if (name.starts_with("triangles_")) { EXPECT_EQ(value, named[name]) << name; }
         }
