@@ -15,7 +15,12 @@ Result<std::shared_ptr<const Scene>> loadScene(const std::string& word, Session&
 {
     Result<Scene> scene =
         zscope::loadScene(word, LoadOptions{.memoryLimit = memoryLimit, .progress = session.progress()});
-    if (!scene) return scene.error();
+    if (!scene) {
+        // A path of any kind is an input, whether or not it looks like a scene; a misspelt generator is a wrong word.
+        Error error = scene.error();
+        if (error.kind == Trouble::Usage && !word.starts_with("builtin:")) error.kind = Trouble::Input;
+        return error;
+    }
     session.warn(scene->warnings, warningsShown);
     return std::make_shared<const Scene>(*std::move(scene));
 }

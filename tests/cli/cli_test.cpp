@@ -1,0 +1,238 @@
+// The words of the command line and what each mistake costs: exit statuses, sentences, lists.
+#include <csignal>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "core/frame/pipeline.h"
+#include "core/frame/renderer.h"
+#include "tests/cli/run_cli.h"
+
+namespace zscope::cli_test {
+namespace {
+
+using nlohmann::json;
+
+const std::string kScene = "builtin:cubes";
+
+TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
+{
+    struct Mistake {
+        std::vector<std::string> arguments;
+        std::string              said;  // somewhere on standard error
+    };
+    const std::vector<Mistake> mistakes{
+        {{}, "subcommand"},
+        {{"draw"}, "render, info, export, verify, step, bench or list"},
+        {{"explain", kScene}, "unknown command"},
+        {{"render"}, "SCENE"},
+        {{"render", "builtin:no-such-scene"}, "list scenes"},
+        {{"render", kScene, "--bogus"}, "--bogus"},
+        {{"render", kScene, "extra"}, "extra"},
+        {{"render", kScene, "--size", "0x0"}, "0x0"},
+        {{"render", kScene, "--size", "100000x100000"}, "16384"},
+        {{"render", kScene, "--size", "99999999999999999999x1"}, "--size"},
+        {{"render", kScene, "--size", "640"}, "--size"},
+        {{"render", kScene, "--size", "640x480x3"}, "--size"},
+        {{"render", kScene, "--size", "-640x480"}, "--size"},
+        {{"render", kScene, "--size", "1e3x480"}, "--size"},
+        {{"render", kScene, "--size", "64x64", "--size", "32x32"}, "--size"},
+        {{"render", kScene, "--eye", "1,2"}, "--eye"},
+        {{"render", kScene, "--eye", "1,2,nan"}, "--eye"},
+        {{"render", kScene, "--eye", "1,2,inf"}, "--eye"},
+        {{"render", kScene, "--eye", "1,2,3x"}, "--eye"},
+        {{"render", kScene, "--eye", "1,2,3,4"}, "--eye"},
+        {{"render", kScene, "--eye", "1,2,1e999"}, "--eye"},
+        {{"render", kScene, "--eye", "1,1,1", "--target", "1,1,1"}, "same point"},
+        {{"render", kScene, "--eye", "0,9,0", "--target", "0,0,0"}, "parallel"},
+        {{"render", kScene, "--fov", "0"}, "180"},
+        {{"render", kScene, "--fov", "180"}, "180"},
+        {{"render", kScene, "--fov", "nan"}, "--fov"},
+        {{"render", kScene, "--near", "0"}, "near"},
+        {{"render", kScene, "--near", "-1"}, "near"},
+        {{"render", kScene, "--near", "inf"}, "--near"},
+        {{"render", kScene, "--near", "5", "--far", "5"}, "far"},
+        {{"render", kScene, "--cull", "front"}, "none or back"},
+        {{"render", kScene, "--algorithm", "zbufer"}, "choose zbuffer, edge-walk, "},
+        {{"render", kScene, "--algorithm", "all"}, "algorithm"},
+        {{"render", kScene, "--algorithm", "zbuffer,scanline"}, "algorithm"},
+        {{"render", kScene, "--set", "scan"}, "axis=choice"},
+        {{"render", kScene, "--set", "scan=magic"}, "magic"},
+        {{"render", kScene, "--set", "taste=sweet"}, "taste"},
+        {{"render", kScene, "--threads", "0"}, "--threads"},
+        {{"render", kScene, "--threads", "-1"}, "--threads"},
+        {{"render", kScene, "--threads", "two"}, "--threads"},
+        {{"render", kScene, "--threads", "99999999999999999999"}, "--threads"},
+        {{"render", kScene, "--simd", "mmx"}, "auto, scalar"},
+        {{"render", kScene, "--memory-limit", "0"}, "--memory-limit"},
+        {{"render", kScene, "--show", "depth"}, "-o"},
+        {{"render", kScene, "-o", path("x.png"), "--show", "heat"}, "shaded, depth or ids"},
+        {{"verify", kScene, "--algorithm", "zbuffer,,scanline"}, "''"},
+        {{"verify", kScene, "--sample", "0"}, "--sample"},
+        {{"export", kScene}, "--triangles"},
+        {{"step", kScene, "--count"}, "--grain"},
+        {{"step", kScene, "--grain", "line"}, "--count"},
+        {{"step", kScene, "--grain", "atom", "--count"}, "frame, stage"},
+        {{"step", kScene, "--grain", "line", "--count"}, "line"},  // a z-buffer has no lines
+        {{"step", kScene, "--grain", "frame", "--at", "-1"}, "--at"},
+        {{"step", kScene, "--grain", "frame", "--at", "1"}, "1"},
+        {{"step", kScene, "--grain", "frame", "--count", "-o", path("x.png")}, "--at"},
+        {{"bench", kScene, "--frames", "0"}, "--frames"},
+        {{"bench", kScene, "--threads", "1,x"}, "--threads"},
+        {{"bench"}, "SCENE"},
+        {{"list"}, "LIST"},
+        {{"list", "colours"}, "algorithms, choices"},
+    };
+    for (const Mistake& mistake : mistakes) {
+        const Answer answer = run(mistake.arguments);
+        std::string  words;
+        for (const std::string& argument : mistake.arguments) words += argument + ' ';
+        EXPECT_EQ(answer.status, 2) << words << '\n' << answer.err;
+        EXPECT_NE(answer.err.find(mistake.said), std::string::npos) << words << '\n' << answer.err;
+        EXPECT_EQ(answer.out, "") << words;
+    }
+    EXPECT_EQ(filesInFolder(), 0u);
+}
+
+TEST_F(Cli, AVectorTargetTheMachineLacksIsRefused)
+{
+    for (const SimdEntry& entry : simdTargets())
+        EXPECT_EQ(run({"render", kScene, "--size", "32x32", "--simd", std::string(entry.word)}).status,
+                  entry.available ? 0 : 2)
+            << entry.word;
+}
+
+TEST_F(Cli, AnInputThatCannotBeUsedEndsWithThree)
+{
+    const std::string empty   = write("empty.obj", "");
+    const std::string broken  = write("broken.json", "{\"meshes\": ");
+    const std::string camera  = write("camera.json", "{\"eye\":[0,0,0]}");
+    const std::string nothing = path("nothing.obj");
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"render", nothing}, {"info", nothing}, {"render", empty}, {"render", broken},
+             {"render", path("")}, {"render", kScene, "--camera", nothing},
+             {"render", kScene, "--camera", camera}}) {
+        const Answer answer = run(arguments);
+        EXPECT_EQ(answer.status, 3) << arguments[0] << ' ' << arguments[1] << '\n' << answer.err;
+        EXPECT_NE(answer.err.find("error: "), std::string::npos) << answer.err;
+    }
+}
+
+TEST_F(Cli, DiagnosticsCarryFileLineAndSeverity)
+{
+    const std::string file   = write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 99\n");
+    const Answer      answer = run({"render", file, "--size", "32x32"});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_NE(answer.err.find(file + ":5: warning: "), std::string::npos) << answer.err;
+}
+
+TEST_F(Cli, ALimitThatIsExceededEndsWithFive)
+{
+    const Answer answer = run({"render", kScene, "--size", "8000x8000", "--memory-limit", "1", "-o", path("x.png")});
+    EXPECT_EQ(answer.status, 5) << answer.err;
+    EXPECT_EQ(filesInFolder(), 0u);
+}
+
+TEST_F(Cli, AnInterruptEndsWithOneHundredAndThirtyAndLeavesNothing)
+{
+    const std::vector<std::vector<std::string>> longWork{
+        {"bench", kScene, "--frames", "1000000", "--no-verify", "--csv", path("x.csv")},
+        {"verify", "builtin:layers?count=3000", "--size", "4000x4000"},
+        {"step", "builtin:layers?count=3000", "--size", "4000x4000", "--grain", "pixel", "--at", "40000000000",
+         "--state", path("x.json"), "-o", path("x.png")}};
+    for (const std::vector<std::string>& arguments : longWork) {
+        for (const int signal : {SIGINT, SIGTERM}) {
+            const Answer answer = runAndSignal(arguments, signal, 200);
+            EXPECT_EQ(answer.status, 130) << arguments[0] << '\n' << answer.err;
+            EXPECT_EQ(answer.out, "") << arguments[0];
+        }
+    }
+    EXPECT_EQ(filesInFolder(), 0u);
+}
+
+TEST_F(Cli, HelpAndVersionAreNoMistake)
+{
+    EXPECT_EQ(run({"--help"}).status, 0);
+    EXPECT_EQ(run({"--version"}).status, 0);
+    for (const char* command : {"render", "info", "export", "verify", "step", "bench", "list"}) {
+        const Answer answer = run({command, "--help"});
+        EXPECT_EQ(answer.status, 0);
+        EXPECT_NE(answer.out.find("--quiet"), std::string::npos) << command;
+    }
+}
+
+TEST_F(Cli, HelpDoesNotPromiseWhatDoesNotExist)
+{
+    std::string all = run({"--help"}).out;
+    for (const char* command : {"render", "info", "export", "verify", "step", "bench", "list"})
+        all += run({command, "--help"}).out;
+    for (const char* absent : {"--peers", "--suite", "--experiment", "--fault", "--levels", "--pixel"})
+        EXPECT_EQ(all.find(absent), std::string::npos) << absent;
+    for (const char* absent : {"explain", "compare", "merge"})
+        EXPECT_EQ(all.find("\n  " + std::string(absent)), std::string::npos) << absent;
+}
+
+TEST_F(Cli, ListsAreTheRegistries)
+{
+    const json algorithms = json::parse(run({"list", "algorithms", "--json"}).out);
+    ASSERT_EQ(algorithms.size(), presets().size());
+    for (std::size_t i = 0; i < presets().size(); ++i) {
+        const Preset& preset = presets()[i];
+        EXPECT_EQ(algorithms[i]["name"], preset.name);
+        EXPECT_EQ(algorithms[i]["title"], preset.title);
+        EXPECT_EQ(algorithms[i]["exact"], preset.exact);
+        EXPECT_EQ(algorithms[i]["family"], familyOf(preset.pipeline) == Family::Sweep ? "sweep" : "stream");
+        EXPECT_EQ(algorithms[i]["grains"].size(), grainsOf(preset.pipeline).size());
+    }
+    for (const char* list : {"algorithms", "choices", "scenes", "layers", "grains", "simd"}) {
+        const Answer table = run({"list", list});
+        const json   items = json::parse(run({"list", list, "--json"}).out);
+        EXPECT_EQ(table.status, 0);
+        ASSERT_FALSE(items.empty()) << list;
+        for (const json& item : items) {
+            EXPECT_TRUE(item["name"].is_string() && item["title"].is_string()) << list;
+            EXPECT_NE(table.out.find(item["name"].get<std::string>()), std::string::npos) << list;
+        }
+    }
+}
+
+TEST_F(Cli, EverySceneOfTheListCanBeCounted)
+{
+    for (const json& scene : json::parse(run({"list", "scenes", "--json"}).out)) {
+        const std::string word = "builtin:" + scene["name"].get<std::string>();
+        if (word.find("/A6") != std::string::npos || word.find("/F9") != std::string::npos) continue;  // large
+        const Answer answer = run({"info", word, "--json"});
+        ASSERT_EQ(answer.status, 0) << word << '\n' << answer.err;
+        EXPECT_GT(json::parse(answer.out)["triangles"].get<long>(), 0) << word;
+    }
+}
+
+TEST_F(Cli, InfoCountsWhatTheFileHolds)
+{
+    const std::string file = write("counts.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0.5\n"
+                                                 "g left\nf 1 2 3 4\ng right\nf 1 2 5\nf 1 2 77\n");
+    const Answer answer = run({"info", file, "--json"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const json info = json::parse(answer.out);
+    EXPECT_EQ(info["vertices"], 5);
+    EXPECT_EQ(info["polygons"], 2);
+    EXPECT_EQ(info["triangles"], 3);
+    EXPECT_EQ(info["instances"], 1);
+    EXPECT_EQ(info["groups"], 2);
+    EXPECT_EQ(info["dropped"], 1);
+    EXPECT_EQ(info["split"], 1);
+    EXPECT_EQ(info["bounds"]["max"], json::parse("[2.0,2.0,0.5]"));
+    ASSERT_EQ(info["warnings"].size(), 1u);
+    EXPECT_EQ(info["warnings"][0]["file"], file);
+    EXPECT_EQ(info["warnings"][0]["line"], 10);
+    EXPECT_EQ(info["digest"].get<std::string>().size(), 16u);
+}
+
+TEST_F(Cli, ResultsThatCannotBePrintedEndWithFour)
+{
+    EXPECT_EQ(runInto("/dev/full", {"list", "algorithms"}).status, 4);
+    EXPECT_EQ(runInto("/dev/full", {"info", kScene}).status, 4);
+}
+
+}  // namespace
+}  // namespace zscope::cli_test

@@ -1,0 +1,253 @@
+// What the command line writes: arrays that hold the renderer's picture, cameras that come back to the bit, tables
+// with the promised columns, and nothing at all where something went wrong.
+#include <algorithm>
+#include <cstring>
+#include <set>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "core/frame/renderer.h"
+#include "core/scene/load.h"
+#include "tests/cli/run_cli.h"
+
+namespace zscope::cli_test {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+const std::string kScene = "builtin:teapot?tessellation=3";
+
+template <class T>
+std::vector<T> npyValues(const std::string& file, const std::string& description)
+{
+    const std::string bytes = contentsOf(file);
+    EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8)) << file;
+    if (bytes.size() < 10) return {};
+    const std::size_t start = 10u + static_cast<unsigned char>(bytes[8]) + 256u * static_cast<unsigned char>(bytes[9]);
+    EXPECT_NE(bytes.substr(10, start - 10).find(description), std::string::npos) << bytes.substr(10, start - 10);
+    std::vector<T> values((bytes.size() - start) / sizeof(T));
+    std::memcpy(values.data(), bytes.data() + start, values.size() * sizeof(T));
+    return values;
+}
+
+struct Reference {
+    Scene   scene;
+    Picture picture;
+};
+Reference drawn(const std::string& word, int width, int height)
+{
+    Reference reference{*loadScene(word), {}};
+    ViewRequest view;
+    if (!reference.scene.views.empty()) view = reference.scene.views.front().view;
+    view.width  = width;
+    view.height = height;
+    DrawRequest request;
+    request.scene    = std::make_shared<const PreparedScene>(std::make_shared<const Scene>(reference.scene));
+    request.camera   = *makeCamera(view, reference.scene.bounds);
+    request.pipeline = presets().front().pipeline;
+    Frame    frame;
+    Renderer renderer;
+    EXPECT_TRUE(renderer.draw(request, frame));
+    reference.picture = pictureOf(frame.visible);
+    return reference;
+}
+
+TEST_F(Cli, ArraysHoldTheRenderersPicture)
+{
+    const Answer answer = run({"render", kScene, "--size", "257x193", "--ids", path("i.npy"), "--depth", path("d.npy")});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const Picture expected = drawn(kScene, 257, 193).picture;
+    const auto    ids      = npyValues<std::int64_t>(path("i.npy"), "'<i8', 'fortran_order': False, 'shape': (193, 257)");
+    const auto    depth    = npyValues<float>(path("d.npy"), "'<f4', 'fortran_order': False, 'shape': (193, 257)");
+    EXPECT_TRUE(std::ranges::equal(ids, expected.ids.values()));
+    EXPECT_TRUE(std::ranges::equal(depth, expected.depth.values()));
+    EXPECT_TRUE(std::ranges::any_of(ids, [](std::int64_t id) { return id >= 0; }));
+}
+
+TEST_F(Cli, EveryAlgorithmThreadCountAndTargetWritesTheSameBytes)
+{
+    std::set<std::string> ids, depths;
+    for (const Preset& preset : presets()) {
+        for (const char* threads : {"1", "2", "3"}) {
+            for (const char* simd : {"scalar", "auto"}) {
+                const Answer answer =
+                    run({"render", kScene, "--size", "131x97", "--algorithm", std::string(preset.name), "--threads",
+                         threads, "--simd", simd, "--ids", path("i.npy"), "--depth", path("d.npy")});
+                ASSERT_EQ(answer.status, 0) << answer.err;
+                ids.insert(contentsOf(path("i.npy")));
+                depths.insert(contentsOf(path("d.npy")));
+            }
+        }
+    }
+    EXPECT_EQ(ids.size(), 1u);
+    EXPECT_EQ(depths.size(), 1u);
+}
+
+TEST_F(Cli, TrianglesAreExportedInTheOrderOfTheirIds)
+{
+    const std::string word   = "builtin:soccer-field?count=3&seed=5";
+    const Answer      answer = run({"export", word, "--triangles", path("t.npy")});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const Scene scene  = *loadScene(word);
+    const auto  values = npyValues<double>(path("t.npy"),
+                                           "'<f8', 'fortran_order': False, 'shape': (" + std::to_string(scene.triangleCount()) + ", 3, 3)");
+    ASSERT_EQ(values.size(), scene.triangleCount() * 9);
+    for (std::uint32_t id = 0; id < scene.triangleCount(); id += 97) {
+        const InstanceId instance = scene.instanceOf({id});
+        const Mesh&      mesh     = scene.meshOf(instance);
+        const auto&      corners  = mesh.triangles[id - scene.firstTriangle[instance.value]];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const dvec3 p = scene.instances[instance.value].toWorld(mesh.positions[corners[c]]);
+            EXPECT_EQ(values[id * 9 + c * 3 + 0], p.x);
+            EXPECT_EQ(values[id * 9 + c * 3 + 1], p.y);
+            EXPECT_EQ(values[id * 9 + c * 3 + 2], p.z);
+        }
+    }
+}
+
+TEST_F(Cli, ACameraComesBackToTheBit)
+{
+    const std::vector<std::string> view{"--size", "321x123", "--eye", "1.1,2.2,7.3", "--target", "0.1,0.2,0.3",
+                                        "--fov", "33.3", "--near", "0.1", "--far", "inf"};
+    std::vector<std::string> print{"render", kScene, "--print-camera"};
+    print.insert(print.end(), view.begin(), view.end());
+    const Answer camera = run(print);
+    ASSERT_EQ(camera.status, 0) << camera.err;
+    write("cam.json", camera.out);
+    EXPECT_EQ(run({"render", kScene, "--camera", path("cam.json"), "--print-camera"}).out, camera.out);
+
+    std::vector<std::string> byView{"render", kScene, "--ids", path("a.npy"), "--depth", path("b.npy")};
+    byView.insert(byView.end(), view.begin(), view.end());
+    ASSERT_EQ(run(byView).status, 0);
+    ASSERT_EQ(run({"render", kScene, "--camera", path("cam.json"), "--ids", path("c.npy"), "--depth", path("d.npy")}).status, 0);
+    EXPECT_EQ(contentsOf(path("a.npy")), contentsOf(path("c.npy")));
+    EXPECT_EQ(contentsOf(path("b.npy")), contentsOf(path("d.npy")));
+
+    const std::vector<std::pair<std::string, std::string>> others{{"--size", "64x64"},   {"--eye", "1,2,3"}, {"--target", "1,2,3"},
+                                                                  {"--up", "0,0,1"},     {"--fov", "30"},    {"--near", "1"},
+                                                                  {"--far", "100"}};
+    for (const auto& [option, value] : others)
+        EXPECT_EQ(run({"render", kScene, "--camera", path("cam.json"), option, value}).status, 2) << option;
+    EXPECT_EQ(run({"render", kScene, "--camera", path("cam.json"), "--cull", "back"}).status, 0);
+}
+
+TEST_F(Cli, StatisticsAddUpAndNameEveryStage)
+{
+    const Answer answer = run({"render", kScene, "--size", "320x200", "--stats", path("s.json")});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const json stats = json::parse(contentsOf(path("s.json")));
+    EXPECT_EQ(stats["algorithm"], "zbuffer");
+    EXPECT_EQ(stats["picture"]["width"], 320);
+    EXPECT_EQ(stats["picture"]["height"], 200);
+    EXPECT_GT(stats["picture"]["covered"].get<int>(), 0);
+    EXPECT_GT(stats["scene"]["triangles"].get<int>(), 0);
+    EXPECT_FALSE(stats["counters"].empty());
+    EXPECT_FALSE(stats["bytes"].empty());
+    const std::vector<std::string> stages{"clear", "transform", "cull",   "setup", "prepass",
+                                          "build", "raster",    "upkeep", "shade", "other"};
+    ASSERT_EQ(stats["stages"].size(), stages.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const json& stage = stats["stages"][i];
+        EXPECT_EQ(stage["name"], stages[i]);
+        EXPECT_TRUE(stage["ran"].is_boolean());
+        EXPECT_FALSE(stage["why"].get<std::string>().empty());
+        sum += stage["ms"].get<double>();
+    }
+    EXPECT_NEAR(sum, stats["frame_ms"].get<double>(), 1e-6 + 1e-9 * sum);
+}
+
+TEST_F(Cli, PicturesCarryWhatReproducesThem)
+{
+    ASSERT_EQ(run({"render", kScene, "--size", "64x48", "--quiet", "-o", path("a.png")}).status, 0);
+    ASSERT_EQ(run({"render", kScene, "--size", "64x48", "-o", path("b.png"), "--stats=" + path("s.json")}).status, 0);
+    const std::string picture = contentsOf(path("a.png"));
+    EXPECT_NE(picture.find("zscope-cli render 'builtin:teapot?tessellation=3' --size 64x48"), std::string::npos);
+    EXPECT_NE(picture.find("ZScope "), std::string::npos);
+    EXPECT_NE(picture.find(json::parse(run({"info", kScene, "--json"}).out)["digest"].get<std::string>()), std::string::npos);
+    EXPECT_EQ(picture, contentsOf(path("b.png"))) << "where outputs go must not change what is in them";
+}
+
+TEST_F(Cli, LayersAreDifferentPicturesOfOneFrame)
+{
+    std::set<std::string> pictures;
+    for (const char* layer : {"shaded", "depth", "ids"}) {
+        ASSERT_EQ(run({"render", kScene, "--size", "64x48", "--show", layer, "-o", path("l.png")}).status, 0) << layer;
+        pictures.insert(contentsOf(path("l.png")).substr(contentsOf(path("l.png")).find("IDAT")));
+    }
+    EXPECT_EQ(pictures.size(), 3u);
+}
+
+TEST_F(Cli, AnOutputThatCannotBeWrittenEndsWithFourAndLeavesNothing)
+{
+    const std::vector<std::vector<std::string>> commands{{"render", kScene, "--size", "64x48", "-o"},
+                                                         {"render", kScene, "--size", "64x48", "--ids"},
+                                                         {"render", kScene, "--size", "64x48", "--depth"},
+                                                         {"render", kScene, "--size", "64x48", "--stats"},
+                                                         {"export", kScene, "--triangles"},
+                                                         {"step", kScene, "--size", "64x48", "--grain", "frame", "--at", "0", "--state"},
+                                                         {"bench", kScene, "--size", "64x48", "--frames", "1", "--csv"},
+                                                         {"bench", kScene, "--size", "64x48", "--frames", "1", "--json"}};
+    fs::create_directory(path("folder"));
+    for (const std::vector<std::string>& command : commands) {
+        for (const std::string& target : {std::string("/dev/full"), path("folder"), path("no/such/file")}) {
+            std::vector<std::string> arguments = command;
+            arguments.push_back(target);
+            const Answer answer = run(arguments);
+            EXPECT_EQ(answer.status, 4) << command[0] << ' ' << command.back() << ' ' << target << '\n' << answer.err;
+            EXPECT_NE(answer.err.find(target + ": error: "), std::string::npos) << answer.err;
+        }
+    }
+    EXPECT_EQ(filesInFolder(), 1u);
+}
+
+TEST_F(Cli, VerifyFindsNoDifferenceAndSaysSoInJson)
+{
+    const Answer answer = run({"verify", kScene, "--size", "129x65", "--algorithm", "all", "--json"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const json rows = json::parse(answer.out);
+    ASSERT_EQ(rows.size(), presets().size());
+    for (const json& row : rows) {
+        for (const char* figure : {"holes", "spills", "wrong_surface", "depth_bits_differ", "max_depth_steps",
+                                   "lost_triangles", "false_culls"})
+            EXPECT_EQ(row[figure], 0) << row["algorithm"] << ' ' << figure;
+        EXPECT_GT(row["covered"].get<int>(), 0);
+    }
+    EXPECT_EQ(run({"verify", kScene, "--size", "129x65", "--sample", "500"}).status, 0);
+}
+
+TEST_F(Cli, BenchTablesHaveThePromisedColumns)
+{
+    const Answer answer = run({"bench", kScene, "builtin:cubes", "--size", "160x120", "--algorithms", "zbuffer,scanline",
+                               "--threads", "1,2", "--frames", "5", "--csv", path("b.csv"), "--json", path("b.json")});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    std::istringstream       lines(contentsOf(path("b.csv")));
+    std::vector<std::string> rows;
+    for (std::string line; std::getline(lines, line);) rows.push_back(line);
+    ASSERT_EQ(rows.size(), 1u + 2 * 2 * 2);
+    EXPECT_EQ(rows[0], "scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,triangles,pixels,"
+                       "build_ms,bytes,clear,transform,cull,setup,prepass,build,raster,upkeep,shade,other");
+    for (std::size_t r = 1; r < rows.size(); ++r) {
+        std::istringstream       cells(rows[r]);
+        std::vector<std::string> row;
+        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+        ASSERT_EQ(row.size(), 24u) << rows[r];
+        EXPECT_EQ(row[4], "1");
+        EXPECT_EQ(row[5], "0");
+        EXPECT_LE(std::stod(row[6]), std::stod(row[8]));  // best <= q1 <= median <= q3
+        EXPECT_LE(std::stod(row[8]), std::stod(row[7]));
+        EXPECT_LE(std::stod(row[7]), std::stod(row[9]));
+        double stages = 0;
+        for (std::size_t s = 14; s < 24; ++s) stages += std::stod(row[s]);
+        EXPECT_NEAR(stages, std::stod(row[7]), 1e-5 * 10);
+    }
+    EXPECT_EQ(json::parse(contentsOf(path("b.json"))).size(), 8u);
+
+    ASSERT_EQ(run({"bench", kScene, "--size", "64x48", "--frames", "1", "--no-verify", "--csv", path("n.csv")}).status, 0);
+    EXPECT_NE(contentsOf(path("n.csv")).find(",,,"), std::string::npos) << "not verified is empty, not 1";
+}
+
+}  // namespace
+}  // namespace zscope::cli_test

@@ -1,0 +1,40 @@
+// Runs the real command line as a process of its own, as scripts do, and reads back what it wrote.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace zscope::cli_test {
+
+struct Answer {
+    int         status = -1;  // exit status; 1000 + n if signal n ended it
+    std::string out;
+    std::string err;
+};
+
+Answer run(const std::vector<std::string>& arguments);
+/// Starts it, waits until it catches `signal`, a little longer, and sends it.
+Answer runAndSignal(const std::vector<std::string>& arguments, int signal, int milliseconds);
+/// The same with standard output connected to a file or device.
+Answer runInto(const std::string& outFile, const std::vector<std::string>& arguments);
+
+std::string contentsOf(const std::filesystem::path& file);
+
+/// A folder of its own for each test, removed afterwards.
+class Cli : public testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    std::string path(const std::string& name) const { return (m_folder / name).string(); }
+    std::string write(const std::string& name, const std::string& contents) const;
+    std::size_t filesInFolder() const;
+
+private:
+    std::filesystem::path m_folder;
+};
+
+}  // namespace zscope::cli_test
