@@ -12,13 +12,13 @@ namespace zscope {
 
 class Derived {
 public:
-    /// The value of type T, made by `make()` if this is the first request for it.
+    /// The value of type T, made by `make()` (which returns a std::unique_ptr<T>) if this is the first request for it.
     template <class T, class Make>
     const T& get(const Make& make) const
     {
         const std::scoped_lock lock(m_mutex);
         std::shared_ptr<void>& slot = m_values[std::type_index(typeid(T))];
-        if (!slot) slot = std::make_shared<T>(make());
+        if (!slot) slot = std::shared_ptr<T>(make());
         return *static_cast<const T*>(slot.get());
     }
 

@@ -13,7 +13,7 @@ Result<std::vector<NamedCount>> Renderer::count(const DrawRequest& request)
     try {
         Frame         frame;
         StripeScratch scratch;
-        WorkRecorder  work;
+        WorkRecorder  work(request.scene->scene());
         DrawRequest   unshaded = request;
         unshaded.shade         = false;
         HWY_STATIC_DISPATCH(runSerially)(unshaded, frame, scratch, Listening(work));

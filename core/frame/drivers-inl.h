@@ -10,44 +10,96 @@
 #define ZSCOPE_DRIVERS_INL_H
 #endif
 
+#include "core/cull/occlusion.h"
 #include "core/frame/frame_events.h"
 #include "core/frame/pipeline.h"
 #include "core/scan/half_space-inl.h"
 #include "core/sweep/intervals-inl.h"
 #include "core/sweep/sweep-inl.h"
+#include "core/traverse/front_to_back-inl.h"
 #include "core/traverse/submitted-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// Turns each triangle of a batch into pixels as soon as it is set up.
-template <class Scan, class Probe>
+/// Turns each triangle of a batch into pixels as soon as it is set up, unless the pyramid says it is hidden.
+template <class Scan, Keep kKeep, class Probe>
 struct ScanConvert {
     VisibilityBuffer& visible;
+    const Occlusion&  occlusion;
     StageClock&       clock;
     const Probe&      probe;
 
     void operator()(std::span<const ScreenTriangle> triangles) const
     {
         for (const ScreenTriangle& triangle : triangles) {
+            if (occlusion.asksTriangles && isHidden(triangle)) continue;
             probe(TriangleReached{triangle});
-            Scan::fill(triangle, visible, probe);
+            Scan::template fill<kKeep>(triangle, visible, probe);
+            if (occlusion.keepsFresh) occlusion.pyramid->touched(triangle.box);
             probe(TriangleFinished{triangle.id});
         }
         clock.lap(Stage::Raster);
     }
+
+private:
+    bool isHidden(const ScreenTriangle& triangle) const
+    {
+        const PyramidQuery query = occlusion.pyramid->ask(triangle.box, triangle.depth.nearest);
+        if (query.hidden)
+            probe(TriangleHidden{triangle.id, query});
+        else
+            probe(TrianglePassed{triangle.id, query});
+        return query.hidden;
+    }
 };
 
+/// One pass over the scene in the pipeline's order.
+template <class Scan, Keep kKeep, class Probe>
+void drawPass(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, const Occlusion& occlusion,
+              StageClock& clock, const Probe& probe)
+{
+    const ScanConvert<Scan, kKeep, Probe> convert{stripe.visible, occlusion, clock, probe};
+    if (pipeline.order == Order::Submitted) {
+        visitAsSubmitted(stripe, scratch, clock, convert, probe);
+        return;
+    }
+    const TreeKind    kind  = pipeline.order == Order::Octree ? TreeKind::Octree : TreeKind::Bvh;
+    const SceneTrees& trees = treesOf(stripe.scene, kind);
+    clock.lap(Stage::Build);
+    FrontToBack(stripe, scratch, trees, occlusion, clock, convert, probe).visitScene();
+}
+
 template <class Scan, class Probe>
-void drawStream(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
+void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
 {
     probe(StageStarted{Stage::Clear});
     stripe.visible.clearRows(stripe.firstRow, stripe.endRow);
+    const bool hasPyramid = pipeline.upkeep != Upkeep::None;
+    if (hasPyramid) scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow);
     clock.lap(Stage::Clear);
     probe(StageFinished{Stage::Clear});
 
+    const bool hasPrepass = pipeline.depth == DepthMoment::Prepass;
+    if (hasPrepass) {
+        probe(StageStarted{Stage::Prepass});
+        clock.countAllAs(Stage::Prepass);
+        drawPass<Scan, Keep::DepthOnly>(pipeline, stripe, scratch, Occlusion{}, clock, probe);
+        clock.countAllAs(std::nullopt);
+        probe(StageFinished{Stage::Prepass});
+        if (hasPyramid) scratch.pyramid.allTouched();
+        clock.lap(Stage::Build);
+    }
+
     probe(StageStarted{Stage::Raster});
-    visitAsSubmitted(stripe, scratch, clock, ScanConvert<Scan, Probe>{stripe.visible, clock, probe}, probe);
+    const Occlusion occlusion{.pyramid       = hasPyramid ? &scratch.pyramid : nullptr,
+                              .asksNodes     = asksNodes(pipeline.cull),
+                              .asksTriangles = asksTriangles(pipeline.cull),
+                              .keepsFresh    = hasPyramid && !hasPrepass};
+    if (hasPrepass)
+        drawPass<Scan, Keep::Equal>(pipeline, stripe, scratch, occlusion, clock, probe);
+    else
+        drawPass<Scan, Keep::Nearest>(pipeline, stripe, scratch, occlusion, clock, probe);
     probe(StageFinished{Stage::Raster});
 }
 
@@ -85,8 +137,8 @@ template <class Probe>
 void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
 {
     switch (pipeline.scan) {
-    case Scan::HalfSpace: return drawStream<HalfSpace>(stripe, scratch, clock, probe);
-    case Scan::EdgeWalk: return drawStream<EdgeWalk>(stripe, scratch, clock, probe);
+    case Scan::HalfSpace: return drawStream<HalfSpace>(pipeline, stripe, scratch, clock, probe);
+    case Scan::EdgeWalk: return drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, probe);
     case Scan::SweepZLine: return drawSweep(stripe, scratch, LineZBuffer(stripe.visible), clock, probe);
     case Scan::SweepIntervals:
         return drawSweep(stripe, scratch, Intervals(stripe.visible, scratch.open), clock, probe);

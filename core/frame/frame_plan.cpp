@@ -53,18 +53,25 @@ Result<FramePlan> planFrame(const DrawRequest& request)
 
 StageReason reasonFor(Stage stage, const DrawRequest& request)
 {
-    const bool sweeps = familyOf(request.pipeline) == Family::Sweep;
+    const Pipeline& pipeline = request.pipeline;
+    const bool      sweeps   = familyOf(pipeline) == Family::Sweep;
     switch (stage) {
     case Stage::Clear:
         return sweeps ? StageReason{true, "buffers sized; each line is cleared when the sweep reaches it"}
                       : StageReason{true, "a z-buffer starts from background"};
     case Stage::Transform: return {true, "every batch that may reach the picture"};
-    case Stage::Cull: return {true, "batches against the frustum"};
+    case Stage::Cull: return {true, asksNodes(pipeline.cull) ? "nodes against the frustum and the pyramid" : "boxes against the frustum"};
     case Stage::Setup: return {true, sweeps ? "triangles and the edge table" : "triangles of every batch"};
-    case Stage::Prepass: return {false, "nothing asked for depth before colour"};
-    case Stage::Build: return {false, "no pyramid or tree is queried"};
+    case Stage::Prepass:
+        return pipeline.depth == DepthMoment::Prepass ? StageReason{true, "depth alone first, for every triangle in view"}
+                                                      : StageReason{false, "depth is decided at once"};
+    case Stage::Build:
+        return pipeline.order != Order::Submitted ? StageReason{true, "the hierarchy's nodes, when first entered; kept between frames"}
+                                                  : StageReason{false, "no hierarchy is visited"};
     case Stage::Raster: return {true, sweeps ? "the sweep, line by line" : "the pixels of every triangle"};
-    case Stage::Upkeep: return {false, "there is no pyramid to keep"};
+    case Stage::Upkeep:
+        return pipeline.upkeep == Upkeep::None ? StageReason{false, "there is no pyramid to keep"}
+                                               : StageReason{true, "stale cells, when a query meets them: counted with cull and raster"};
     case Stage::Shade: return {request.shade, request.shade ? "each pixel once, from its triangle" : "no colours were asked for"};
     case Stage::Other: return {true, "starting threads, and waiting for the slowest"};
     }
@@ -73,7 +80,7 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
 
 const ColourTable& coloursOf(const PreparedScene& scene)
 {
-    return scene.derived().get<ColourTable>([&scene] { return ColourTable(scene.scene()); });
+    return scene.derived().get<ColourTable>([&scene] { return std::make_unique<ColourTable>(scene.scene()); });
 }
 
 }  // namespace zscope

@@ -15,11 +15,26 @@
 
 namespace zscope {
 
+/// In which order the scene is visited.
+enum class Order { Submitted, Octree, Bvh };
+/// What is skipped before it becomes pixels; everything outside the frustum always is.
+enum class Cull { Frustum, Nodes, Triangles, NodesAndTriangles };
+/// How the pyramid is kept true to the depth buffer.
+enum class Upkeep { None, OnQuery, AfterPrepass };
 /// How triangles become pixels.
 enum class Scan { HalfSpace, EdgeWalk, SweepZLine, SweepIntervals };
+/// When depth is decided.
+enum class DepthMoment { AtOnce, Prepass };
+
+constexpr bool asksNodes(Cull cull) { return cull == Cull::Nodes || cull == Cull::NodesAndTriangles; }
+constexpr bool asksTriangles(Cull cull) { return cull == Cull::Triangles || cull == Cull::NodesAndTriangles; }
 
 struct Pipeline {
-    Scan scan = Scan::HalfSpace;
+    Order       order  = Order::Submitted;
+    Cull        cull   = Cull::Frustum;
+    Upkeep      upkeep = Upkeep::None;
+    Scan        scan   = Scan::HalfSpace;
+    DepthMoment depth  = DepthMoment::AtOnce;
 
     friend bool operator==(const Pipeline&, const Pipeline&) = default;
 };

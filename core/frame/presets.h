@@ -8,8 +8,22 @@
 namespace zscope {
 
 inline constexpr std::array kPresets{
-    Preset{"zbuffer", "Z-buffer: every triangle, every pixel it covers", {.scan = Scan::HalfSpace}},
+    Preset{"zbuffer", "Z-buffer: every triangle, every pixel it covers", {}},
     Preset{"edge-walk", "Z-buffer with edges walked from line to line", {.scan = Scan::EdgeWalk}},
+    Preset{"zbuffer-prepass", "Z-buffer with a depth pre-pass, then fragments of equal depth", {.depth = DepthMoment::Prepass}},
+    Preset{"quadtree", "Pyramid without a tree: every triangle is tested against it",
+           {.cull = Cull::Triangles, .upkeep = Upkeep::OnQuery}},
+    Preset{"octree-frustum", "Octree without a pyramid: front to back, frustum only", {.order = Order::Octree}},
+    Preset{"octree-order", "Octree order, triangles tested against the pyramid, nodes not",
+           {.order = Order::Octree, .cull = Cull::Triangles, .upkeep = Upkeep::OnQuery}},
+    Preset{"hzb-octree", "Hierarchical z-buffer: octree front to back, nodes and triangles against the pyramid",
+           {.order = Order::Octree, .cull = Cull::NodesAndTriangles, .upkeep = Upkeep::OnQuery}},
+    Preset{"hzb-bvh", "Hierarchical z-buffer over a bounding volume hierarchy",
+           {.order = Order::Bvh, .cull = Cull::NodesAndTriangles, .upkeep = Upkeep::OnQuery}},
+    Preset{"hzb-simple", "Pre-pass, pyramid built once, every triangle tested against it",
+           {.cull = Cull::Triangles, .upkeep = Upkeep::AfterPrepass, .depth = DepthMoment::Prepass}},
+    Preset{"hzb-bvh-prepass", "Pre-pass, pyramid built once, nodes of a BVH and triangles tested against it",
+           {.order = Order::Bvh, .cull = Cull::NodesAndTriangles, .upkeep = Upkeep::AfterPrepass, .depth = DepthMoment::Prepass}},
     Preset{"scanline", "Scanline z-buffer with edge table and active edge table", {.scan = Scan::SweepZLine}},
     Preset{"interval", "Interval scanline: the nearest polygon between two edges, without a z-buffer", {.scan = Scan::SweepIntervals}},
 };

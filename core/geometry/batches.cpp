@@ -1,17 +1,50 @@
 #include "core/geometry/batches.h"
 
 #include <limits>
+#include <numeric>
 
 namespace zscope {
 
 namespace {
 
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+/// Where the vertices of the current batch stand: a small hash table, so that its cost does not depend on the mesh.
+class VertexPlaces {
+public:
+    void clear() { m_vertices.fill(kNone); }
 
-/// Fills one batch after another; `m_place` remembers where a mesh vertex stands in the current batch.
+    /// The vertex's place, or nothing if the batch does not have it.
+    const std::uint16_t* find(std::uint32_t vertex) const
+    {
+        const std::size_t slot = slotOf(vertex);
+        return m_vertices[slot] == vertex ? &m_places[slot] : nullptr;
+    }
+    void add(std::uint32_t vertex, std::uint16_t place)
+    {
+        const std::size_t slot = slotOf(vertex);
+        m_vertices[slot]       = vertex;
+        m_places[slot]         = place;
+    }
+
+private:
+    static constexpr std::size_t   kSlots = 4 * kBatchVertices;  // a power of two, never more than a quarter full
+    static constexpr std::uint32_t kNone  = std::numeric_limits<std::uint32_t>::max();  // no mesh has that many vertices
+
+    /// The slot that holds the vertex, or the free one where it would be put.
+    std::size_t slotOf(std::uint32_t vertex) const
+    {
+        std::size_t slot = (vertex * 2654435761u >> 16) % kSlots;
+        while (m_vertices[slot] != kNone && m_vertices[slot] != vertex) slot = (slot + 1) % kSlots;
+        return slot;
+    }
+
+    std::array<std::uint32_t, kSlots> m_vertices{};
+    std::array<std::uint16_t, kSlots> m_places{};
+};
+
+/// Fills one batch after another.
 class BatchBuilder {
 public:
-    BatchBuilder(const Mesh& mesh, MeshBatches& out) : m_mesh(mesh), m_out(out), m_place(mesh.positions.size(), kUnused) {}
+    BatchBuilder(const Mesh& mesh, MeshBatches& out) : m_mesh(mesh), m_out(out) { m_places.clear(); }
 
     void add(std::uint32_t triangle)
     {
@@ -31,8 +64,7 @@ public:
             m_out.bounds.include(m_batch.bounds.min);
             m_out.bounds.include(m_batch.bounds.max);
         }
-        for (const std::uint32_t vertex : m_used) m_place[vertex] = kUnused;
-        m_used.clear();
+        m_places.clear();
         m_batch               = {};
         m_batch.firstVertex   = static_cast<std::uint32_t>(m_out.x.size());
         m_batch.firstTriangle = static_cast<std::uint32_t>(m_out.triangles.size());
@@ -42,29 +74,27 @@ private:
     bool fits(const std::array<std::uint32_t, 3>& corners) const
     {
         std::size_t added = 0;
-        for (const std::uint32_t vertex : corners) added += m_place[vertex] == kUnused;
+        for (const std::uint32_t vertex : corners) added += m_places.find(vertex) == nullptr;
         return m_batch.triangleCount < kBatchTriangles && m_batch.vertexCount + added <= kBatchVertices;
     }
 
     std::uint16_t placeOf(std::uint32_t vertex)
     {
-        if (m_place[vertex] == kUnused) {
-            m_place[vertex] = m_batch.vertexCount++;
-            m_used.push_back(vertex);
-            const dvec3& p = m_mesh.positions[vertex];
-            m_out.x.push_back(p.x);
-            m_out.y.push_back(p.y);
-            m_out.z.push_back(p.z);
-            m_batch.bounds.include(p);
-        }
-        return static_cast<std::uint16_t>(m_place[vertex]);
+        if (const std::uint16_t* place = m_places.find(vertex)) return *place;
+        const auto place = static_cast<std::uint16_t>(m_batch.vertexCount++);
+        m_places.add(vertex, place);
+        const dvec3& p = m_mesh.positions[vertex];
+        m_out.x.push_back(p.x);
+        m_out.y.push_back(p.y);
+        m_out.z.push_back(p.z);
+        m_batch.bounds.include(p);
+        return place;
     }
 
-    const Mesh&                m_mesh;
-    MeshBatches&               m_out;
-    std::vector<std::uint32_t> m_place;  // per mesh vertex: its place in the current batch, or kUnused
-    std::vector<std::uint32_t> m_used;   // mesh vertices of the current batch
-    Batch                      m_batch;
+    const Mesh&  m_mesh;
+    MeshBatches& m_out;
+    VertexPlaces m_places;
+    Batch        m_batch;
 };
 
 }  // namespace
@@ -75,20 +105,25 @@ std::uint64_t MeshBatches::bytes() const
            triangles.capacity() * sizeof(BatchTriangle) + meshTriangle.capacity() * sizeof(std::uint32_t);
 }
 
-MeshBatches makeBatches(const Mesh& mesh)
+MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles)
 {
     MeshBatches  out;
     BatchBuilder builder(mesh, out);
-    out.triangles.reserve(mesh.triangles.size());
-    out.meshTriangle.reserve(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (mesh.materialOf(mesh.trianglePolygon[t]).opacity < 1) continue;
-        builder.add(t);
-    }
+    out.triangles.reserve(triangles.size());
+    out.meshTriangle.reserve(triangles.size());
+    for (const std::uint32_t t : triangles)
+        if (mesh.materialOf(mesh.trianglePolygon[t]).opacity >= 1) builder.add(t);
     builder.close();
     // Lanes read whole vectors: let the last batch be read past its end.
     for (std::vector<double>* axis : {&out.x, &out.y, &out.z}) axis->resize(axis->size() + kBatchPadding);
     return out;
+}
+
+MeshBatches makeBatches(const Mesh& mesh)
+{
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return makeBatches(mesh, all);
 }
 
 }  // namespace zscope

@@ -47,5 +47,7 @@ struct MeshBatches {
 
 /// Transparent triangles (opacity below 1) are in no batch: they are outside ids and depth.
 MeshBatches makeBatches(const Mesh& mesh);
+/// The same for some of its triangles, in the order given.
+MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles);
 
 }  // namespace zscope

@@ -8,11 +8,10 @@
 
 namespace zscope {
 
-/// The next instance's turn, whether or not it can be seen.
-struct InstanceReached {
+/// Triangles with opacity below 1 are in no batch: they are outside ids and depth.
+struct TransparentLeftOut {
     InstanceId    instance;
-    std::uint32_t opaque;       // triangles of its batches
-    std::uint32_t transparent;  // triangles with opacity below 1: in no batch, outside ids and depth
+    std::uint32_t triangles;
 };
 
 /// A whole batch lies outside the picture or behind the eye; none of its triangles is looked at.

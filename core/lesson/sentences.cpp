@@ -96,6 +96,11 @@ std::string spanOver(const StepState& state, const Pipeline& pipeline)
 std::string pixelOver(const PixelState& p)
 {
     const std::string who = fmt::format("Pixel ({}, {}): triangle {}, depth {:.7g},", p.x, p.y, grouped(p.triangle.value), p.depth);
+    if (p.keep == Keep::DepthOnly)
+        return who + (p.won ? " is the nearest so far: the pre-pass keeps its depth and asks nobody's name."
+                            : " is not nearer than what the pre-pass has kept.");
+    if (p.keep == Keep::Equal && p.won) return who + " has exactly the depth that the pre-pass kept, so it is the one that is seen.";
+    if (p.keep == Keep::Equal && !p.rival) return who + " is farther than the depth that the pre-pass kept and is hidden.";
     if (!p.rival && p.won) return who + " takes it from the background.";
     if (!p.rival) return who + " lies beyond the far plane and is not kept.";
     const std::string rival = fmt::format("triangle {}", grouped(p.rival->value));

@@ -11,6 +11,7 @@
 #include "core/base/stages.h"
 #include "core/frame/renderer.h"
 #include "core/probe/grain.h"
+#include "core/scan/pixel_events.h"
 
 namespace zscope {
 
@@ -55,6 +56,7 @@ struct PixelState {
     bool                      won   = false;
     std::optional<TriangleId> rival;           // who owned the pixel before; nothing: background
     float                     rivalDepth = 0;  // 0 for background
+    Keep                      keep = Keep::Nearest;
 };
 
 /// The triangle that is being drawn or has just been drawn.

@@ -33,6 +33,7 @@ inline int laneCount() { return static_cast<int>(hn::Lanes(F64())); }
 inline constexpr double kNotCovered = -2;
 
 /// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c.
+template <Keep kKeep = Keep::Nearest>
 class DepthTest {
 public:
     DepthTest(const DepthPlane& plane, std::uint32_t rank)
@@ -60,17 +61,16 @@ public:
         const auto stored = hn::LoadU(d32, depthRow);
         const auto holder = hn::LoadU(u32, rankRow);
         const auto rank   = hn::Set(u32, m_rank);
-        const auto nearer = depth > stored;
-        const auto tie    = hn::And(depth == stored, hn::RebindMask(d32, rank < holder));
-        const auto won    = hn::Or(nearer, tie);
-        hn::StoreU(hn::IfThenElse(won, depth, stored), d32, depthRow);
-        hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, won), rank, holder), u32, rankRow);
+        const auto won    = wins(depth, stored, rank, holder);
+        if constexpr (kKeep != Keep::Equal) hn::StoreU(hn::IfThenElse(won, depth, stored), d32, depthRow);
+        if constexpr (kKeep != Keep::DepthOnly)
+            hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, won), rank, holder), u32, rankRow);
 
         if constexpr (Probe::listens) {
             static_assert(!Probe::listens || hn::MaxLanes(F64()) == 1, "a run that is listened to uses one lane");
             if (hn::AllFalse(d64, covered)) return;
             probe(PixelTested{x, y, TriangleId{m_rank - 1}, hn::GetLane(depth), !hn::AllFalse(d32, won),
-                              hn::GetLane(holder), hn::GetLane(stored)});
+                              hn::GetLane(holder), hn::GetLane(stored), kKeep});
         }
     }
 
@@ -86,6 +86,19 @@ public:
     }
 
 private:
+    static hn::Mask<F32> wins(hn::Vec<F32> depth, hn::Vec<F32> stored, hn::Vec<U32> rank, hn::Vec<U32> holder)
+    {
+        const F32 d32;
+        if constexpr (kKeep == Keep::DepthOnly) {
+            return depth > stored;
+        } else if constexpr (kKeep == Keep::Equal) {
+            const auto one = hn::Set(U32(), 1u);  // makes background, which nobody has claimed yet, the highest rank
+            return hn::And(depth == stored, hn::RebindMask(d32, rank - one < holder - one));
+        } else {
+            return hn::Or(depth > stored, hn::And(depth == stored, hn::RebindMask(d32, rank < holder)));
+        }
+    }
+
     Vec64 limited(Vec64 z) const
     {
         return hn::Min(hn::Max(z, hn::Set(F64(), m_farthest)), hn::Set(F64(), m_nearest));
@@ -99,14 +112,14 @@ private:
 inline double lineDepth(const DepthPlane& plane, int y) { return plane.b * (y + 0.5) + plane.c; }
 
 /// Tests the pixels [x0, x1) of line y, all of them covered; they lie inside the picture.
-template <class Probe>
+template <Keep kKeep = Keep::Nearest, class Probe>
 void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
               const Probe& probe)
 {
-    const DepthTest test(plane, rankOfSpan);
-    const double    line  = lineDepth(plane, y);
-    float*          depth = visible.depthRow(y);
-    std::uint32_t*  rank  = visible.rankRow(y);
+    const DepthTest<kKeep> test(plane, rankOfSpan);
+    const double           line  = lineDepth(plane, y);
+    float*                 depth = visible.depthRow(y);
+    std::uint32_t*         rank  = visible.rankRow(y);
     for (int x = x0; x < x1; x += laneCount()) {
         const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
         test.offer(test.column(x), line, covered, depth + x, rank + x, x, y, probe);
@@ -114,22 +127,22 @@ void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, 
 }
 
 /// testSpan(), and tells that the span was filled.
-template <class Probe>
+template <Keep kKeep = Keep::Nearest, class Probe>
 void fillSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
               const Probe& probe)
 {
     if (x0 >= x1) return;
-    testSpan(plane, rankOfSpan, y, x0, x1, visible, probe);
+    testSpan<kKeep>(plane, rankOfSpan, y, x0, x1, visible, probe);
     probe(SpanFilled{y, x0, x1, TriangleId{rankOfSpan - 1}});
 }
 
 /// Stores the pixels [x0, x1) of line y without a test: the caller knows that nothing there is nearer.
 inline void storeSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible)
 {
-    const DepthTest test(plane, rankOfSpan);
-    const double    line  = lineDepth(plane, y);
-    float*          depth = visible.depthRow(y);
-    std::uint32_t*  rank  = visible.rankRow(y);
+    const DepthTest<> test(plane, rankOfSpan);
+    const double      line  = lineDepth(plane, y);
+    float*            depth = visible.depthRow(y);
+    std::uint32_t*    rank  = visible.rankRow(y);
     for (int x = x0; x < x1; x += laneCount()) test.store(test.column(x), line, x1 - x, depth + x, rank + x);
 }
 

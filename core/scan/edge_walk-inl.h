@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 struct EdgeWalk {
-    template <class Probe>
+    template <Keep kKeep, class Probe>
     static void fill(const ScreenTriangle& triangle, VisibilityBuffer& visible, const Probe& probe)
     {
         // From top to bottom: the long side joins the first and the last, the short sides meet in the middle.
@@ -36,17 +36,17 @@ struct EdgeWalk {
         const PixelBox& box    = triangle.box;
         const int       middle = std::clamp(firstLineFrom(triangle.y[at[1]]), box.y0, box.y1);
         if (triangle.wide) {
-            walk<std::int64_t>(triangle, at, 0, 1, box.y0, middle, visible, probe);
-            walk<std::int64_t>(triangle, at, 1, 2, middle, box.y1, visible, probe);
+            walk<kKeep, std::int64_t>(triangle, at, 0, 1, box.y0, middle, visible, probe);
+            walk<kKeep, std::int64_t>(triangle, at, 1, 2, middle, box.y1, visible, probe);
         } else {
-            walk<std::int32_t>(triangle, at, 0, 1, box.y0, middle, visible, probe);
-            walk<std::int32_t>(triangle, at, 1, 2, middle, box.y1, visible, probe);
+            walk<kKeep, std::int32_t>(triangle, at, 0, 1, box.y0, middle, visible, probe);
+            walk<kKeep, std::int32_t>(triangle, at, 1, 2, middle, box.y1, visible, probe);
         }
     }
 
 private:
     /// Lines [first, end) between the long side and the short side from corner `top` to `bottom` (in order of y).
-    template <class Integer, class Probe>
+    template <Keep kKeep, class Integer, class Probe>
     static void walk(const ScreenTriangle& triangle, const std::array<std::size_t, 3>& at, std::size_t top, std::size_t bottom,
                      int first, int end, VisibilityBuffer& visible, const Probe& probe)
     {
@@ -58,7 +58,7 @@ private:
         Stepper longSide = edge(0, 2), shortSide = edge(top, bottom);
         for (int y = first; y < end; ++y) {
             const int one = longSide.firstPixel(), other = shortSide.firstPixel();
-            fillSpan(triangle.depth, triangle.rank(), y, std::max(std::min(one, other), triangle.box.x0),
+            fillSpan<kKeep>(triangle.depth, triangle.rank(), y, std::max(std::min(one, other), triangle.box.x0),
                      std::min(std::max(one, other), triangle.box.x1), visible, probe);
             longSide.nextLine();
             shortSide.nextLine();

@@ -25,16 +25,16 @@ namespace zscope::HWY_NAMESPACE {
 struct HalfSpace {
     static constexpr int kTileLines = 8;
 
-    template <class Probe>
+    template <Keep kKeep, class Probe>
     static void fill(const ScreenTriangle& triangle, VisibilityBuffer& visible, const Probe& probe)
     {
         if (triangle.wide) {
-            EdgeWalk::fill(triangle, visible, probe);
+            EdgeWalk::fill<kKeep>(triangle, visible, probe);
             return;
         }
         const PixelBox&             box = triangle.box;
         const std::array<HalfPlane, 3> planes{halfPlane(triangle, 0, 1), halfPlane(triangle, 1, 2), halfPlane(triangle, 2, 0)};
-        const DepthTest             test(triangle.depth, triangle.rank());
+        const DepthTest<kKeep>      test(triangle.depth, triangle.rank());
         const bool oneTile = box.x1 - box.x0 <= laneCount() && box.y1 - box.y0 <= kTileLines;
 
         for (int x = box.x0; x < box.x1; x += laneCount()) {
@@ -74,8 +74,8 @@ private:
     }
 
     /// Lines [y, end) of the column of pixels x, x + 1, ...
-    template <class Probe>
-    static void fillTile(const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes, const DepthTest& test,
+    template <Keep kKeep, class Probe>
+    static void fillTile(const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes, const DepthTest<kKeep>& test,
                          Vec64 column, int x, int y, int end, VisibilityBuffer& visible, const Probe& probe)
     {
         const F64  d64;

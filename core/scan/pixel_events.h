@@ -8,6 +8,13 @@
 
 namespace zscope {
 
+/// What becomes of a fragment that is tested.
+enum class Keep {
+    Nearest,    // the usual test: depth and rank of the winner
+    DepthOnly,  // a depth pre-pass: the depth of the winner, no rank
+    Equal,      // after a pre-pass: the rank of whoever has exactly the depth that won, the lowest of them
+};
+
 /// A stream method is about to turn this triangle (or clipped part) into pixels.
 struct TriangleReached {
     const ScreenTriangle& triangle;  // valid only during the call
@@ -35,6 +42,7 @@ struct PixelTested {
     bool                   won;
     std::uint32_t          rivalRank;   // who held the pixel: triangle id + 1, or 0 for background
     float                  rivalDepth;  // the buffer's value; for background the one just below every kept depth
+    Keep                   keep;
 };
 
 }  // namespace zscope

@@ -7,6 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/stage_clock.h"
+#include "core/depth/pyramid.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/prepared_scene.h"
 #include "core/geometry/screen_triangle.h"
@@ -37,13 +38,14 @@ struct StripeScratch {
     EdgeTable        edges;                               // sweep methods only, like the next two
     ActiveEdges      active;
     ActivePolygons   polygons;
+    Pyramid          pyramid;  // hierarchical methods only
 
     std::vector<std::uint32_t> open;  // interval method only: polygons open at the interval at hand
 
     std::size_t bytes() const
     {
         return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes() +
-               open.capacity() * sizeof(std::uint32_t);
+               open.capacity() * sizeof(std::uint32_t) + pyramid.bytes();
     }
 };
 

@@ -46,13 +46,14 @@ void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& 
         const MeshBatches& mesh     = stripe.scene.batchesOf(instance.mesh);
         const StripeVolume volume(stripe.projection, instance.toWorld, stripe.visible.width(), stripe.firstRow, stripe.endRow);
         const auto         all = static_cast<std::uint32_t>(mesh.triangles.size());
-        probe(InstanceReached{InstanceId{i}, all, static_cast<std::uint32_t>(scene.meshOf(InstanceId{i}).triangles.size()) - all});
+        probe(TransparentLeftOut{InstanceId{i}, static_cast<std::uint32_t>(scene.meshOf(InstanceId{i}).triangles.size()) - all});
         if (volume.misses(mesh.bounds)) {
             probe(BatchOutside{InstanceId{i}, all});
             continue;
         }
         const Affine* toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
         for (const Batch& batch : mesh.batches) {
+            if (stripe.progress.cancelled()) return;
             const bool outside = mesh.batches.size() > 1 && volume.misses(batch.bounds);
             clock.lap(Stage::Cull);
             if (outside) {

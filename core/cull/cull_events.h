@@ -1,0 +1,55 @@
+// What culling tells: the verdict over every node and triangle that was asked about.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/base/ids.h"
+#include "core/depth/pyramid.h"
+#include "core/hierarchy/tree.h"
+#include "core/probe/grain.h"
+
+namespace zscope {
+
+enum class Verdict { Outside, Hidden, Entered };
+
+/// Which node of which tree: the tree over the instances, or the mesh tree of one instance.
+struct NodePlace {
+    bool            isInstanceTree;
+    InstanceId      instance;  // of mesh trees
+    const Tree&     tree;      // valid until the scene is given up, like the next
+    const TreeNode& node;
+};
+
+/// A node has been judged. `query` is what the pyramid was asked, or nullptr if it was not.
+struct NodeJudged {
+    static constexpr Grain grain = Grain::Node;
+    NodePlace              place;
+    Verdict                verdict;
+    const PyramidQuery*    query;  // valid only during the call
+};
+
+/// An entered node's children are known and wait, in the order in which they will be visited.
+struct NodeOpened {
+    NodePlace                        place;
+    std::span<const TreeNode* const> children;  // valid only during the call
+};
+
+/// A node's own triangles (or instances) are about to be drawn.
+struct NodeDrawn {
+    NodePlace place;
+};
+
+/// The pyramid says of a triangle that is set up that it cannot win a pixel.
+struct TriangleHidden {
+    TriangleId          triangle;
+    const PyramidQuery& query;  // valid only during the call
+};
+
+/// The pyramid was asked about a triangle and let it through.
+struct TrianglePassed {
+    TriangleId          triangle;
+    const PyramidQuery& query;  // valid only during the call
+};
+
+}  // namespace zscope

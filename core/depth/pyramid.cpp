@@ -1,0 +1,144 @@
+#include "core/depth/pyramid.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace zscope {
+
+namespace {
+
+int halved(int size) { return (size + 1) / 2; }
+
+}  // namespace
+
+void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow)
+{
+    m_visible  = &visible;
+    m_firstRow = firstRow;
+    m_endRow   = endRow;
+    constexpr int kTile = 1 << kTileLevel;
+    int width = (visible.width() + kTile - 1) / kTile, height = (endRow - firstRow + kTile - 1) / kTile;
+    std::size_t count = 0;
+    for (;; width = halved(width), height = halved(height)) {
+        if (m_levels.size() == count) m_levels.emplace_back();
+        m_levels[count].farthest.reset(width, height, visible.empty());
+        m_levels[count].stale.reset(width, height, 0);
+        ++count;
+        if (width <= 1 && height <= 1) break;
+    }
+    m_levels.resize(count);
+}
+
+void Pyramid::touched(const PixelBox& box)
+{
+    const int top = kTileLevel + static_cast<int>(m_levels.size()) - 1;
+    for (int y = (box.y0 - m_firstRow) >> kTileLevel; y <= (box.y1 - 1 - m_firstRow) >> kTileLevel; ++y) {
+        for (int x = box.x0 >> kTileLevel; x <= (box.x1 - 1) >> kTileLevel; ++x) {
+            for (int level = kTileLevel, up = 0; level <= top; ++level, ++up) {
+                std::uint8_t& stale = at(level).stale.at(x >> up, y >> up);
+                if (stale) break;  // then all its ancestors are
+                stale = 1;
+            }
+        }
+    }
+}
+
+void Pyramid::allTouched()
+{
+    for (Level& level : m_levels) std::ranges::fill(level.stale.values(), std::uint8_t{1});
+}
+
+PyramidQuery Pyramid::ask(const PixelBox& box, float nearest)
+{
+    const int width = box.x1 - box.x0, height = box.y1 - box.y0;
+    const int y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow, x0 = box.x0, x1 = box.x1 - 1;
+    const auto   longest = static_cast<unsigned>(std::max(width, height));
+    PyramidQuery query{box, nearest, static_cast<int>(std::bit_width(longest)) - 1, 0, true, 0};
+    int&         level = query.level;
+    if ((x1 >> level) - (x0 >> level) > 1 || (y1 >> level) - (y0 >> level) > 1) ++level;
+    level = std::clamp(level, kTileLevel, levels() - 1);
+
+    m_cellsRead = 0;
+    query.value = std::numeric_limits<float>::infinity();
+    for (int y = y0 >> level; y <= y1 >> level; ++y) {
+        for (int x = x0 >> level; x <= x1 >> level; ++x) {
+            query.hidden = query.hidden && cellHides(level, x, y, box, nearest);
+            query.value  = std::min(query.value, at(level).farthest.at(x, y));
+        }
+    }
+    query.cells = m_cellsRead;
+    return query;
+}
+
+bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float nearest)
+{
+    ++m_cellsRead;
+    if (nearest < at(level).farthest.at(x, y)) return true;
+    if (at(level).stale.at(x, y) && nearest < refresh(level, x, y)) return true;
+
+    // Undecided: something in the cell is as far or farther. Is it inside the box?
+    if (level == kTileLevel) {
+        const int left = x << level, top = m_firstRow + (y << level);
+        return pixelsHide({std::max(box.x0, left), std::max(box.y0, top), std::min(box.x1, left + (1 << level)),
+                           std::min(box.y1, top + (1 << level))},
+                          nearest);
+    }
+    const int below = level - 1;
+    const int x0 = std::max(2 * x, box.x0 >> below), x1 = std::min(2 * x + 1, (box.x1 - 1) >> below);
+    const int y0 = std::max(2 * y, (box.y0 - m_firstRow) >> below), y1 = std::min(2 * y + 1, (box.y1 - 1 - m_firstRow) >> below);
+    for (int childY = y0; childY <= y1; ++childY)
+        for (int childX = x0; childX <= x1; ++childX)
+            if (!cellHides(below, childX, childY, box, nearest)) return false;
+    return true;
+}
+
+bool Pyramid::pixelsHide(const PixelBox& box, float nearest) const
+{
+    for (int y = box.y0; y < box.y1; ++y) {
+        const float* depth = m_visible->depthRow(y);
+        for (int x = box.x0; x < box.x1; ++x)
+            if (!(nearest < depth[x])) return false;
+    }
+    return true;
+}
+
+float Pyramid::refresh(int level, int x, int y)
+{
+    Level&        here  = at(level);
+    std::uint8_t& stale = here.stale.at(x, y);
+    float&        value = here.farthest.at(x, y);
+    if (!stale) return value;
+    stale = 0;
+    if (level == kTileLevel) return value = farthestPixel(x, y);
+    const Level& below = at(level - 1);
+    float        least = std::numeric_limits<float>::infinity();
+    for (int childY = 2 * y; childY < std::min(2 * y + 2, below.farthest.height()); ++childY)
+        for (int childX = 2 * x; childX < std::min(2 * x + 2, below.farthest.width()); ++childX)
+            least = std::min(least, refresh(level - 1, childX, childY));
+    return value = least;
+}
+
+float Pyramid::farthestPixel(int tileX, int tileY) const
+{
+    const int x0 = tileX << kTileLevel, x1 = std::min(x0 + (1 << kTileLevel), m_visible->width());
+    const int y0 = m_firstRow + (tileY << kTileLevel), y1 = std::min(y0 + (1 << kTileLevel), m_endRow);
+    float     least = std::numeric_limits<float>::infinity();
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) least = std::min(least, m_visible->depthRow(y)[x]);
+    return least;
+}
+
+GridView<const float> Pyramid::stored(int level) const
+{
+    return m_levels[static_cast<std::size_t>(level - kTileLevel)].farthest.view();
+}
+
+std::size_t Pyramid::bytes() const
+{
+    std::size_t total = 0;
+    for (const Level& level : m_levels) total += level.farthest.values().size_bytes() + level.stale.values().size_bytes();
+    return total;
+}
+
+}  // namespace zscope

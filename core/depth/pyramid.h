@@ -1,0 +1,76 @@
+// Hierarchical z-buffer: level 0 is the depth buffer; a cell of level n + 1 holds the FARTHEST depth of its 2 x 2
+// children, so "everything behind this cell is hidden" can be read from one number.
+//
+// Region     the lines [firstRow, endRow) of one stripe, full width; cell (x, y) of level n covers the pixels
+//            [x 2^n, (x+1) 2^n) x [firstRow + y 2^n, ...); pixels outside the region do not exist and take no part
+// Levels     1 and 2 are not stored: a cell of them is at most 16 pixels, which are read instead. From kTileLevel up
+//            each level is half the one below, rounded up, to a single cell
+// Upkeep     touched() marks the tiles under a box and their ancestors as stale, and stops where they already are; a
+//            stale cell is recomputed when a query meets it and its old value could not answer
+// Promise    a cell is never nearer than the true farthest depth of its pixels: depths only grow, so an old value is
+//            too far at worst. hides() may say no of a hidden box, never yes of one that could win a pixel
+// Cost       query: at most 2 x 2 cells of one level, more only where undecided; touched(): constant for small boxes
+// Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993; docs/correctness.md, rules 1 to 3
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/grid.h"
+#include "core/depth/visibility_buffer.h"
+#include "core/geometry/screen_triangle.h"
+
+namespace zscope {
+
+/// What a query asked and found, for probes.
+struct PyramidQuery {
+    PixelBox box;
+    float    nearest = 0;  // the nearest depth anything inside the box could have
+    int      level   = 0;  // where it began: floor(log2(longer side)), or one more if that takes three cells a side
+    float    value   = 0;  // the farthest depth found on that level
+    bool     hidden  = false;
+    int      cells   = 0;  // read to decide
+};
+
+class Pyramid {
+public:
+    static constexpr int kTileLevel = 3;  // tiles of 8 x 8 pixels
+
+    /// Begins a frame: the region has just been cleared, so every cell is empty and none is stale.
+    void reset(const VisibilityBuffer& visible, int firstRow, int endRow);
+
+    /// Depths inside `box`, which lies in the region, may have grown.
+    void touched(const PixelBox& box);
+    /// All depths may have grown.
+    void allTouched();
+
+    /// True if nothing at depth `nearest` or farther, inside `box` (not empty, inside the region), could win a pixel.
+    bool hides(const PixelBox& box, float nearest) { return ask(box, nearest).hidden; }
+    PyramidQuery ask(const PixelBox& box, float nearest);
+
+    int               levels() const { return kTileLevel + static_cast<int>(m_levels.size()); }
+    /// Stored values of a level from kTileLevel up, stale ones as they are.
+    GridView<const float> stored(int level) const;
+
+    std::size_t   bytes() const;
+
+private:
+    struct Level {
+        Grid<float>        farthest;
+        Grid<std::uint8_t> stale;
+    };
+
+    Level& at(int level) { return m_levels[static_cast<std::size_t>(level - kTileLevel)]; }
+    bool   cellHides(int level, int x, int y, const PixelBox& box, float nearest);
+    bool   pixelsHide(const PixelBox& box, float nearest) const;
+    float  refresh(int level, int x, int y);
+    float  farthestPixel(int tileX, int tileY) const;
+
+    const VisibilityBuffer* m_visible  = nullptr;
+    int                     m_firstRow = 0;
+    int                     m_endRow   = 0;
+    std::vector<Level>      m_levels;  // from kTileLevel up
+    int                     m_cellsRead = 0;  // by the query at hand
+};
+
+}  // namespace zscope

@@ -1,0 +1,109 @@
+// A hierarchy of boxes over numbered items (the triangles of a mesh, or the instances of a scene).
+//
+// Nodes      an octree's node keeps the items that no child contains whole; a BVH's inner node keeps none. `bounds` is
+//            the box of all items below, not the cell
+// Lazy       a node is divided when it is first opened, and stays so: a part of the scene that nobody looks at is
+//            never divided. Any thread may open nodes
+// Names      a node's id spells its path: root 1, child c of node n is n * 8 + c, whatever order they were opened in
+// Promise    deterministic for a given order of items; depth at most kMaxDepth; every item is in exactly one node
+// Cost       dividing is linear in the node's items; memory linear in the items
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "core/geometry/batches.h"
+#include "core/scene/mesh.h"
+
+namespace zscope {
+
+enum class TreeKind { Octree, Bvh };
+
+/// Where the items' boxes come from.
+class ItemBoxes {
+public:
+    virtual ~ItemBoxes() = default;
+    virtual std::uint32_t count() const                  = 0;
+    virtual Bounds        boxOf(std::uint32_t item) const = 0;
+};
+
+struct TreeNode {
+    std::uint64_t id = 1;
+    int           depth = 0;
+    Bounds        bounds;              // of everything below
+    Bounds        cell;                // octree: the cube that is halved
+    std::uint32_t first = 0, end = 0;  // of Tree::items: everything below
+
+    // Written once, when the node is opened.
+    std::atomic<bool>           isOpen = false;
+    std::uint32_t               ownEnd = 0;  // items [first, ownEnd) belong to no child
+    std::unique_ptr<TreeNode[]> children;
+    int                         childCount = 0;
+
+    // Mesh trees: the batches of its own items, made when they are first drawn.
+    std::atomic<bool> hasBatches = false;
+    MeshBatches       batches;
+
+    std::uint32_t size() const { return end - first; }
+};
+
+class Tree {
+public:
+    static constexpr int kMaxDepth = 20;  // so that a path fits 64 bits
+
+    /// `leafSize`: a node of no more items is not divided.
+    Tree(TreeKind kind, std::unique_ptr<const ItemBoxes> boxes, std::uint32_t leafSize);
+
+    const TreeNode& root() const { return *m_root; }
+    bool            isEmpty() const { return m_items.empty(); }
+
+    /// Divides the node if that has not been done; afterwards its children and own items may be read.
+    const TreeNode& open(const TreeNode& node) const;
+    /// Valid once the node is open.
+    std::span<const std::uint32_t> ownItems(const TreeNode& node) const
+    {
+        return std::span(m_items).subspan(node.first, node.ownEnd - node.first);
+    }
+    /// Everything below the node, opened or not.
+    std::span<const std::uint32_t> allItems(const TreeNode& node) const
+    {
+        return std::span(m_items).subspan(node.first, node.size());
+    }
+    std::span<TreeNode> childrenOf(const TreeNode& node) const
+    {
+        return {node.children.get(), static_cast<std::size_t>(node.childCount)};
+    }
+    /// The node's own items as batches of `mesh`; the node must be open, and the items triangles of the mesh.
+    const MeshBatches& batchesOf(const TreeNode& node, const Mesh& mesh) const;
+
+    TreeKind      kind() const { return m_kind; }
+    std::uint64_t nodeCount() const { return m_nodeCount.load(std::memory_order_relaxed); }
+    std::uint64_t bytes() const;
+
+private:
+    struct Group {
+        std::uint32_t first, end;
+        Bounds        cell;
+        int           slot;
+    };
+
+    void               divide(TreeNode& node) const;
+    std::vector<Group> octants(TreeNode& node) const;
+    std::vector<Group> halves(TreeNode& node) const;
+    Bounds             boundsOf(std::uint32_t first, std::uint32_t end) const;
+
+    TreeKind                                 m_kind;
+    std::unique_ptr<const ItemBoxes>         m_boxes;
+    std::uint32_t                            m_leafSize;
+    mutable std::vector<std::uint32_t>       m_items;  // permuted so that each node's items stand together
+    std::unique_ptr<TreeNode>                m_root;
+    mutable std::mutex                       m_mutex;  // held while a node is divided or its batches are made
+    mutable std::atomic<std::uint64_t>       m_nodeCount{1};
+    mutable std::atomic<std::uint64_t>       m_batchBytes{0};
+};
+
+}  // namespace zscope

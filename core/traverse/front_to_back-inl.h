@@ -1,0 +1,182 @@
+// Order front to back: the two-level hierarchy is descended from the near side to the far side, so that what is drawn first
+// hides what comes later.
+//
+// Node       outside the frustum: skipped. Hidden by the pyramid: skipped. Else entered: its own items are drawn, then its
+//            children visited, nearer ones first
+// Order      octree: the eye's octant first, then across one splitting plane, two, three. An affine placement keeps planes
+//            planes, so the eye is taken into the tree's own space. BVH: the nearer box first
+// Promise    skips only what cannot win a pixel (StripeVolume, NodeReach, Pyramid); a node that reaches before the near
+//            plane, as one that holds the eye does, is always entered
+// Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993
+#if defined(ZSCOPE_FRONT_TO_BACK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_FRONT_TO_BACK_INL_H
+#undef ZSCOPE_FRONT_TO_BACK_INL_H
+#else
+#define ZSCOPE_FRONT_TO_BACK_INL_H
+#endif
+
+#include <array>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/cull/cull_events.h"
+#include "core/cull/node_reach.h"
+#include "core/cull/occlusion.h"
+#include "core/hierarchy/scene_trees.h"
+#include "core/traverse/submitted-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+/// One tree as it is placed in the world, seen from one stripe.
+struct PlacedTree {
+    const Tree&   tree;
+    const Affine& toWorld;
+    StripeVolume  volume;
+    dvec3         eye;  // in the tree's own space
+    bool          isInstanceTree;
+    InstanceId    instance;
+
+    NodePlace place(const TreeNode& node) const { return {isInstanceTree, instance, tree, node}; }
+};
+
+template <class Consume, class Probe>
+class FrontToBack {
+public:
+    FrontToBack(const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees, const Occlusion& occlusion,
+                StageClock& clock, const Consume& consume, const Probe& probe)
+        : m_stripe(stripe),
+          m_scene(stripe.scene.scene()),
+          m_scratch(scratch),
+          m_trees(trees),
+          m_occlusion(occlusion),
+          m_clock(clock),
+          m_consume(consume),
+          m_probe(probe)
+    {
+    }
+
+    void visitScene()
+    {
+        const Tree& instances = m_trees.instances();
+        if (instances.isEmpty()) return;
+        const Affine     world;
+        const PlacedTree placed = place(instances, world, true, {});
+        visit(placed, instances.root(), [&](const TreeNode& node) {
+            for (const std::uint32_t item : instances.ownItems(node)) visitInstance(InstanceId{item});
+        });
+        m_clock.lap(Stage::Cull);
+    }
+
+private:
+    PlacedTree place(const Tree& tree, const Affine& toWorld, bool isInstanceTree, InstanceId instance) const
+    {
+        const auto&      m = toWorld.rows;
+        const glm::dmat3 linear(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]);
+        const dvec3      eye = glm::inverse(linear) * (m_stripe.projection.eye - dvec3{m[0][3], m[1][3], m[2][3]});
+        return {tree, toWorld,
+                StripeVolume(m_stripe.projection, toWorld, m_stripe.visible.width(), m_stripe.firstRow, m_stripe.endRow),
+                eye, isInstanceTree, instance};
+    }
+
+    void visitInstance(InstanceId id)
+    {
+        const Instance& instance = m_scene.instances[id.value];
+        const Mesh&     mesh     = m_scene.meshOf(id);
+        const Tree&     tree     = m_trees.mesh(instance.mesh);
+        if (tree.isEmpty()) return;
+        const PlacedTree placed  = place(tree, instance.toWorld, false, id);
+        const Affine*    toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
+        visit(placed, tree.root(), [&](const TreeNode& node) {
+            const MeshBatches& batches = tree.batchesOf(node, mesh);
+            m_probe(TransparentLeftOut{id, static_cast<std::uint32_t>(tree.ownItems(node).size() - batches.triangles.size())});
+            for (const Batch& batch : batches.batches) {
+                m_clock.lap(Stage::Cull);
+                setUpBatch(BatchPlace{batches, batch, toWorld, m_scene.firstTriangle[id.value]}, id, m_stripe, m_scratch,
+                           m_clock, m_probe);
+                m_consume(m_scratch.triangles.view());
+            }
+        });
+    }
+
+    template <class DrawOwn>
+    void visit(const PlacedTree& placed, const TreeNode& node, const DrawOwn& drawOwn)
+    {
+        if (m_stripe.progress.cancelled() || judge(placed, node) != Verdict::Entered) return;
+        const Tree& tree = placed.tree;
+        tree.open(node);
+        const auto children = inOrder(placed, node);
+        m_probe(NodeOpened{placed.place(node), std::span(children.nodes).first(children.count)});
+        if (!tree.ownItems(node).empty()) {
+            m_probe(NodeDrawn{placed.place(node)});
+            drawOwn(node);
+        }
+        for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], drawOwn);
+    }
+
+    Verdict judge(const PlacedTree& placed, const TreeNode& node)
+    {
+        if (placed.volume.misses(node.bounds)) return tell(placed, node, Verdict::Outside, nullptr);
+        if (!m_occlusion.asksNodes) return tell(placed, node, Verdict::Entered, nullptr);
+        const NodeReach reach = reachOf(node.bounds, placed.toWorld, m_stripe.projection, m_stripe.region());
+        if (reach.crossesNear) return tell(placed, node, Verdict::Entered, nullptr);
+        if (reach.pixels.isEmpty()) return tell(placed, node, Verdict::Outside, nullptr);
+        const PyramidQuery query = m_occlusion.pyramid->ask(reach.pixels, reach.nearest);
+        return tell(placed, node, query.hidden ? Verdict::Hidden : Verdict::Entered, &query);
+    }
+
+    Verdict tell(const PlacedTree& placed, const TreeNode& node, Verdict verdict, const PyramidQuery* query) const
+    {
+        m_probe(NodeJudged{placed.place(node), verdict, query});
+        return verdict;
+    }
+
+    struct Children {
+        std::array<const TreeNode*, 8> nodes;
+        std::size_t                    count = 0;
+    };
+
+    static Children inOrder(const PlacedTree& placed, const TreeNode& node)
+    {
+        Children   ordered;
+        const auto children = placed.tree.childrenOf(node);
+        if (placed.tree.kind() == TreeKind::Bvh) {
+            for (const TreeNode& child : children) ordered.nodes[ordered.count++] = &child;
+            if (ordered.count == 2 && isNearer(placed.eye, *ordered.nodes[1], *ordered.nodes[0]))
+                std::swap(ordered.nodes[0], ordered.nodes[1]);
+            return ordered;
+        }
+        const dvec3    centre = 0.5 * node.cell.min + 0.5 * node.cell.max;
+        const unsigned eyes = (placed.eye.x > centre.x ? 1u : 0u) | (placed.eye.y > centre.y ? 2u : 0u) | (placed.eye.z > centre.z ? 4u : 0u);
+        for (const unsigned across : {0u, 1u, 2u, 4u, 3u, 5u, 6u, 7u})  // planes between the eye's octant and this one
+            for (const TreeNode& child : children)
+                if ((child.id & 7) == (eyes ^ across)) ordered.nodes[ordered.count++] = &child;
+        return ordered;
+    }
+
+    static bool isNearer(const dvec3& eye, const TreeNode& a, const TreeNode& b)
+    {
+        const auto away = [&eye](const Bounds& box) {
+            const dvec3 gap = eye - glm::clamp(eye, box.min, box.max);
+            return glm::dot(gap, gap);
+        };
+        return away(a.bounds) < away(b.bounds);
+    }
+
+    const Stripe&     m_stripe;
+    const Scene&      m_scene;
+    StripeScratch&    m_scratch;
+    const SceneTrees& m_trees;
+    const Occlusion&  m_occlusion;
+    StageClock&       m_clock;
+    const Consume&    m_consume;
+    const Probe&      m_probe;
+};
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_FRONT_TO_BACK_INL_H
