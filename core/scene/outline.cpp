@@ -1,6 +1,7 @@
 #include "core/scene/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -118,16 +119,15 @@ bool Outline::findContacts()
 {
     const std::size_t n = m_ring.size();
     m_contacts.clear();
-    m_edgeBoxes.clear();
-    const auto edgeAt = [&](std::size_t i) { return Segment2{m_ring[i].at, m_ring[i + 1 == n ? 0 : i + 1].at}; };
-    for (std::size_t i = 0; i < n; ++i) m_edgeBoxes.push_back(edgeAt(i).box());
-    m_edges.build(m_edgeBoxes);
+    m_points.clear();
+    for (const RingCorner& corner : m_ring) m_points.push_back(corner.at);
+    m_edges.buildOverEdges(m_points);
+    const auto edgeAt = [&](std::size_t i) { return std::array{m_points[i], m_points[i + 1 == n ? 0 : i + 1]}; };
 
     const std::size_t limit = 4 * n + 64;
     for (std::size_t i = 0; i < n; ++i) {
-        const Segment2 edge = edgeAt(i);
-        const auto&    a = edge.a, &b = edge.b;  // not bindings: clang 14 cannot capture those
-        const bool isTangled = m_edges.anyNear(Segment2{a, b}, [&](std::size_t j) {
+        const Point2 a         = edgeAt(i)[0], b = edgeAt(i)[1];  // not bindings: clang 14 cannot capture those
+        const bool isTangled = m_edges.anyNear(Segment2{{a, b}}, [&](std::size_t j) {
             if (j <= i) return false;  // each pair once
             const auto [c, d] = edgeAt(j);
             const int ofC = orientation(a, b, c), ofD = orientation(a, b, d);
@@ -135,14 +135,14 @@ bool Outline::findContacts()
             const int ofA = orientation(c, d, a), ofB = orientation(c, d, b);
             if (ofA * ofB > 0) return false;
             if (ofC * ofD < 0 && ofA * ofB < 0) return true;
-            const auto note = [&](int side, std::size_t edgeIndex, std::size_t corner, const Segment2& on) {
-                if (side == 0 && strictlyBetween(m_ring[corner].at, on.a, on.b))
+            const auto note = [&](int side, std::size_t edgeIndex, std::size_t corner, const Point2& from, const Point2& to) {
+                if (side == 0 && strictlyBetween(m_points[corner], from, to))
                     m_contacts.push_back({static_cast<std::uint32_t>(edgeIndex), static_cast<std::uint32_t>(corner)});
             };
-            note(ofC, i, j, {a, b});
-            note(ofD, i, j + 1 == n ? 0 : j + 1, {a, b});
-            note(ofA, j, i, {c, d});
-            note(ofB, j, i + 1 == n ? 0 : i + 1, {c, d});
+            note(ofC, i, j, a, b);
+            note(ofD, i, j + 1 == n ? 0 : j + 1, a, b);
+            note(ofA, j, i, c, d);
+            note(ofB, j, i + 1 == n ? 0 : i + 1, c, d);
             return m_contacts.size() > limit;
         });
         if (isTangled) return false;

@@ -63,7 +63,7 @@ private:
     std::vector<RingCorner>    m_ring, m_longer;
     std::vector<Repeat>        m_repeats;
     std::vector<Contact>       m_contacts;
-    std::vector<Box2>          m_edgeBoxes;
+    std::vector<Point2>        m_points;
     BoxTree                    m_edges;
     std::vector<std::uint32_t> m_order;       // corners sorted by position
     std::vector<std::uint32_t> m_place;       // of each corner: number of its position, in that order

@@ -54,13 +54,13 @@ bool PolygonSplitter::cutEars(std::vector<Triangle>& triangles)
     const auto                        n    = static_cast<std::uint32_t>(ring.size());
     m_next.resize(n);
     m_previous.resize(n);
-    std::vector<Box2> boxes(n);
+    m_points.clear();
     for (std::uint32_t i = 0; i < n; ++i) {
         m_next[i]     = i + 1 == n ? 0 : i + 1;
         m_previous[i] = i == 0 ? n - 1 : i - 1;
-        boxes[i].include(ring[i].at);
+        m_points.push_back(ring[i].at);
     }
-    m_corners.build(boxes);
+    m_corners.buildOverCorners(m_points);
 
     const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         return orientation(ring[a].at, ring[b].at, ring[c].at);
@@ -76,7 +76,7 @@ bool PolygonSplitter::cutEars(std::vector<Triangle>& triangles)
         if (turn(m_previous[a], a, v) > 0 && turn(a, c, m_previous[a]) < 0) return false;
         if (turn(v, c, m_next[c]) > 0 && turn(c, m_next[c], a) < 0) return false;
         const Point2 pa = ring[a].at, pv = ring[v].at, pc = ring[c].at;
-        return !m_corners.anyNear(Triangle2{pa, pv, pc}, [&](std::size_t other) {
+        return !m_corners.anyNear(Triangle2{{pa, pv, pc}}, [&](std::size_t other) {
             const Point2& p = ring[other].at;
             if (p == pa || p == pc) return false;
             if (p == pv) {

@@ -8,7 +8,7 @@
 //            which the caller should report
 // Triangles  in the polygon's sense of turning; those without area are kept, they close the seams to neighbours
 // Promise    every decision is an exact one (core/scene/orientation.h); time and memory are linear for convex
-//            polygons; about n log n for ears unless long thin parts overlap each other's boxes at a slant
+//            polygons, about n log n for ears
 // Source     ears: Meisters, Polygons Have Ears, 1975; docs/correctness.md, Polygons
 #pragma once
 
@@ -46,6 +46,7 @@ private:
     bool cutEars(std::vector<Triangle>& triangles);
 
     Outline                    m_outline;
+    std::vector<Point2>        m_points;
     BoxTree                    m_corners;
     std::vector<std::uint32_t> m_next, m_previous, m_queue;
     std::vector<char>          m_waiting;
