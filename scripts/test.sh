@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Everything that has to hold before a change goes in, from nothing: installs what is missing, builds, tests.
+# The release build runs every test and comes last; before it the same sources run under sanitizers, with one lane,
+# and without Qt. About 25 minutes on two cores where nothing has been built yet.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=scripts/packages.sh
+source scripts/packages.sh
+
+# run_tests PRESET [CTEST OPTION...]: what the preset's build holds, or a part of it. No test at all is an error.
+run_tests() {
+    local preset="$1"
+    shift
+    ctest --preset "$preset" --parallel "$(nproc)" "$@"
+}
+
+require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${packages_to_test[@]}"
+
+# Threads: the thread sanitizer must find the seeded race and nothing else.
+build_preset tsan threads_test seeded_race
+run_tests tsan -L threads
+
+# Memory and undefined behaviour, in everything but the window.
+build_preset debug-asan-ubsan all
+run_tests debug-asan-ubsan
+
+# One lane only, and no Qt: the same pictures.
+build_preset scalar all
+run_tests scalar -L 'agreement|replay|cli'
+
+build_preset ci all
+run_tests ci
