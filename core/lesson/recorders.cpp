@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 
 namespace zscope {
 
@@ -108,6 +109,82 @@ void PixelRecorder::observe(const PixelTested& e)
         pixel.rivalDepth = e.rivalDepth;
     }
     m_pixel = pixel;
+}
+
+void HierarchyRecorder::observe(const StageStarted& e)
+{
+    if (e.stage == Stage::Raster) *this = {};
+}
+
+NodeRow& HierarchyRecorder::rowOf(const NodePlace& place)
+{
+    const std::int64_t tree = place.isInstanceTree ? -1 : std::int64_t{place.instance.value};
+    const auto [known, isNew] = m_ids.try_emplace({tree, place.node.id}, static_cast<int>(m_state.nodes.size()));
+    if (!isNew) return m_state.nodes[static_cast<std::size_t>(known->second)];
+
+    NodeRow row;
+    row.id  = known->second;
+    row.box = place.node.bounds;
+    if (!place.isInstanceTree) row.instance = place.instance;
+    if (place.node.depth > 0)
+        row.parent = m_ids.at({tree, place.node.id / 8});
+    else if (!place.isInstanceTree)
+        row.parent = m_instanceNode;
+    row.depth = row.parent < 0 ? 0 : m_state.nodes[static_cast<std::size_t>(row.parent)].depth + 1;
+    row.path  = "0";
+    for (int level = place.node.depth - 1; level >= 0; --level)
+        row.path += "." + std::to_string(place.node.id >> (3 * level) & 7);
+    m_state.nodes.push_back(std::move(row));
+    return m_state.nodes.back();
+}
+
+void HierarchyRecorder::observe(const NodeJudged& e)
+{
+    NodeRow& row = rowOf(e.place);
+    row.verdict  = e.verdict == Verdict::Outside  ? NodeVerdict::Outside
+                   : e.verdict == Verdict::Hidden ? NodeVerdict::Hidden
+                                                  : NodeVerdict::Entered;
+    m_state.now  = row.id;
+    m_state.query.reset();
+    m_state.asked.clear();
+    if (!e.query) return;
+    m_state.query = *e.query;
+    m_state.asked = "node";
+}
+
+void HierarchyRecorder::observe(const NodeOpened& e)
+{
+    for (const TreeNode* child : e.children) rowOf({e.place.isInstanceTree, e.place.instance, e.place.tree, *child});
+}
+
+void HierarchyRecorder::observe(const NodeDrawn& e)
+{
+    NodeRow& row = rowOf(e.place);
+    row.verdict  = NodeVerdict::Drawn;
+    if (e.place.isInstanceTree) m_instanceNode = row.id;
+}
+
+void HierarchyRecorder::observe(const TriangleHidden& e)
+{
+    m_state.query = e.query;
+    m_state.asked = "triangle";
+}
+
+void HierarchyRecorder::observe(const TrianglePassed& e)
+{
+    m_state.query = e.query;
+    m_state.asked = "triangle";
+}
+
+std::optional<HierarchyState> HierarchyRecorder::state(int width, int height, bool hasPyramid) const
+{
+    if (m_state.nodes.empty() && !m_state.query && !hasPyramid) return std::nullopt;
+    HierarchyState state = m_state;
+    if (!hasPyramid) return state;
+    for (;; width = (width + 1) / 2, height = (height + 1) / 2) {
+        state.levels.push_back({width, height});
+        if (width == 1 && height == 1) return state;
+    }
 }
 
 }  // namespace zscope

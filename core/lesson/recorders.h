@@ -1,11 +1,14 @@
 // What a lesson remembers of a run: each recorder keeps one structure as it stands at the last event heard.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/stages.h"
+#include "core/cull/cull_events.h"
 #include "core/frame/frame_events.h"
 #include "core/lesson/step_state.h"
 #include "core/probe/probe.h"
@@ -73,13 +76,40 @@ private:
 static_assert(observes<PixelRecorder, SpanFilled> && observes<PixelRecorder, PixelTested> &&
               observes<PixelRecorder, TriangleReached> && observes<PixelRecorder, ScanlineReady>);
 
+/// Keeps the nodes of the hierarchy as they become known and are judged, and the last question to the pyramid.
+class HierarchyRecorder {
+public:
+    /// A pre-pass visits the tree too, but what it met is forgotten when the visit that counts begins.
+    void observe(const StageStarted& e);
+    void observe(const NodeJudged& e);
+    void observe(const NodeOpened& e);
+    void observe(const NodeDrawn& e);
+    void observe(const TriangleHidden& e);
+    void observe(const TrianglePassed& e);
+
+    /// Nothing if neither a node nor the pyramid has been met. The levels are those of a picture of the given size.
+    std::optional<HierarchyState> state(int width, int height, bool hasPyramid) const;
+
+private:
+    /// The row of a node, new (and waiting) if it was not known.
+    NodeRow& rowOf(const NodePlace& place);
+
+    HierarchyState                                        m_state;
+    std::map<std::pair<std::int64_t, std::uint64_t>, int> m_ids;  // (instance or -1, TreeNode::id) to row
+    int m_instanceNode = -1;  // of the tree over the instances: the one whose instances are being visited
+};
+static_assert(observes<HierarchyRecorder, StageStarted> && observes<HierarchyRecorder, NodeJudged> &&
+              observes<HierarchyRecorder, NodeOpened> && observes<HierarchyRecorder, NodeDrawn> &&
+              observes<HierarchyRecorder, TriangleHidden> && observes<HierarchyRecorder, TrianglePassed>);
+
 /// Keeps which stage the run is in, and what the last step was.
 class MomentRecorder {
 public:
-    enum class Moment { None, StageOver, TriangleOver, LineReady, LineOver, SpanOver, PixelOver, FrameOver };
+    enum class Moment { None, StageOver, NodeOver, TriangleOver, LineReady, LineOver, SpanOver, PixelOver, FrameOver };
 
     void observe(const StageStarted& e) { m_stage = e.stage; }
     void observe(const StageFinished& e) { m_stage = e.stage, m_moment = Moment::StageOver; }
+    void observe(const NodeJudged&) { m_moment = Moment::NodeOver; }
     void observe(const TriangleFinished&) { m_moment = Moment::TriangleOver; }
     void observe(const ScanlineReady&) { m_moment = Moment::LineReady; }
     void observe(const ScanlineFinished&) { m_moment = Moment::LineOver; }

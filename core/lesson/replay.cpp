@@ -98,9 +98,10 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         SweepRecorder    sweep;
         TriangleRecorder triangle;
         PixelRecorder    pixel;
+        HierarchyRecorder hierarchy;
         MomentRecorder   moment;
         StopAt           stop(grain, step.value);
-        runUntilStopped(m_request, state.frame, scratch, Listening(sweep, triangle, pixel, moment, stop));
+        runUntilStopped(m_request, state.frame, scratch, Listening(sweep, hierarchy, triangle, pixel, moment, stop));
         if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
         if (state.frame.colour.height() == 0) HWY_STATIC_DISPATCH(shadeWhole)(m_request, state.frame);
 
@@ -111,6 +112,7 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.event     = stop.lastGrain();
         state.stage     = moment.stage();
         state.sweep     = sweep.state();
+        state.hierarchy = hierarchy.state(m_request.camera.width, m_request.camera.height, m_request.pipeline.upkeep != Upkeep::None);
         state.triangle  = triangle.state();
         state.span      = pixel.span();
         if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = pixel.pixel();

@@ -93,6 +93,19 @@ std::string spanOver(const StepState& state, const Pipeline& pipeline)
                        grouped(span.polygon.value), pixels);
 }
 
+std::string nodeOver(const HierarchyState& hierarchy)
+{
+    const NodeRow&    node = hierarchy.nodes[static_cast<std::size_t>(hierarchy.now)];
+    const std::string name = node.instance ? fmt::format("Node {} of instance {}", node.path, grouped(node.instance->value))
+                                           : fmt::format("Node {} of the instances", node.path);
+    if (node.verdict == NodeVerdict::Outside) return name + " lies outside the view: nothing in it is looked at.";
+    if (!hierarchy.query) return name + " is entered: it may be in view, and nobody can say that it is hidden.";
+    const PyramidQuery& q = *hierarchy.query;
+    const std::string size = fmt::format(" covers {} x {} pixels, so level {} of the pyramid is asked: farthest there {:.7g}, node at most {:.7g}:",
+                                         q.box.x1 - q.box.x0, q.box.y1 - q.box.y0, q.level, q.value, q.nearest);
+    return name + size + (q.hidden ? " hidden, and skipped with all that is in it." : " not hidden, so it is entered.");
+}
+
 std::string pixelOver(const PixelState& p)
 {
     const std::string who = fmt::format("Pixel ({}, {}): triangle {}, depth {:.7g},", p.x, p.y, grouped(p.triangle.value), p.depth);
@@ -121,6 +134,7 @@ std::string sentenceFor(const StepState& state, const Pipeline& pipeline, Moment
     switch (moment) {
     case Moment::None: return "Nothing has happened yet.";
     case Moment::StageOver: return stageOver(state);
+    case Moment::NodeOver: return nodeOver(*state.hierarchy);
     case Moment::TriangleOver:
         return fmt::format("Triangle {} is drawn: it is nearest so far at {}.", grouped(state.triangle->triangle.value),
                            counted(state.triangle->pixelsWon, "pixel", "pixels"));

@@ -29,6 +29,15 @@ Json toJson(const TriangleState& triangle)
     return {{"id", triangle.triangle.value}, {"corners", triangle.corners}, {"pixels_won", triangle.pixelsWon}};
 }
 
+Json toJson(const NodeRow& node)
+{
+    Json json{{"id", node.id}, {"parent", node.parent}, {"depth", node.depth}, {"verdict", wordOf(node.verdict)},
+              {"box", {{"min", {node.box.min.x, node.box.min.y, node.box.min.z}}, {"max", {node.box.max.x, node.box.max.y, node.box.max.z}}}},
+              {"path", node.path}};
+    json["instance"] = node.instance ? Json(node.instance->value) : Json(nullptr);
+    return json;
+}
+
 template <class Values>
 Json listOf(const Values& values)
 {
@@ -49,6 +58,19 @@ void addSweep(Json& json, const SweepState& sweep)
     json["left"]            = listOf(sweep.left);
 }
 
+void addHierarchy(Json& json, const HierarchyState& hierarchy)
+{
+    json["nodes"] = listOf(hierarchy.nodes);
+    json["node"]  = hierarchy.now;
+    json["query"] = nullptr;
+    if (hierarchy.query) {
+        const PyramidQuery& q = *hierarchy.query;
+        json["query"] = {{"asked", hierarchy.asked}, {"rectangle", {q.box.x0, q.box.y0, q.box.x1, q.box.y1}}, {"level", q.level},
+                         {"value", q.value}, {"node_depth", q.nearest}, {"verdict", q.hidden ? "hidden" : "entered"}};
+    }
+    json["pyramid"] = {{"levels", hierarchy.levels}};
+}
+
 }  // namespace
 
 std::string stateToJson(const StepState& state)
@@ -57,6 +79,7 @@ std::string stateToJson(const StepState& state)
               {"count", state.count},         {"sentence", state.sentence},   {"event", wordOf(state.event)},
               {"stage", wordOf(state.stage)}};
     if (state.sweep) addSweep(json, *state.sweep);
+    if (state.hierarchy) addHierarchy(json, *state.hierarchy);
     if (state.triangle) json["triangle"] = toJson(*state.triangle);
     if (state.span) json["span"] = toJson(*state.span);
     if (state.pixel) json["pixel"] = toJson(*state.pixel);

@@ -5,13 +5,16 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/ids.h"
 #include "core/base/stages.h"
+#include "core/depth/pyramid.h"
 #include "core/frame/renderer.h"
 #include "core/probe/grain.h"
 #include "core/scan/pixel_events.h"
+#include "core/scene/mesh.h"
 
 namespace zscope {
 
@@ -66,6 +69,34 @@ struct TriangleState {
     std::uint64_t                        pixelsWon = 0;
 };
 
+enum class NodeVerdict { Waiting, Outside, Hidden, Entered, Drawn };
+
+constexpr std::string_view wordOf(NodeVerdict verdict)
+{
+    constexpr std::array<std::string_view, 5> words{"waiting", "outside", "hidden", "entered", "drawn"};
+    return words[static_cast<std::size_t>(verdict)];
+}
+
+/// One node of the hierarchy that the run has come to know.
+struct NodeRow {
+    int         id     = 0;   // in the order in which the nodes became known
+    int         parent = -1;  // id of the node above, over both levels of the hierarchy; -1: the root
+    int         depth  = 0;   // of the whole hierarchy: a mesh's root stands one below the node that holds its instance
+    NodeVerdict verdict = NodeVerdict::Waiting;
+    Bounds      box;                      // in the space of the tree: the world's, or the mesh's
+    std::optional<InstanceId> instance;   // whose mesh tree it belongs to; nothing: the tree over the instances
+    std::string path;                     // "0.3.6": the children taken from the tree's root
+};
+
+/// The hierarchy as far as the run has come.
+struct HierarchyState {
+    std::vector<NodeRow>        nodes;
+    int                         now = -1;     // id of the node judged last
+    std::optional<PyramidQuery> query;        // what the pyramid was asked last
+    std::string                 asked;        // "node" or "triangle"
+    std::vector<std::array<int, 2>> levels;   // width and height of each level of the pyramid; empty: there is none
+};
+
 /// Everything a lesson shows of one step; a value.
 struct StepState {
     std::string                  algorithm;
@@ -76,6 +107,7 @@ struct StepState {
     Grain                        event = Grain::Frame;  // grain of the event the run stopped at
     Stage                        stage = Stage::Clear;  // the stage the run is in
     std::optional<SweepState>    sweep;     // sweep methods only
+    std::optional<HierarchyState> hierarchy;  // methods that visit a tree or ask a pyramid only
     std::optional<TriangleState> triangle;  // stream methods, once a triangle was reached
     std::optional<PixelState>    pixel;     // if the last event was a pixel
     std::optional<SpanRow>       span;      // the last span filled
