@@ -1,6 +1,8 @@
 // The active edge table: the edges that cross the current line, from left to right.
 //
-// Order      by the exact crossing with the line's centre; the order of edges that meet in one point is not defined
+// Order      by the exact crossing with the line's centre; the order of edges that meet in one point is not defined. An
+//            edge beyond the guard band counts as half a subpixel wherever it is not on a whole one, so inside one
+//            subpixel it may stand on the wrong side of a neighbour, which moves no pixel
 // Cost       per line one pass to drop, step and re-sort (insertion: neighbours rarely change places), and one merge of
 //            the newcomers, from the right, in place
 #pragma once

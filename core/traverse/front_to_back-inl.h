@@ -94,6 +94,7 @@ private:
             const MeshBatches& batches = tree.batchesOf(node, mesh);
             m_probe(TransparentLeftOut{id, static_cast<std::uint32_t>(tree.ownItems(node).size() - batches.triangles.size())});
             for (const Batch& batch : batches.batches) {
+                if (m_stripe.progress.cancelled()) return;
                 m_clock.lap(Stage::Cull);
                 setUpBatch(BatchPlace{batches, batch, toWorld, m_scene.firstTriangle[id.value]}, id, m_stripe, m_scratch,
                            m_clock, m_probe);
