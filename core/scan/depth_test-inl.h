@@ -36,8 +36,9 @@ inline constexpr double kNotCovered = -2;
 template <Keep kKeep = Keep::Nearest>
 class DepthTest {
 public:
-    DepthTest(const DepthPlane& plane, std::uint32_t rank)
-        : m_a(plane.a), m_farthest(plane.farthest), m_nearest(plane.nearest), m_rank(rank)
+    /// `empty` is the depth of the background of the buffer that is tested against.
+    DepthTest(const DepthPlane& plane, std::uint32_t rank, float empty)
+        : m_a(plane.a), m_farthest(plane.farthest), m_nearest(plane.nearest), m_rank(rank), m_empty(empty)
     {
     }
 
@@ -86,14 +87,15 @@ public:
     }
 
 private:
-    static hn::Mask<F32> wins(hn::Vec<F32> depth, hn::Vec<F32> stored, hn::Vec<U32> rank, hn::Vec<U32> holder)
+    hn::Mask<F32> wins(hn::Vec<F32> depth, hn::Vec<F32> stored, hn::Vec<U32> rank, hn::Vec<U32> holder) const
     {
         const F32 d32;
         if constexpr (kKeep == Keep::DepthOnly) {
             return depth > stored;
         } else if constexpr (kKeep == Keep::Equal) {
-            const auto one = hn::Set(U32(), 1u);  // makes background, which nobody has claimed yet, the highest rank
-            return hn::And(depth == stored, hn::RebindMask(d32, rank - one < holder - one));
+            const auto one  = hn::Set(U32(), 1u);  // makes background, which nobody has claimed yet, the highest rank
+            const auto kept = depth > hn::Set(d32, m_empty);  // a depth that the far test dropped equals background's
+            return hn::And(hn::And(depth == stored, kept), hn::RebindMask(d32, rank - one < holder - one));
         } else {
             return hn::Or(depth > stored, hn::And(depth == stored, hn::RebindMask(d32, rank < holder)));
         }
@@ -106,6 +108,7 @@ private:
 
     double        m_a, m_farthest, m_nearest;
     std::uint32_t m_rank;
+    float         m_empty;
 };
 
 /// The constant part of a line's depth: b*(j + 0.5) + c.
@@ -116,7 +119,7 @@ template <Keep kKeep = Keep::Nearest, class Probe>
 void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
               const Probe& probe)
 {
-    const DepthTest<kKeep> test(plane, rankOfSpan);
+    const DepthTest<kKeep> test(plane, rankOfSpan, visible.empty());
     const double           line  = lineDepth(plane, y);
     float*                 depth = visible.depthRow(y);
     std::uint32_t*         rank  = visible.rankRow(y);
@@ -139,7 +142,7 @@ void fillSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, 
 /// Stores the pixels [x0, x1) of line y without a test: the caller knows that nothing there is nearer.
 inline void storeSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible)
 {
-    const DepthTest<> test(plane, rankOfSpan);
+    const DepthTest<> test(plane, rankOfSpan, visible.empty());
     const double      line  = lineDepth(plane, y);
     float*            depth = visible.depthRow(y);
     std::uint32_t*    rank  = visible.rankRow(y);

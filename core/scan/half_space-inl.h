@@ -34,7 +34,7 @@ struct HalfSpace {
         }
         const PixelBox&             box = triangle.box;
         const std::array<HalfPlane, 3> planes{halfPlane(triangle, 0, 1), halfPlane(triangle, 1, 2), halfPlane(triangle, 2, 0)};
-        const DepthTest<kKeep>      test(triangle.depth, triangle.rank());
+        const DepthTest<kKeep>      test(triangle.depth, triangle.rank(), visible.empty());
         const bool oneTile = box.x1 - box.x0 <= laneCount() && box.y1 - box.y0 <= kTileLines;
 
         for (int x = box.x0; x < box.x1; x += laneCount()) {
