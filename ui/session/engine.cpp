@@ -11,6 +11,9 @@
 namespace zscope::ui {
 namespace {
 
+/// A first frame of a size spends its time on fresh pages; up to so many ms it is drawn again for a time worth telling.
+constexpr double kWorthRepeating = 250;
+
 constexpr std::size_t kFramesKept = 3;  // one shown, one in the queue of the window, one being drawn
 
 /// Counts covered pixels and the triangles that own one.
@@ -65,7 +68,10 @@ Result<std::shared_ptr<const DrawnFrame>> Engine::draw(std::uint64_t generation,
                                                        const Layer& layer)
 {
     std::shared_ptr<DrawnFrame> drawn = unusedFrame();
+    const bool fresh = drawn->frame.visible.width() != request.camera.width ||
+                       drawn->frame.visible.height() != request.camera.height;
     auto report = m_renderer.draw(request, drawn->frame);
+    if (report && fresh && report->frameMs < kWorthRepeating) report = m_renderer.draw(request, drawn->frame);
     if (!report) return report.error();
 
     drawn->generation       = generation;

@@ -6,9 +6,9 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QImageWriter>
 #include <QRegularExpression>
-#include <QSaveFile>
+
+#include "core/io/png.h"
 
 namespace zscope::ui {
 namespace {
@@ -51,7 +51,7 @@ void addPipeline(QStringList& words, const Pipeline& pipeline)
 
 }  // namespace
 
-QStringList commandOf(const Snapshot& shown, const DrawSettings& settings, const QString& file)
+QStringList commandOf(const Snapshot& shown, const DrawSettings& settings)
 {
     const bool  stepped = shown.showsStep && shown.step;
     QStringList words{"zscope-cli", stepped ? "step" : "render"};
@@ -63,7 +63,7 @@ QStringList commandOf(const Snapshot& shown, const DrawSettings& settings, const
         words << "--grain" << text(wordOf(shown.step->state.grain)) << "--at"
               << QString::number(shown.step->state.step.value);
     if (shown.layer != &layers().front()) words << "--show" << text(shown.layer->word);
-    return words << "-o" << file;
+    return words;
 }
 
 QString commandLineOf(const QStringList& words)
@@ -95,15 +95,17 @@ std::optional<QString> savePicture(const QImage& image, const QString& file, con
     const auto tr = [](const char* source) { return QCoreApplication::translate("SavePicture", source); };
     if (!replace && QFileInfo::exists(file)) return tr("%1 is there already; it was left as it is.").arg(file);
 
-    QSaveFile out(file);
-    if (!out.open(QIODevice::WriteOnly)) return tr("%1 cannot be written: %2.").arg(file, out.errorString());
-    QImageWriter writer(&out, "png");
-    writer.setText("Software", "ZScope " ZSCOPE_VERSION);
-    writer.setText("Command", commandLineOf(commandOf(shown, settings, QFileInfo(file).fileName())));
-    if (shown.scene) writer.setText("Scene digest", QString::fromStdString(shown.scene->scene().digest));
-    if (shown.view.exact) writer.setText("camera.json", QString::fromStdString(cameraToJson(*shown.view.exact)));
-    if (!writer.write(image)) return tr("%1 cannot be written: %2.").arg(file, writer.errorString());
-    if (!out.commit()) return tr("%1 cannot be written: %2.").arg(file, out.errorString());
+    const auto texts = [&] {
+        const std::string command = commandLineOf(commandOf(shown, settings)).toStdString();
+        auto all = reproducingTexts(command, shown.scene ? shown.scene->scene().digest : std::string());
+        if (shown.view.exact) all.push_back({"camera.json", cameraToJson(*shown.view.exact)});
+        return all;
+    }();
+    const QImage opaque = image.convertToFormat(QImage::Format_RGB32);
+    const GridView<const std::uint32_t> pixels{reinterpret_cast<const std::uint32_t*>(opaque.constBits()), opaque.width(),
+                                               opaque.height(), static_cast<std::size_t>(opaque.bytesPerLine()) / 4};
+    const auto written = writePng(file.toStdString(), pixels, texts);
+    if (!written) return QString::fromStdString(written.error().text());
     return {};
 }
 

@@ -6,8 +6,8 @@
 
 namespace zscope::ui {
 
-/// The words of the command, unquoted, from "zscope-cli" to the output `file`.
-QStringList commandOf(const Snapshot& shown, const DrawSettings& settings, const QString& file);
+/// The words of the command, unquoted, from "zscope-cli" on; the output is left for the user to name.
+QStringList commandOf(const Snapshot& shown, const DrawSettings& settings);
 /// The same as one line that a shell takes apart again.
 QString commandLineOf(const QStringList& words);
 

@@ -23,6 +23,11 @@ QString withRealMinus(QString text) { return text.replace(QLatin1Char('-'), kMin
 
 QString grouped(std::uint64_t value) { return displayLocale().toString(static_cast<qulonglong>(value)); }
 
+QString counted(std::uint64_t value, const QString& one, const QString& many)
+{
+    return value == 1 ? one : many.arg(grouped(value));
+}
+
 QString groupedSigned(std::int64_t value)
 {
     return withRealMinus(displayLocale().toString(static_cast<qlonglong>(value)));

@@ -13,6 +13,8 @@
 namespace zscope::ui {
 
 QString grouped(std::uint64_t value);
+/// `one` for 1, otherwise `many` with the grouped number for %1: both are whole translated phrases.
+QString counted(std::uint64_t value, const QString& one, const QString& many);
 QString groupedSigned(std::int64_t value);
 /// `decimals` digits after the point, grouped before it.
 QString decimal(double value, int decimals);

@@ -108,7 +108,8 @@ QString styleSheetOf(const Theme& theme)
         QMenu::separator { height: 1px; background: @border; margin: 4px 8px; }
         QMenu::icon { padding-left: 6px; }
         QMenu::indicator { width: 14px; height: 14px; margin-left: 6px; }
-        QToolBar { background: @card; border: none; border-bottom: 1px solid @border; padding: 6px 8px; spacing: 8px; }
+        QToolBar { background: @card; border: none; border-bottom: 1px solid @border; padding: 6px 8px; spacing: 8px;
+                   margin-bottom: 8px; }
         QToolBar::separator { width: 1px; background: @border; margin: 4px 4px; }
         QToolButton, QPushButton { background: @card; color: @text; border: 1px solid @border; border-radius: 5px;
                                    padding: 5px 12px; }
@@ -138,16 +139,17 @@ QString styleSheetOf(const Theme& theme)
         QFrame#picture { background: @canvas; border: 1px solid @border; border-radius: 7px; }
         QLabel#title { font-weight: 600; }
         QLabel#soft, QLabel#hint { color: @softText; }
-        QLabel#section { font-weight: 600; padding-top: 6px; }
+        QLabel#section { font-weight: 600; }
+        QComboBox#compact { padding: 1px 8px; }
         QFrame#messageBar { background: @errorTint; border: 1px solid @error; border-radius: 7px; }
         QFrame#messageBar QLabel { color: @text; }
         QTableView { background: @card; border: none; gridline-color: transparent; outline: none;
               selection-background-color: @pickedTint; selection-color: @text; }
-        QTableView::item { padding: 0 4px; border: none; }
+        QTableView::item { padding: 0; border: none; }
         QTableView::item:selected { background: @pickedTint; color: @text; }
         QHeaderView { background: @card; border: none; }
         QHeaderView::section { background: @card; color: @softText; border: none; border-bottom: 1px solid @border;
-              padding: 2px 4px 4px 4px; font-weight: normal; }
+              padding: 2px 3px 4px 3px; font-weight: normal; }
         QStatusBar { background: @card; border-top: 1px solid @border; }
         QStatusBar::item { border: none; }
         QStatusBar QLabel { padding: 0 8px; }
@@ -158,6 +160,8 @@ QString styleSheetOf(const Theme& theme)
         QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
         QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
         QScrollArea { border: none; background: transparent; }
+        QScrollArea > QWidget > QWidget { background: transparent; }
+        QListWidget { background: transparent; border: none; }
         QProgressBar { background: @ground; border: none; border-radius: 3px; max-height: 6px; min-height: 6px; }
         QProgressBar::chunk { background: @idle; border-radius: 3px; }
         QToolTip { background: @card; color: @text; border: 1px solid @border; padding: 4px 8px; }

@@ -280,6 +280,7 @@ void Actions::makeToolBar()
     m_toolBar->toggleViewAction()->setVisible(false);
     m_toolBar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_toolBar->setIconSize({16, 16});
+    m_toolBar->setMinimumHeight(54);  // with the step below it that the style sheet leaves
 
     m_algorithmBox = new QComboBox;
     m_algorithmBox->setAccessibleName(tr("Algorithm"));

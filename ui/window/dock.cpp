@@ -29,14 +29,25 @@ PanelDock::PanelDock(const PanelEntry& entry, Panel* panel, QWidget* parent)
     auto* layout = new QVBoxLayout(body);
     layout->setContentsMargins(1, 0, 1, 1);
     layout->addWidget(panel);
+    const auto roomFor = [](QWidget* card) {
+        auto* room = new QWidget;
+        auto* around = new QVBoxLayout(room);
+        around->setContentsMargins(0, 0, 0, 0);
+        around->addWidget(card);
+        return room;
+    };
+    m_bodyRoom = roomFor(body);
     if (isTitled(entry)) {
-        setTitleBarWidget(makeTitle());
+        m_titleRoom = roomFor(makeTitle());
+        setTitleBarWidget(m_titleRoom);
     } else {
         body->setObjectName("cardWhole");
         setTitleBarWidget(new QWidget);
         setFeatures(DockWidgetClosable);
     }
-    setWidget(body);
+    setWidget(m_bodyRoom);
+    connect(this, &QDockWidget::dockLocationChanged, this, &PanelDock::keepOffTheEdge);
+    keepOffTheEdge(entry.area);
     dress();
 }
 
@@ -64,6 +75,15 @@ QWidget* PanelDock::makeTitle()
     layout->addWidget(m_summary);
     layout->addWidget(m_close);
     return title;
+}
+
+void PanelDock::keepOffTheEdge(Qt::DockWidgetArea area)
+{
+    const bool bottom = area == Qt::BottomDockWidgetArea;
+    const int  left   = bottom || area == Qt::LeftDockWidgetArea ? kStep : 0;
+    const int  right  = bottom || area == Qt::RightDockWidgetArea ? kStep : 0;
+    m_bodyRoom->layout()->setContentsMargins(left, 0, right, bottom ? kStep : 0);
+    if (m_titleRoom) m_titleRoom->layout()->setContentsMargins(left, 0, right, 0);
 }
 
 void PanelDock::dress()

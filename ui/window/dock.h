@@ -36,9 +36,11 @@ signals:
 private:
     QWidget* makeTitle();
     void     dress();
+    void     keepOffTheEdge(Qt::DockWidgetArea area);
 
     const PanelEntry& m_entry;
     Panel*            m_panel;
+    QWidget *         m_titleRoom = nullptr, *m_bodyRoom = nullptr;  // leave a step to the window's edge
     QLabel*           m_summary = nullptr;
     QToolButton*      m_close   = nullptr;
     bool              m_wanted  = true;

@@ -15,6 +15,7 @@
 #include <QFormLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -68,7 +69,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
                              .openWord         = [this](const QString& word) { open(word); }});
     m_sceneName = new QLabel;
     m_sceneName->setObjectName("soft");
-    m_sceneName->setContentsMargins(0, 0, 2 * kStep, 0);
+    m_sceneName->setContentsMargins(0, kStep / 2, 2 * kStep, 0);
     menuBar()->setCornerWidget(m_sceneName);
     makeDocks();
 
@@ -93,7 +94,7 @@ void MainWindow::makeCentre()
 {
     auto* centre = new QWidget;
     auto* layout = new QVBoxLayout(centre);
-    layout->setContentsMargins(0, kStep, 0, 0);
+    layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kStep);
     m_messages = new MessageBar(centre);
     auto* frame = new QFrame;
@@ -148,8 +149,8 @@ void MainWindow::resetLayout()
         return docks;
     };
     const int side = std::max(width(), 1280);
-    resizeDocks(pick({"scene", "active-edges"}), {side * 17 / 100, std::max(384, side * 23 / 100)}, Qt::Horizontal);
-    resizeDocks(pick({"scene", "pipeline"}), {46, 54}, Qt::Vertical);
+    resizeDocks(pick({"scene", "active-edges"}), {std::max(240, side * 17 / 100), std::max(432, side * 24 / 100)}, Qt::Horizontal);
+    resizeDocks(pick({"scene", "pipeline"}), {42, 58}, Qt::Vertical);
     resizeDocks(pick({"active-edges", "depth-test"}), {72, 28}, Qt::Vertical);
 }
 
@@ -348,7 +349,8 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
     if (event->type() == QEvent::ShortcutOverride) {
         const int  key     = static_cast<QKeyEvent*>(event)->key();
         auto*      widget  = qobject_cast<QWidget*>(object);
-        const bool isInput = qobject_cast<QAbstractButton*>(object) || qobject_cast<QComboBox*>(object);
+        const bool isInput = qobject_cast<QAbstractButton*>(object) || qobject_cast<QComboBox*>(object) ||
+                             qobject_cast<QAbstractSpinBox*>(object) || qobject_cast<QLineEdit*>(object);
         if (widget && widget->hasFocus() && isInput && (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter)) {
             event->accept();
             return true;

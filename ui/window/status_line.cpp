@@ -64,7 +64,7 @@ void StatusLine::present(const Snapshot& shown, Changes what)
                                       grouped(shown.scene ? shown.scene->scene().triangleCount() : 0),
                                       grouped(frame.coveredPixels)));
         const std::string_view simd = wordOf(frame.report.simd);
-        m_machine->setText(tr("%n thread(s)", nullptr, frame.report.threads) + " · " +
+        m_machine->setText(counted(static_cast<unsigned>(frame.report.threads), tr("1 thread"), tr("%1 threads")) + " · " +
                            QString::fromUtf8(simd.data(), static_cast<qsizetype>(simd.size())));
     }
     if (what & Change::Busy) {

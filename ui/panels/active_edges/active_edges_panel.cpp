@@ -36,6 +36,11 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setMinimumHeight(120);
+    QFont small = m_table->font();
+    small.setPointSizeF(small.pointSizeF() * 0.92);
+    m_table->setFont(small);
+    m_table->horizontalHeader()->setFont(small);
+    m_table->setColumnHidden(EdgeTableModel::FirstLine, true);  // in the tool tip; the last line decides
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setMinimumSectionSize(18);
@@ -125,37 +130,52 @@ void ActiveEdgesPanel::showWords(const Snapshot& shown)
         emit summaryChanged({});
         return;
     }
-    const int edges = static_cast<int>(sweep->activeEdges.size()), polygons = static_cast<int>(sweep->activePolygons.size());
     emit summaryChanged(tr("line %1 · %2 · %3")
-                            .arg(grouped(static_cast<unsigned>(sweep->y)), tr("%n edge(s)", nullptr, edges),
-                                 tr("%n polygon(s)", nullptr, polygons)));
+                            .arg(grouped(static_cast<unsigned>(sweep->y)),
+                                 counted(sweep->activeEdges.size(), tr("1 edge"), tr("%1 edges")),
+                                 counted(sweep->activePolygons.size(), tr("1 polygon"), tr("%1 polygons"))));
 
     const Theme& theme = themeOf(palette());
     m_changes->setText(QStringLiteral("<span style='color:%1'>▲</span> %2 &nbsp;&nbsp; <span style='color:%3'>▼</span> %4")
-                           .arg(theme.entered.name(), tr("%n entered", nullptr, static_cast<int>(sweep->entered.size())),
-                                theme.left.name(), tr("%n left", nullptr, static_cast<int>(sweep->left.size()))));
+                           .arg(theme.entered.name(), tr("%1 entered").arg(grouped(sweep->entered.size())), theme.left.name(),
+                                tr("%1 left").arg(grouped(sweep->left.size()))));
 
     QStringList ids;
     for (std::size_t i = 0; i < sweep->activePolygons.size() && i < kPolygonsNamed; ++i)
         ids << grouped(sweep->activePolygons[i].value);
     QString all = ids.join(QStringLiteral("   "));
     if (sweep->activePolygons.size() > kPolygonsNamed) all += QStringLiteral(" …");
-    m_polygons->setText(tr("Active polygons   %1").arg(all.isEmpty() ? tr("none") : all));
+    m_polygonText = tr("Active polygons   %1").arg(all.isEmpty() ? tr("none") : all);
     m_polygons->setToolTip(all);
+    fitPolygons();
+}
+
+void ActiveEdgesPanel::fitPolygons()
+{
+    const int room = width() - layout()->contentsMargins().left() - layout()->contentsMargins().right();
+    m_polygons->setText(m_polygons->fontMetrics().elidedText(m_polygonText, Qt::ElideRight, room));
+}
+
+void ActiveEdgesPanel::resizeEvent(QResizeEvent* event)
+{
+    Panel::resizeEvent(event);
+    fitPolygons();
 }
 
 void ActiveEdgesPanel::fitColumns()
 {
-    // As wide as the widest text, measured over all rows by the longest string, so that columns do not dance.
+    // As wide as the widest text, and no narrower than a little while ago, so that columns do not dance.
     using Model = EdgeTableModel;
-    const QFontMetrics metrics = m_table->fontMetrics();
+    constexpr int      kPadding = 14, kSlack = 24;
+    const QFontMetrics metrics  = m_table->fontMetrics();
     for (int column = 0; column < Model::kColumns; ++column) {
         int width = metrics.horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
         for (int row = 0; row < m_model->rowCount(); ++row)
             width = std::max(width, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
-        width = std::max(column == Model::Mark ? 20 : width + 14, m_model->rowCount() > 0 ? 0 : 20);
-        if (width > m_table->columnWidth(column) || width < m_table->columnWidth(column) - 40)
-            m_table->setColumnWidth(column, width);
+        width += kPadding;
+        int& kept = m_widths[static_cast<std::size_t>(column)];
+        if (width > kept || width < kept - kSlack) kept = width;
+        m_table->setColumnWidth(column, column == Model::Mark ? 20 : kept);
     }
     m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + 5);
 }

@@ -3,6 +3,8 @@
 // the edge table's buckets. Selecting a row highlights the edge in the picture; picking a pixel lights up the rows.
 #pragma once
 
+#include <array>
+
 #include "ui/panels/panel.h"
 
 class QLabel;
@@ -25,20 +27,24 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void showRows(const Snapshot& shown);
     void showWords(const Snapshot& shown);
     void fitColumns();
+    void fitPolygons();
 
     EdgeTableModel* m_model;
     QTableView*     m_table;
     QLabel*         m_changes;
     QLabel*         m_polygons;
+    QString         m_polygonText;  // before it is made to fit
     QLabel*         m_hint;
     LineStrip*      m_strip;
     BucketChart*    m_buckets;
     QStackedLayout* m_tableOrHint;
+    std::array<int, 8> m_widths{};  // of the columns
     bool            m_filling = false;  // rows are being replaced: what happens to the selection is not the user's
 };
 

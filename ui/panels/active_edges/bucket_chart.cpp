@@ -37,7 +37,8 @@ void BucketChart::present(const Snapshot& shown)
     m_bars                  = gathered(m_counts, width());
     m_highest               = m_counts.empty() ? 0 : *std::ranges::max_element(m_counts);
     if (m_line >= 0 && m_line < static_cast<int>(m_counts.size()))
-        setAccessibleDescription(tr("%n edge(s) start on the current line", nullptr, m_counts[static_cast<std::size_t>(m_line)]));
+        setAccessibleDescription(counted(static_cast<unsigned>(m_counts[static_cast<std::size_t>(m_line)]),
+                                          tr("1 edge starts on the current line"), tr("%1 edges start on the current line")));
     update();
 }
 

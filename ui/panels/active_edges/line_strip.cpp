@@ -76,7 +76,7 @@ void LineStrip::present(const Snapshot& shown)
     const ShownStep* step = shown.stepOfPicture();
     m_contents            = step ? stripOf(step->state) : LineStripContents{};
     m_picked              = pickedTriangle(shown);
-    setAccessibleDescription(tr("%n interval(s) with an owner", nullptr, static_cast<int>(m_contents.owners.size())));
+    setAccessibleDescription(counted(m_contents.owners.size(), tr("1 interval has an owner"), tr("%1 intervals have an owner")));
     update();
 }
 

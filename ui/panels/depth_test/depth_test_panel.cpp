@@ -104,7 +104,7 @@ void DepthTestPanel::present(const Snapshot& shown, Changes what)
     const DepthTestContents told = depthTestOf(shown);
     m_verdict->setText(told.verdict);
     m_verdict->setVisible(!told.verdict.isEmpty());
-    m_verdict->setObjectName(told.facts.empty() ? "hint" : "");
+    m_verdict->setForegroundRole(told.facts.empty() ? QPalette::PlaceholderText : QPalette::WindowText);
     while (m_names.size() < told.facts.size()) {
         const int row = static_cast<int>(m_names.size());
         m_names.push_back(new QLabel);

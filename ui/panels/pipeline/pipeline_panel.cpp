@@ -32,11 +32,13 @@ PipelinePanel::PipelinePanel(Session& session, QWidget* parent) : Panel(session,
     auto* choices = new QGridLayout;
     choices->setColumnStretch(1, 1);
     choices->setHorizontalSpacing(kStep);
+    choices->setVerticalSpacing(4);
     addAxes(*choices);
     layout->addLayout(choices);
 
     auto* ran = new QLabel(tr("What ran"));
     ran->setObjectName("section");
+    layout->addSpacing(4);
     layout->addWidget(ran);
     auto* stages = new QGridLayout;
     stages->setColumnStretch(0, 1);
@@ -69,6 +71,7 @@ void PipelinePanel::addAxes(QGridLayout& grid)
         combo->setAccessibleName(translated(axis.title));
         combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         combo->setMinimumContentsLength(8);
+        combo->setObjectName("compact");
         for (const ChoiceEntry& choice : axis.choices) {
             combo->addItem(text(choice.word));
             combo->setItemData(combo->count() - 1, translated(choice.title), Qt::ToolTipRole);

@@ -118,7 +118,7 @@ void ScenePanel::showScene(const Snapshot& shown)
     m_values[4]->setText(QString("%1 × %2 × %3").arg(side(size.x), side(size.y), side(size.z)));
 
     const std::size_t warnings = scene.warnings.size();
-    emit summaryChanged(warnings == 0 ? QString() : tr("%n warning(s)", nullptr, static_cast<int>(warnings)));
+    emit summaryChanged(warnings == 0 ? QString() : counted(warnings, tr("1 warning"), tr("%1 warnings")));
     if (warnings == 0) return;
     m_warningsTitle->setText(tr("Left out or mended while reading"));
     m_warningsTitle->setVisible(true);
@@ -129,7 +129,7 @@ void ScenePanel::showScene(const Snapshot& shown)
                                              : QString::fromStdString(warning.sentence));
     }
     if (warnings > kWarningsShown)
-        m_warnings->addItem(tr("and %n more", nullptr, static_cast<int>(warnings - kWarningsShown)));
+        m_warnings->addItem(tr("and %1 more").arg(grouped(warnings - kWarningsShown)));
 }
 
 void ScenePanel::showAngles()

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window, driven by keys and mouse as a person would, on the offscreen platform.
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "ui/panels/registry.h"
+#include "ui/session/engine.h"
+#include "ui/view/frame_view.h"
+#include "ui/window/dock.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+
+using namespace zscope;
+using namespace zscope::ui;
+
+namespace {
+
+constexpr int kLong = 60'000;  // ms
+
+struct Desk {
+    QTemporaryDir folder;
+    Settings      settings{folder.filePath("settings.ini")};
+    Session       session;
+    MainWindow    window{session, settings, QApplication::palette()};
+
+    Desk()
+    {
+        session.setPipeline(findPreset("scanline")->pipeline);
+        window.resize(1280, 800);
+        window.show();
+    }
+    bool settles()
+    {
+        return QTest::qWaitFor([&] { return session.isIdle() && session.now().busy.isEmpty(); }, kLong);
+    }
+    bool open(const QString& word)
+    {
+        window.open(word, [](const Scene&) {
+            ViewRequest view;
+            view.width  = 320;
+            view.height = 180;
+            return view;
+        });
+        return settles() && session.now().step;
+    }
+    void press(int key, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::keyClick(&window, static_cast<Qt::Key>(key), modifiers);
+    }
+    QTableView* table() { return window.findChild<QTableView*>(); }
+};
+
+/// The middle of a pixel of the picture in the view's own coordinates.
+QPoint placeOf(const FrameView& view, const QPoint& pixel)
+{
+    return (view.view().toView(QPointF(pixel) + QPointF(0.5, 0.5)) / view.devicePixelRatioF()).toPoint();
+}
+
+}  // namespace
+
+class WindowTest final : public QObject {
+    Q_OBJECT
+
+private slots:
+    void rightAndLeftStepAndTheTableFollows()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:teapot"));
+        desk.session.goToStep(90);
+        QVERIFY(desk.settles());
+        const int rows = desk.table()->model()->rowCount();
+        QVERIFY(rows > 2);
+        desk.press(Qt::Key_Right);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.position()->step, std::uint64_t{91});
+        desk.press(Qt::Key_Left);
+        desk.press(Qt::Key_Left);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.position()->step, std::uint64_t{89});
+        desk.press(Qt::Key_Home);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.position()->step, std::uint64_t{0});
+        desk.press(Qt::Key_End);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.position()->step + 1, desk.session.position()->count);
+    }
+    void numberKeysChooseTheAlgorithmAndKeepTheCamera()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:teapot"));
+        const Camera camera = desk.session.now().camera;
+        for (std::size_t i = 0; i < presets().size() && i < 9; ++i) {
+            desk.press(Qt::Key_1 + static_cast<int>(i));
+            QVERIFY(desk.settles());
+            QVERIFY(desk.session.now().pipeline == presets()[i].pipeline);
+            QVERIFY(desk.session.now().camera == camera);
+            const bool sweeps = familyOf(presets()[i].pipeline) == Family::Sweep;
+            QCOMPARE(desk.window.dock("active-edges")->isVisible(), sweeps);
+        }
+    }
+    void keypadDigitsAreViewsAndNotAlgorithms()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        const Pipeline before = desk.session.now().pipeline;
+        desk.press(Qt::Key_1, Qt::KeypadModifier);
+        QVERIFY(desk.settles());
+        QVERIFY(desk.session.now().pipeline == before);
+        QCOMPARE(desk.session.now().camera.forward.z, -1.0);
+        desk.press(Qt::Key_3, Qt::KeypadModifier);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.now().camera.forward.x, -1.0);
+        desk.press(Qt::Key_7, Qt::KeypadModifier);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.now().camera.forward.y, -1.0);
+    }
+    void aClickPicksAndItsRowsLightUpAndARowHighlightsItsEdge()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:teapot"));
+        desk.session.goToStep(90);
+        QVERIFY(desk.settles());
+        const SweepState& sweep = *desk.session.now().sweep();
+        QVERIFY(!sweep.spans.empty());
+        const QPoint pixel((sweep.spans[0].x0 + sweep.spans[0].x1 - 1) / 2, sweep.y);
+        QTest::mouseClick(&desk.window.view(), Qt::LeftButton, {}, placeOf(desk.window.view(), pixel));
+        QVERIFY(desk.session.now().picked);
+        QCOMPARE(*desk.session.now().picked, pixel);
+        const auto owner = pickedTriangle(desk.session.now());
+        QVERIFY(owner);
+        QAbstractItemModel& model = *desk.table()->model();
+        int lit = 0;
+        for (int row = 0; row < model.rowCount(); ++row)
+            lit += model.index(row, 1).data(Qt::BackgroundRole).isValid();
+        QVERIFY(lit >= 1);
+
+        desk.table()->setCurrentIndex(model.index(0, 1));
+        QVERIFY(desk.session.now().selectedEdge);
+        const Overlay overlay = overlayOf(desk.session.now(), {});
+        QVERIFY(std::ranges::any_of(overlay.edges, [](const OverlayEdge& e) { return e.kind == EdgeKind::Selected; }));
+        desk.press(Qt::Key_Escape);
+        QVERIFY(!desk.session.now().picked);
+        QVERIFY(!desk.session.now().selectedEdge);
+    }
+    void controlArrowsNudgeThePick()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        desk.session.pick(QPoint(10, 20));
+        desk.press(Qt::Key_Right, Qt::ControlModifier);
+        desk.press(Qt::Key_Down, Qt::ControlModifier);
+        QCOMPARE(*desk.session.now().picked, QPoint(11, 21));
+    }
+    void theWheelZoomsAndDraggingPansAndNeitherPicks()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        FrameView&    view   = desk.window.view();
+        const QPoint  cursor = view.rect().center() + QPoint(40, 30);
+        const QPointF held   = view.view().toPicture(QPointF(cursor) * view.devicePixelRatioF());
+        const double  before = view.view().zoom();
+        QWheelEvent   wheel(cursor, view.mapToGlobal(cursor), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&view, &wheel);
+        QVERIFY(view.view().zoom() > before);
+        const QPointF now = view.view().toPicture(QPointF(cursor) * view.devicePixelRatioF());
+        QVERIFY(std::abs(now.x() - held.x()) < 1e-6 && std::abs(now.y() - held.y()) < 1e-6);
+
+        QTest::mousePress(&view, Qt::LeftButton, {}, cursor);
+        QTest::mouseMove(&view, cursor + QPoint(30, 0));
+        QTest::mouseMove(&view, cursor + QPoint(60, 0));
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, cursor + QPoint(60, 0));
+        QVERIFY(!desk.session.now().picked);
+        desk.press(Qt::Key_F);
+        QVERIFY(view.view().isFitted());
+        desk.press(Qt::Key_0, Qt::ControlModifier);
+        QCOMPARE(view.view().zoom(), 1.0);
+    }
+    void keysMeanOneThingPerTool()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:teapot"));
+        const Camera        camera = desk.session.now().camera;
+        const std::uint64_t step   = desk.session.position()->step;
+        desk.press(Qt::Key_C);
+        QCOMPARE(desk.window.view().tool(), Tool::Camera);
+        desk.press(Qt::Key_Left);
+        QVERIFY(desk.settles());
+        QVERIFY(!(desk.session.now().camera == camera));
+        QCOMPARE(desk.session.position()->step + 1, desk.session.position()->count);
+        desk.press(Qt::Key_Return);
+        QVERIFY(desk.settles());
+        QVERIFY(desk.session.now().camera == camera);
+        desk.press(Qt::Key_I);
+        desk.press(Qt::Key_Left);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.position()->step, step - 1);
+        QVERIFY(desk.session.now().camera == camera);
+    }
+    void orbitingMovesTheCameraAndFlyingGoesForward()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        FrameView& view = desk.window.view();
+        desk.press(Qt::Key_C);
+        const Camera before = desk.session.now().camera;
+        const QPoint middle = view.rect().center();
+        QTest::mousePress(&view, Qt::LeftButton, {}, middle);
+        QTest::mouseMove(&view, middle + QPoint(50, 10));
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(50, 10));
+        QVERIFY(desk.settles());
+        const Camera orbited = desk.session.now().camera;
+        QVERIFY(!(orbited == before));
+        QTest::keyPress(&view, Qt::Key_W);
+        QTest::qWait(200);
+        QTest::keyRelease(&view, Qt::Key_W);
+        QVERIFY(desk.settles());
+        QVERIFY(!(desk.session.now().camera.eye == orbited.eye));
+        QVERIFY(desk.session.now().camera.forward.x == orbited.forward.x || std::abs(desk.session.now().camera.forward.x - orbited.forward.x) < 1e-9);
+    }
+    void aDroppedFileWithAChineseNameIsOpened()
+    {
+        Desk          desk;
+        const QString path = desk.folder.filePath(QString::fromUtf8("茶壶 模型.obj"));
+        QFile         file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        file.close();
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&desk.window, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&desk.window, &drop);
+        QVERIFY(desk.settles());
+        QVERIFY(desk.session.now().scene);
+        QCOMPARE(desk.session.now().scene->word, path);
+        QCOMPARE(desk.settings.recentFiles().value(0), path);
+    }
+    void aFileThatCannotBeReadIsSaidAndNothingElseChanges()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        desk.window.open(desk.folder.filePath("missing.obj"));
+        QVERIFY(desk.settles());
+        QVERIFY(desk.window.messages().sentence().contains("missing.obj"));
+        QCOMPARE(desk.session.now().scene->word, QString("builtin:cubes"));
+    }
+    void everythingThatCanBeSeenHasAName()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        for (const PanelEntry& entry : panels()) {
+            const PanelDock* dock = desk.window.dock(entry.word);
+            QVERIFY(dock);
+            QVERIFY(!dock->accessibleName().isEmpty());
+        }
+        QVERIFY(!desk.window.view().accessibleName().isEmpty());
+        for (const auto* box : desk.window.findChildren<QComboBox*>()) QVERIFY(!box->accessibleName().isEmpty());
+        for (const auto* button : desk.window.findChildren<QAbstractButton*>())
+            if (button->isVisible() && !button->objectName().startsWith("qt_"))
+                QVERIFY2(!button->text().isEmpty() || !button->accessibleName().isEmpty(), qPrintable(button->objectName()));
+    }
+    void brokenSettingsDoNotBlockTheStart()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("settings.ini");
+        QFile         file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("[window]\ngeometry=@ByteArray(nonsense)\nlayout=@Variant(\\0\\0\\xff)\n[files\nrecent=%%%\n\x01\x02");
+        file.close();
+        Settings settings(path);
+        settings.beginStart();
+        Session    session;
+        MainWindow window(session, settings, QApplication::palette());
+        window.show();
+        QVERIFY(window.isVisible());
+        QVERIFY(window.dock("timeline")->isVisible());
+    }
+    void aLayoutIsKeptUntilTheNextStart()
+    {
+        QTemporaryDir folder;
+        Settings      settings(folder.filePath("settings.ini"));
+        {
+            Session    session;
+            MainWindow window(session, settings, QApplication::palette());
+            window.show();
+            window.dock("scene")->setWanted(false);
+            window.close();
+        }
+        Session    session;
+        MainWindow window(session, settings, QApplication::palette());
+        window.show();
+        QVERIFY(!window.dock("scene")->isVisible());
+        QVERIFY(window.dock("pipeline")->isVisible());
+    }
+    void closingWhileLoadingDrawingOrReplayingIsSafe()
+    {
+        for (int round = 0; round < 12; ++round) {
+            Desk desk;
+            desk.window.open("builtin:soccer-field?count=30&seed=1");
+            if (round % 3 == 1) QTest::qWait(20 * round);
+            if (round % 3 == 2) {
+                QVERIFY(desk.settles());
+                desk.session.goToStep(100);
+                desk.press(Qt::Key_Space);  // playing
+                QTest::qWait(5 * round);
+            }
+            desk.window.close();
+        }
+    }
+};
+
+int main(int argc, char** argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    QApplication::setStyle("Fusion");
+    WindowTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_test.moc"
