@@ -53,8 +53,8 @@ enum class Effort {
 /// The reference's picture, after every exact preset has been held against it, bit for bit.
 Picture agreedPicture(const HardCase& hard, Effort effort = Effort::All, FaceCulling culling = FaceCulling::None);
 
-/// Counters by name, of the first preset, after those of every preset were checked: finite, adding up, and equal to
-/// the fates that the reference finds.
+/// Counters by name, of the z-buffer, after those of every preset were checked: they add up, are the fates that the
+/// reference finds, and no method draws or tests more than the z-buffer; those that cull nothing do exactly the same.
 std::map<std::string, std::uint64_t> expectCounters(const HardCase& hard, FaceCulling culling = FaceCulling::None);
 
 /// How exactly a twin's depths must be those of the original.

@@ -131,7 +131,8 @@ Result<Scene> crossingInsideAnInterval(const Arguments&)
     return hard.finish();
 }
 
-/// one-row: all polygons are active on each of 16 rows. rows: they start all the way down the tallest picture.
+/// one-row: all polygons are active on each of 16 rows, and end up to `lean` pixels beside where they begin.
+/// rows: they start all the way down the tallest picture.
 Result<Scene> manyPolygons(const Arguments& arguments)
 {
     const auto   count = static_cast<std::size_t>(arguments.whole("polygons"));
@@ -140,6 +141,7 @@ Result<Scene> manyPolygons(const Arguments& arguments)
         return tooLarge("the polygons", bytes, arguments.memoryLimit);
     Random     random(static_cast<std::uint64_t>(count));
     const bool tall = arguments.word("spread") == "rows";
+    const double lean = arguments.real("lean");
     HardScene  hard = tall ? HardScene(16, kMaxPictureSide) : HardScene(1024, 16);
     for (std::size_t i = 0; i < count; ++i) {
         const double depth = 0.25 * (1 - random.unit() / 2);
@@ -148,7 +150,7 @@ Result<Scene> manyPolygons(const Arguments& arguments)
             const double left = random.between(-2, 12), height = random.between(0.5, 3);
             hard.triangle({left, top}, {left + 1, top + height}, {left + 6, top + 1}, depth);
         } else {
-            const double left = random.between(-2, 1024), slant = random.between(-3, 3), width = random.between(0.1, 3);
+            const double left = random.between(-2, 1024), slant = random.between(-lean, lean), width = random.between(0.1, 3);
             hard.triangle({left, -3}, {left + slant, 19}, {left + width, -2}, depth);
         }
     }
@@ -188,7 +190,8 @@ std::vector<Generator> hard_f()
          leavingAndEntering},
         {"hard/F8", "Polygons that cross inside an interval", {}, crossingInsideAnInterval},
         {"hard/F9", "Tens of thousands of polygons active on one row, or starting on all rows",
-         {{"polygons", WholeNumber{50'000, 1, 10'000'000}}, {"spread", OneOf{{"one-row", "rows"}}}}, manyPolygons},
+         {{"polygons", WholeNumber{50'000, 1, 10'000'000}}, {"spread", OneOf{{"one-row", "rows"}}}, {"lean", RealNumber{3, 0, 1024}}},
+         manyPolygons},
         {"hard/F10", "Polygons that enter from outside the picture",
          {{"from", OneOf{{"all", "above", "left", "right", "below"}}}}, fromOutside},
     };
