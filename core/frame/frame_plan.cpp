@@ -73,7 +73,7 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
         return pipeline.upkeep == Upkeep::None ? StageReason{false, "there is no pyramid to keep"}
                                                : StageReason{true, "stale cells, when a query meets them: counted with cull and raster"};
     case Stage::Shade: return {request.shade, request.shade ? "each pixel once, from its triangle" : "no colours were asked for"};
-    case Stage::Other: return {true, "starting threads, and waiting for the slowest"};
+    case Stage::Other: return {true, "sizing buffers, starting threads, waiting for the slowest; on a first frame also the colours"};
     }
     return {false, ""};
 }

@@ -45,8 +45,7 @@ using Clock = std::chrono::steady_clock;
 double msSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
 
 /// The stages of a report: mean over the threads; what no thread accounts for is Other.
-std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<StageMs>& perThread, double setUpMs,
-                                  double frameMs)
+std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<StageMs>& perThread, double frameMs)
 {
     std::vector<StageTime> times;
     double                 accounted = 0;
@@ -55,7 +54,6 @@ std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<
         StageTime         time{stage, 0, reason.runs, reason.why};
         for (const StageMs& ms : perThread) time.ms += ms[static_cast<std::size_t>(stage)];
         time.ms /= static_cast<double>(perThread.size());
-        if (stage == Stage::Clear) time.ms += setUpMs;
         accounted += time.ms;
         times.push_back(std::move(time));
     }
@@ -77,7 +75,6 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
     std::vector<StageMs>    stageMs(static_cast<std::size_t>(plan->threads));
     std::vector<double>     stripeMs(static_cast<std::size_t>(plan->threads));
     std::atomic<bool>       outOfMemory = false;
-    double                  setUpMs     = 0;
     const ColourTable*      colours     = nullptr;
     try {
         if (request.shade) colours = &coloursOf(*request.scene);
@@ -91,7 +88,6 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
         return Error{Trouble::Limit, "there is not enough memory for this picture"};
     }
     m_workspace->borders.prepare(camera.height, plan->threads);
-    setUpMs = msSince(start);
 
 #pragma omp parallel for num_threads(plan->threads) schedule(static, 1)
     for (int i = 0; i < plan->threads; ++i) {
@@ -117,7 +113,7 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
 
     FrameReport report;
     report.frameMs = msSince(start);
-    report.stages  = stageTimes(request, stageMs, setUpMs, report.frameMs);
+    report.stages  = stageTimes(request, stageMs, report.frameMs);
     report.threads = plan->threads;
     report.simd    = plan->simd;
     std::uint64_t scratchBytes = 0;

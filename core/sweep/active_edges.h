@@ -3,8 +3,9 @@
 // Order      by the exact crossing with the line's centre; the order of edges that meet in one point is not defined. An
 //            edge beyond the guard band counts as half a subpixel wherever it is not on a whole one, so inside one
 //            subpixel it may stand on the wrong side of a neighbour, which moves no pixel
-// Cost       per line one pass to drop, step and re-sort (insertion: neighbours rarely change places), and one merge of
-//            the newcomers, from the right, in place
+// Cost       per line one pass to drop, step and re-sort, and one merge of the newcomers, from the right, in place.
+//            Sorting is by insertion, as neighbours rarely change places, until that has moved more edges than sorting
+//            the line outright would: never worse than n log n
 #pragma once
 
 #include <algorithm>
@@ -29,6 +30,7 @@ public:
     void advanceTo(int y, const EdgeTable& table, ActivePolygons& polygons, const Probe& probe)
     {
         std::size_t kept = 0;
+        NearlySorted order(m_edges.size());
         for (ActiveEdge edge : m_edges) {
             if (edge.lastLine() < y) {
                 probe(EdgeLeft{edge, polygons[edge.polygon()].part});
@@ -39,11 +41,10 @@ public:
                 edge.placeWide(table.parts()[polygons[edge.polygon()].part], y);
             else
                 edge.nextLine();
-            std::size_t place = kept++;
-            for (; place > 0 && edge.isLeftOf(m_edges[place - 1]); --place) m_edges[place] = m_edges[place - 1];
-            m_edges[place] = edge;
+            order.insert(m_edges, kept++, edge);
         }
         m_edges.erase(m_edges.begin() + static_cast<std::ptrdiff_t>(kept), m_edges.end());
+        order.finish(m_edges);
     }
 
     /// Adds the edges of the table's bucket for line y, each in its place, and their polygons.
@@ -53,12 +54,18 @@ public:
         m_newcomers.clear();
         for (const std::uint32_t index : table.startingAt(y)) {
             m_newcomers.push_back(table.edge(index));
-            const std::uint32_t part = m_newcomers.back().polygon();
-            m_newcomers.back().setPolygon(polygons.enter(table.parts()[part], part));
-            probe(EdgeEntered{m_newcomers.back(), part});
-            for (std::size_t i = m_newcomers.size() - 1; i > 0 && m_newcomers[i].isLeftOf(m_newcomers[i - 1]); --i)
-                std::swap(m_newcomers[i], m_newcomers[i - 1]);
+            table.prefetchPart(m_newcomers.back().polygon());
         }
+        table.prefetchEdgesOf(y + 1);
+        NearlySorted order(m_newcomers.size());
+        for (std::size_t i = 0; i < m_newcomers.size(); ++i) {
+            ActiveEdge          edge = m_newcomers[i];
+            const std::uint32_t part = edge.polygon();
+            edge.setPolygon(polygons.enter(table.parts()[part], part));
+            probe(EdgeEntered{edge, part});
+            order.insert(m_newcomers, i, edge);
+        }
+        order.finish(m_newcomers);
         mergeNewcomers();
     }
 
@@ -66,6 +73,29 @@ public:
     std::size_t bytes() const { return (m_edges.capacity() + m_newcomers.capacity()) * sizeof(ActiveEdge); }
 
 private:
+    /// Insertion sort that gives up, and sorts outright at the end, once it has moved four times as many edges as there are.
+    class NearlySorted {
+    public:
+        explicit NearlySorted(std::size_t count) : m_movesLeft(4 * count) {}
+
+        /// The first `count` edges stand in order (or sorting by insertion has been given up): `edge` joins them.
+        void insert(std::vector<ActiveEdge>& edges, std::size_t count, const ActiveEdge& edge)
+        {
+            std::size_t place = count;
+            for (; place > 0 && edge.isLeftOf(edges[place - 1]) && m_movesLeft > 0; --place, --m_movesLeft)
+                edges[place] = edges[place - 1];
+            edges[place] = edge;
+        }
+        void finish(std::vector<ActiveEdge>& edges) const
+        {
+            if (m_movesLeft > 0) return;
+            std::ranges::sort(edges, [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
+        }
+
+    private:
+        std::size_t m_movesLeft;
+    };
+
     /// The rightmost of both lists goes to the end, and so on, until the newcomers are used up.
     void mergeNewcomers()
     {

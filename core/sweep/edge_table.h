@@ -65,6 +65,18 @@ public:
     /// An edge as it stands on its first line.
     const ActiveEdge& edge(std::uint32_t index) const { return m_edges[index]; }
 
+    /// Hints for memory that will be read soon: buckets scatter over the table, and each miss would be waited for.
+    void prefetchEdgesOf(int y) const
+    {
+        if (y >= m_endLine) return;
+        for (const std::uint32_t index : startingAt(y)) __builtin_prefetch(&m_edges[index]);
+    }
+    void prefetchPart(std::uint32_t part) const
+    {
+        __builtin_prefetch(&m_parts[part].depth);
+        __builtin_prefetch(&m_parts[part].id);
+    }
+
     std::size_t bytes() const
     {
         return m_parts.capacity() * sizeof(ScreenTriangle) + m_edges.capacity() * sizeof(ActiveEdge) +
