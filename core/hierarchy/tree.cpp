@@ -77,7 +77,7 @@ const TreeNode& Tree::open(const TreeNode& node) const
 void Tree::divide(TreeNode& node) const
 {
     node.ownEnd = node.end;
-    if (node.size() <= m_leafSize || node.depth >= kMaxDepth) return;
+    if (node.size() <= m_leafSize || node.depth >= kMaxDepth || node.bounds.isEmpty()) return;
     const std::vector<Group> groups = m_kind == TreeKind::Octree ? octants(node) : halves(node);
     if (groups.empty()) return;
 
@@ -123,12 +123,12 @@ std::vector<Tree::Group> Tree::halves(TreeNode& node) const
     constexpr std::size_t kBins = 16;
     Bounds                centres;
     for (std::uint32_t i = node.first; i < node.end; ++i) centres.include(centreOf(m_boxes->boxOf(m_items[i])));
-    const dvec3 extent = centres.max - centres.min;
+    const dvec3 extent = 0.5 * centres.max - 0.5 * centres.min;  // halved, so that no sum of finite numbers runs over
     const int   axis   = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     if (!(extent[axis] > 0)) return {};
     const auto binOf = [&](std::uint32_t item) {
-        const double place = (centreOf(m_boxes->boxOf(item))[axis] - centres.min[axis]) / extent[axis];
-        return std::min(kBins - 1, static_cast<std::size_t>(place * kBins));
+        const double place = (0.5 * centreOf(m_boxes->boxOf(item))[axis] - 0.5 * centres.min[axis]) / extent[axis];
+        return place > 0 ? std::min(kBins - 1, static_cast<std::size_t>(place * kBins)) : 0;  // an empty box has no centre
     };
 
     std::array<Bounds, kBins>        boxes;

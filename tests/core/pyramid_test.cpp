@@ -1,0 +1,263 @@
+// What the pyramid promises, against every pixel asked one by one: hidden exactly when each pixel of the box is strictly
+// nearer. Hard cases D1 to D7 and D9 of docs/correctness.md.
+#include "core/depth/pyramid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/scene/generators/random.h"
+
+namespace zscope {
+namespace {
+
+constexpr float kEmpty = 0.0009765f;
+
+/// Depths and the pyramid over the lines [firstRow, endRow) of them. Lines outside hold the farthest depth, or the
+/// nearest: whatever they hold, no answer may depend on it.
+struct Screen {
+    Screen(int width, int height, int first, int end, float outside) : firstRow(first), endRow(end)
+    {
+        visible.resize(width, height, kEmpty);
+        visible.clearRows(0, height);
+        for (int y = 0; y < height; ++y)
+            if (y < firstRow || y >= endRow) std::fill_n(visible.depthRow(y), width, outside);
+        pyramid.reset(visible, firstRow, endRow);
+    }
+    Screen(int width, int height) : Screen(width, height, 0, height, 0) {}
+
+    PixelBox region() const { return {0, firstRow, visible.width(), endRow}; }
+
+    /// As triangles do: depths only grow.
+    void draw(const PixelBox& box, float depth)
+    {
+        for (int y = box.y0; y < box.y1; ++y)
+            for (int x = box.x0; x < box.x1; ++x) visible.depthRow(y)[x] = std::max(visible.depthRow(y)[x], depth);
+        pyramid.touched(box);
+    }
+    float farthest(const PixelBox& box) const
+    {
+        float least = std::numeric_limits<float>::infinity();
+        for (int y = box.y0; y < box.y1; ++y)
+            for (int x = box.x0; x < box.x1; ++x) least = std::min(least, visible.depthRow(y)[x]);
+        return least;
+    }
+    /// The pixels of a cell that exist.
+    PixelBox cell(int level, int x, int y) const
+    {
+        return {x << level, firstRow + (y << level), std::min((x + 1) << level, visible.width()),
+                std::min(firstRow + ((y + 1) << level), endRow)};
+    }
+    PixelBox anyBox(Random& random) const
+    {
+        const auto side = [&random](int low, int high) {
+            const int a = low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low)));
+            const int most = random.below(3) == 0 ? high - a : std::min(high - a, 12);
+            return std::array{a, a + 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(most)))};
+        };
+        const auto [x0, x1] = side(0, visible.width());
+        const auto [y0, y1] = side(firstRow, endRow);
+        return {x0, y0, x1, y1};
+    }
+
+    int              firstRow, endRow;
+    VisibilityBuffer visible;
+    Pyramid          pyramid;
+};
+
+void expectExact(Screen& screen, const PixelBox& box, float nearest, const char* when)
+{
+    const bool hidden = nearest < screen.farthest(box);
+    const auto query  = screen.pyramid.ask(box, nearest);
+    ASSERT_EQ(query.hidden, hidden) << when << ": box " << box.x0 << ' ' << box.y0 << ' ' << box.x1 << ' ' << box.y1
+                                    << " at " << nearest << ", farthest pixel " << screen.farthest(box);
+    ASSERT_EQ(query.box, box);
+    // It begins on a level where the box takes at most 2 x 2 cells.
+    ASSERT_LE(((box.x1 - 1) >> query.level) - (box.x0 >> query.level), 1);
+    ASSERT_LE(((box.y1 - 1 - screen.firstRow) >> query.level) - ((box.y0 - screen.firstRow) >> query.level), 1);
+    ASSERT_GE(query.cells, 1);
+}
+
+/// No stored cell is nearer than its pixels, refreshed or not.
+void expectNoCellTooNear(const Screen& screen)
+{
+    for (int level = Pyramid::kTileLevel; level < screen.pyramid.levels(); ++level) {
+        const auto stored = screen.pyramid.stored(level);
+        for (int y = 0; y < stored.height; ++y)
+            for (int x = 0; x < stored.width; ++x)
+                ASSERT_LE(stored.at(x, y), screen.farthest(screen.cell(level, x, y))) << level << ": " << x << ' ' << y;
+    }
+}
+
+constexpr std::array<std::array<int, 2>, 10> kSizes{
+    {{1, 1}, {1, 67}, {67, 1}, {8, 8}, {9, 8}, {17, 33}, {64, 64}, {130, 5}, {257, 193}, {1023, 769}}};
+
+TEST(Pyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeAndStripe)
+{
+    std::array<int, 2> answers{};
+    for (const auto& [width, height] : kSizes)
+        for (const int first : {0, 1, 3, 8, 61}) {
+            if (first >= height) continue;
+            for (const int end : {height, first + (height - first + 1) / 2}) {
+                for (const float outside : {0.0f, 1.0f}) {
+                    SCOPED_TRACE(testing::Message() << width << 'x' << height << ", lines " << first << " to " << end);
+                    Random random(static_cast<std::uint64_t>(width * 4096 + height + first * 7 + end));
+                    Screen screen(width, height, first, end, outside);
+                    const int steps = width > 500 ? 60 : 250;
+                    for (int i = 0; i < steps; ++i) {
+                        // Depths come near in time, so that the pyramid changes at every step (D9).
+                        const auto depth = static_cast<float>(static_cast<double>(i + 1) / steps * random.between(0.5, 1));
+                        screen.draw(random.below(8) == 0 ? screen.region() : screen.anyBox(random), depth);
+                        for (int q = 0; q < 3; ++q) {
+                            const PixelBox box      = screen.anyBox(random);
+                            const float    farthest = screen.farthest(box);
+                            const float    below    = std::nextafter(farthest, 0.0f), above = std::nextafter(farthest, 2.0f);
+                            for (const float nearest : {below, farthest, above, static_cast<float>(random.unit())}) {
+                                expectExact(screen, box, nearest, "after a write");
+                                ++answers[nearest < farthest];
+                                if (testing::Test::HasFatalFailure()) return;
+                            }
+                        }
+                    }
+                    expectNoCellTooNear(screen);
+                }
+            }
+        }
+    EXPECT_GT(answers[0], 1000);
+    EXPECT_GT(answers[1], 1000);
+}
+
+TEST(Pyramid, EveryCellIsTheMinimumOfThePixelsThatExistOnceAQueryNeededIt)
+{
+    for (const auto& [width, height] : kSizes) {
+        const int first = height > 10 ? 5 : 0;
+        Random    random(static_cast<std::uint64_t>(width + height));
+        Screen    screen(width, height, first, height, 0.0f);
+        for (int y = first; y < height; ++y)
+            for (int x = 0; x < width; ++x) screen.visible.depthRow(y)[x] = static_cast<float>(random.between(0.1, 1));
+        screen.pyramid.allTouched();
+        int refreshed = 0;
+        for (int level = Pyramid::kTileLevel; level < screen.pyramid.levels(); ++level) {
+            const auto stored = screen.pyramid.stored(level);
+            ASSERT_EQ(stored.width, (width + (1 << level) - 1) >> level);
+            ASSERT_EQ(stored.height, (height - first + (1 << level) - 1) >> level);
+            for (int y = 0; y < stored.height; ++y)
+                for (int x = 0; x < stored.width; ++x) {
+                    const PixelBox box   = screen.cell(level, x, y);
+                    const auto     query = screen.pyramid.ask(box, 2.0f);  // nothing hides that: all of it is looked at
+                    ASSERT_FALSE(query.hidden);
+                    if (query.level != level) continue;  // a cell that the border cuts is asked about further down
+                    ++refreshed;
+                    ASSERT_EQ(stored.at(x, y), screen.farthest(box)) << width << 'x' << height << ", level " << level;
+                    ASSERT_EQ(query.value, screen.farthest(box));
+                }
+        }
+        EXPECT_GT(refreshed, 0);
+        expectNoCellTooNear(screen);
+    }
+}
+
+TEST(Pyramid, D1AnOccluderOnTileBordersHidesItsOwnBoxAndNotOneAPixelWider)
+{
+    for (int level = 0; level <= 8; ++level)
+        for (const int first : {0, 5}) {
+            const int side = 1 << level;
+            Screen    screen(800, 800 + first, first, 800 + first, 0.0f);
+            for (const int times : {1, 2}) {
+                const PixelBox tile{side, first + side, side + times * side, first + side + times * side};
+                screen.draw(tile, 0.5f);
+                expectExact(screen, tile, 0.25f, "its own box");
+                EXPECT_TRUE(screen.pyramid.hides(tile, 0.25f)) << level;
+                for (const PixelBox& wider : {PixelBox{tile.x0 - 1, tile.y0, tile.x1, tile.y1}, PixelBox{tile.x0, tile.y0 - 1, tile.x1, tile.y1},
+                                              PixelBox{tile.x0, tile.y0, tile.x1 + 1, tile.y1}, PixelBox{tile.x0, tile.y0, tile.x1, tile.y1 + 1}})
+                    EXPECT_FALSE(screen.pyramid.hides(wider, 0.25f)) << level;
+            }
+        }
+}
+
+TEST(Pyramid, D2AHoleOfOnePixelIsFoundInEveryCornerOfEveryCell)
+{
+    constexpr int kSide = 131;
+    for (int level = 0; level < 8; ++level)
+        for (int corner = 0; corner < 4; ++corner) {
+            // The four pixels that meet at the corner where four cells of this level meet.
+            const int x = (1 << level) - (corner & 1), y = (1 << level) - (corner >> 1);
+            if (x >= kSide || y >= kSide) continue;
+            Screen screen(kSide, kSide);
+            screen.draw({0, 0, kSide, y}, 0.5f), screen.draw({0, y + 1, kSide, kSide}, 0.5f);
+            screen.draw({0, y, x, y + 1}, 0.5f), screen.draw({x + 1, y, kSide, y + 1}, 0.5f);
+            EXPECT_FALSE(screen.pyramid.hides(screen.region(), 0.25f)) << x << ' ' << y;
+            EXPECT_FALSE(screen.pyramid.hides({x, y, x + 1, y + 1}, 0.25f)) << x << ' ' << y;
+            for (int reach = 1; reach < kSide; reach *= 2) {
+                const PixelBox over{std::max(0, x - reach), std::max(0, y - reach), std::min(kSide, x + reach), std::min(kSide, y + reach)};
+                EXPECT_FALSE(screen.pyramid.hides(over, 0.25f));
+                if (x > 0) {
+                    EXPECT_TRUE(screen.pyramid.hides({std::max(0, x - reach), over.y0, x, over.y1}, 0.25f));
+                }
+                if (y > 0) {
+                    EXPECT_TRUE(screen.pyramid.hides({over.x0, std::max(0, y - reach), over.x1, y}, 0.25f));
+                }
+            }
+            screen.draw({x, y, x + 1, y + 1}, 0.5f);
+            EXPECT_TRUE(screen.pyramid.hides(screen.region(), 0.25f)) << "the hole is closed";
+        }
+}
+
+TEST(Pyramid, D4AndD5EqualDepthIsNotHiddenAndOneStepFartherIs)
+{
+    Screen screen(100, 60);
+    for (const float depth : {0.25f, 0.3f, 0.9999999f}) {
+        screen.draw(screen.region(), depth);
+        for (const PixelBox& box : {PixelBox{0, 0, 1, 1}, PixelBox{3, 5, 61, 60}, screen.region()}) {
+            EXPECT_FALSE(screen.pyramid.hides(box, depth)) << "it may still win by its id";
+            EXPECT_FALSE(screen.pyramid.hides(box, std::nextafter(depth, 2.0f)));
+            EXPECT_TRUE(screen.pyramid.hides(box, std::nextafter(depth, 0.0f)));
+        }
+    }
+}
+
+TEST(Pyramid, D7ABoxAsWideAsThePictureIsAnsweredThoughOnePixelDecides)
+{
+    for (const int width : {1023, 1024, 1025, 4097}) {
+        Screen screen(width, 9);
+        for (const int hole : {0, width / 2 - 1, width / 2, width - 1}) {
+            screen.pyramid.reset(screen.visible, 0, 9);
+            screen.visible.clearRows(0, 9);
+            if (hole > 0) screen.draw({0, 3, hole, 5}, 0.5f);
+            if (hole < width - 1) screen.draw({hole + 1, 3, width, 5}, 0.5f);
+            screen.draw({hole, 3, hole + 1, 4}, 0.5f);
+            EXPECT_TRUE(screen.pyramid.hides({0, 3, width, 4}, 0.25f)) << width << ' ' << hole;
+            EXPECT_FALSE(screen.pyramid.hides({0, 3, width, 5}, 0.25f)) << width << ' ' << hole;
+            if (hole > 0) {
+                EXPECT_TRUE(screen.pyramid.hides({0, 3, hole, 5}, 0.25f));
+            }
+            if (hole < width - 1) {
+                EXPECT_TRUE(screen.pyramid.hides({hole + 1, 3, width, 5}, 0.25f));
+            }
+        }
+    }
+}
+
+TEST(Pyramid, BackgroundHidesOnlyWhatTheFarTestDrops)
+{
+    Screen screen(20, 20);
+    EXPECT_FALSE(screen.pyramid.hides(screen.region(), std::nextafter(kEmpty, 1.0f))) << "the farthest depth that is kept";
+    EXPECT_TRUE(screen.pyramid.hides(screen.region(), std::nextafter(kEmpty, 0.0f)));
+}
+
+TEST(Pyramid, AFullPictureIsDecidedByOneCellAndAnotherFrameBeginsEmpty)
+{
+    Screen screen(1024, 512);
+    screen.draw(screen.region(), 0.5f);
+    EXPECT_TRUE(screen.pyramid.hides(screen.region(), 0.25f));
+    EXPECT_EQ(screen.pyramid.ask({0, 0, 512, 512}, 0.25f).cells, 1);
+    EXPECT_LE(screen.pyramid.ask({500, 100, 530, 120}, 0.25f).cells, 4);
+    screen.visible.clearRows(0, 512);
+    screen.pyramid.reset(screen.visible, 0, 512);
+    EXPECT_FALSE(screen.pyramid.hides({3, 3, 4, 4}, 0.25f));
+}
+
+}  // namespace
+}  // namespace zscope

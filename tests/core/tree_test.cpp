@@ -1,0 +1,328 @@
+// What the hierarchy promises: every item in exactly one node, bounds that are the items' own, an octree's item in the
+// deepest node that holds it whole, the same tree for the same order; and that no input makes it deep, slow or large.
+// Hard cases E1 to E6 of docs/correctness.md.
+#include "core/hierarchy/tree.h"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/hierarchy/scene_trees.h"
+#include "core/scene/generators/random.h"
+#include "core/scene/load.h"
+
+namespace zscope {
+namespace {
+
+class GivenBoxes : public ItemBoxes {
+public:
+    explicit GivenBoxes(std::vector<Bounds> boxes) : m_boxes(std::move(boxes)) {}
+
+    std::uint32_t count() const override { return static_cast<std::uint32_t>(m_boxes.size()); }
+    Bounds        boxOf(std::uint32_t item) const override { return m_boxes[item]; }
+
+private:
+    std::vector<Bounds> m_boxes;
+};
+
+constexpr TreeKind      kKinds[] = {TreeKind::Octree, TreeKind::Bvh};
+constexpr std::uint32_t kLeaf    = 8;
+
+Bounds boxAbout(const dvec3& middle, const dvec3& half) { return {middle - half, middle + half}; }
+Bounds boxAbout(const dvec3& middle, double half) { return boxAbout(middle, dvec3{half, half, half}); }
+
+bool isWithin(const Bounds& inner, const Bounds& outer)
+{
+    for (int k = 0; k < 3; ++k)
+        if (inner.min[k] < outer.min[k] || inner.max[k] > outer.max[k]) return false;
+    return true;
+}
+
+/// Every node in the order of a descent, all of them opened.
+std::vector<const TreeNode*> openedNodes(const Tree& tree)
+{
+    std::vector<const TreeNode*> nodes{&tree.root()};
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (const TreeNode& child : tree.childrenOf(tree.open(*nodes[i]))) nodes.push_back(&child);
+    return nodes;
+}
+
+/// Node id to the items it keeps, sorted.
+std::map<std::uint64_t, std::vector<std::uint32_t>> ownersOf(const Tree& tree)
+{
+    std::map<std::uint64_t, std::vector<std::uint32_t>> owners;
+    for (const TreeNode* node : openedNodes(tree)) {
+        const auto own = tree.ownItems(*node);
+        owners[node->id].assign(own.begin(), own.end());
+        std::ranges::sort(owners[node->id]);
+    }
+    return owners;
+}
+
+void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32_t leaf = kLeaf)
+{
+    std::vector<int>        times(boxes.size(), 0);
+    std::set<std::uint64_t> ids;
+    const auto              nodes = openedNodes(tree);
+    ASSERT_EQ(tree.nodeCount(), nodes.size());
+    for (const TreeNode* node : nodes) {
+        ASSERT_TRUE(ids.insert(node->id).second) << "two nodes of one name";
+        ASSERT_LE(node->depth, Tree::kMaxDepth);
+        Bounds all;
+        for (const std::uint32_t item : tree.allItems(*node)) {
+            if (boxes[item].isEmpty()) continue;
+            all.include(boxes[item].min);
+            all.include(boxes[item].max);
+        }
+        ASSERT_EQ(all.min, node->bounds.min);
+        ASSERT_EQ(all.max, node->bounds.max);
+
+        const auto children = tree.childrenOf(*node);
+        for (const std::uint32_t item : tree.ownItems(*node)) ++times[item];
+        if (children.empty()) {
+            ASSERT_EQ(tree.ownItems(*node).size(), node->size());
+            continue;
+        }
+        ASSERT_GT(node->size(), leaf) << "a small node is not divided";
+        std::uint32_t at = node->ownEnd;
+        for (const TreeNode& child : children) {
+            ASSERT_EQ(child.first, at) << "children stand side by side";
+            ASSERT_GT(child.size(), 0u);
+            ASSERT_EQ(child.id >> 3, node->id);
+            ASSERT_EQ(child.depth, node->depth + 1);
+            at = child.end;
+        }
+        ASSERT_EQ(at, node->end);
+        if (tree.kind() == TreeKind::Bvh) {
+            ASSERT_EQ(children.size(), 2u);
+            ASSERT_TRUE(tree.ownItems(*node).empty());
+            continue;
+        }
+        const dvec3 centre = 0.5 * node->cell.min + 0.5 * node->cell.max;
+        const auto  octant = [&](unsigned which) {
+            Bounds part = node->cell;
+            for (int k = 0; k < 3; ++k) (which >> k & 1 ? part.min : part.max)[k] = centre[k];
+            return part;
+        };
+        for (const TreeNode& child : children) {
+            const Bounds part = octant(static_cast<unsigned>(child.id & 7));
+            ASSERT_EQ(child.cell.min, part.min);
+            ASSERT_EQ(child.cell.max, part.max);
+            for (const std::uint32_t item : tree.allItems(child)) ASSERT_TRUE(boxes[item].isEmpty() || isWithin(boxes[item], part));
+        }
+        for (const std::uint32_t item : tree.ownItems(*node))
+            for (unsigned which = 0; which < 8; ++which) ASSERT_FALSE(isWithin(boxes[item], octant(which))) << "it could go down";
+    }
+    for (const int count : times) ASSERT_EQ(count, 1);
+}
+
+void expectValid(const std::vector<Bounds>& boxes, const char* what)
+{
+    for (const TreeKind kind : kKinds) {
+        SCOPED_TRACE(testing::Message() << what << (kind == TreeKind::Octree ? ", octree" : ", bvh"));
+        expectValid(Tree(kind, std::make_unique<GivenBoxes>(boxes), kLeaf), boxes);
+    }
+}
+
+std::vector<Bounds> scattered(std::size_t count, std::uint64_t seed, double size = 0.05)
+{
+    Random              random(seed);
+    std::vector<Bounds> boxes;
+    for (std::size_t i = 0; i < count; ++i) {
+        const dvec3 middle = random.between(dvec3{-1, -1, -1}, dvec3{1, 1, 1});
+        boxes.push_back(boxAbout(middle, random.between(dvec3{0, 0, 0}, dvec3{size, size, size})));
+    }
+    return boxes;
+}
+
+TEST(Tree, EveryItemIsInExactlyOneNodeAndAnOctreesInTheDeepestThatHoldsIt)
+{
+    for (const std::size_t count : {0u, 1u, 2u, 8u, 9u, 100u, 5000u})
+        for (const double size : {0.0, 0.01, 0.3, 2.0}) expectValid(scattered(count, count + 7, size), "scattered");
+}
+
+TEST(Tree, NothingIsDividedBeforeItIsOpened)
+{
+    const Tree tree(TreeKind::Octree, std::make_unique<GivenBoxes>(scattered(5000, 3)), kLeaf);
+    EXPECT_EQ(tree.nodeCount(), 1u);
+    const auto children = tree.childrenOf(tree.open(tree.root()));
+    EXPECT_EQ(tree.nodeCount(), 1u + children.size());
+    tree.open(tree.root());
+    EXPECT_EQ(tree.nodeCount(), 1u + children.size()) << "a node stays as it is";
+}
+
+TEST(Tree, IsTheSameInWhateverOrderItsNodesAreOpened)
+{
+    for (const TreeKind kind : kKinds) {
+        const auto boxes = scattered(3000, 11);
+        const Tree one(kind, std::make_unique<GivenBoxes>(boxes), kLeaf), other(kind, std::make_unique<GivenBoxes>(boxes), kLeaf);
+        Random     random(5);
+        std::vector<const TreeNode*> waiting{&other.root()};
+        while (!waiting.empty()) {
+            std::swap(waiting[random.below(waiting.size())], waiting.back());
+            const TreeNode* node = waiting.back();
+            waiting.pop_back();
+            for (const TreeNode& child : other.childrenOf(other.open(*node))) waiting.push_back(&child);
+        }
+        EXPECT_EQ(ownersOf(one), ownersOf(other));
+        const auto a = one.allItems(one.root()), b = other.allItems(other.root());
+        EXPECT_TRUE(std::ranges::equal(a, b));
+    }
+}
+
+TEST(Tree, E1BoxesThatTouchOrLieInTheSplittingPlanesGoToOneSide)
+{
+    std::vector<Bounds> boxes;
+    for (int x = 0; x <= 16; ++x)
+        for (int y = 0; y <= 16; ++y)
+            for (int z = 0; z <= 16; ++z) {
+                const dvec3 at{x * 0.125 - 1, y * 0.125 - 1, z * 0.125 - 1};
+                boxes.push_back({at, at});                                          // a point in up to three planes
+                if (x < 16) boxes.push_back({at, at + dvec3{0.125, 0, 0}});         // between two planes, in two others
+                if (x < 16 && y < 16) boxes.push_back({at, at + dvec3{0.125, 0.125, 0}});
+            }
+    expectValid(boxes, "on the planes");
+    const Tree tree(TreeKind::Octree, std::make_unique<GivenBoxes>(boxes), kLeaf);
+    tree.open(tree.root());
+    EXPECT_TRUE(tree.ownItems(tree.root()).empty()) << "none of them crosses a plane";
+}
+
+TEST(Tree, E2AHundredThousandCoincidentItemsStopTheDivision)
+{
+    for (const double half : {0.0, 0.5})
+        for (const bool withStray : {false, true}) {
+            std::vector<Bounds> boxes(100'000, boxAbout({0.3, 0.3, 0.3}, half * 1e-7));
+            if (withStray) boxes.push_back(boxAbout({1e3, 1e3, 1e3}, 1));
+            for (const TreeKind kind : kKinds) {
+                const auto start = std::chrono::steady_clock::now();
+                const Tree tree(kind, std::make_unique<GivenBoxes>(boxes), kLeaf);
+                const auto nodes = openedNodes(tree);
+                EXPECT_LE(nodes.size(), 2u * Tree::kMaxDepth + 1);
+                EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+                std::size_t owned = 0;
+                for (const TreeNode* node : nodes) owned += tree.ownItems(*node).size();
+                EXPECT_EQ(owned, boxes.size());
+            }
+        }
+}
+
+TEST(Tree, E3AGiantAmongAMillionTinyOnesIsKeptOnceAndMemoryIsLinear)
+{
+    std::vector<Bounds> boxes = scattered(1'000'000, 2, 1e-4);
+    boxes.push_back(boxAbout({0, 0, 0}, 1.5));
+    const auto giant = static_cast<std::uint32_t>(boxes.size() - 1);
+    for (const TreeKind kind : kKinds) {
+        const Tree  tree(kind, std::make_unique<GivenBoxes>(boxes), SceneTrees::kTriangleLeaf);
+        std::size_t keepers = 0, owned = 0;
+        for (const TreeNode* node : openedNodes(tree)) {
+            const auto own = tree.ownItems(*node);
+            owned += own.size();
+            keepers += static_cast<std::size_t>(std::ranges::count(own, giant));
+        }
+        EXPECT_EQ(owned, boxes.size());
+        EXPECT_EQ(keepers, 1u);
+        EXPECT_LT(tree.bytes(), 16u * boxes.size());
+    }
+}
+
+TEST(Tree, E4FlatLinesPointsAndNothingBuild)
+{
+    for (const dvec3& extent : {dvec3{1, 1, 0}, dvec3{0, 1, 1}, dvec3{1, 0, 0}, dvec3{0, 0, 0}}) {
+        Random              random(4);
+        std::vector<Bounds> boxes;
+        for (int i = 0; i < 2000; ++i) {
+            const dvec3 at = random.between(-extent, extent);
+            boxes.push_back({at, at});
+        }
+        expectValid(boxes, "of fewer dimensions");
+    }
+    expectValid({}, "nothing");
+    expectValid({boxAbout({1, 2, 3}, 0)}, "one point");
+}
+
+TEST(Tree, ItemsOfNoExtentAtAllAreKeptToo)
+{
+    std::vector<Bounds> boxes = scattered(100, 9);
+    for (std::size_t i = 0; i < boxes.size(); i += 3) boxes[i] = Bounds{};  // an instance of a mesh without triangles
+    expectValid(boxes, "every third one empty");
+    expectValid(std::vector<Bounds>(50), "all empty");
+}
+
+TEST(Tree, E5TinyNextToHugeAndAStrayFarAwayStayBoundedAndLoseNothing)
+{
+    std::vector<Bounds> boxes;
+    Random              random(6);
+    for (int i = 0; i < 2000; ++i) boxes.push_back(boxAbout(random.between(dvec3{-1e-6, -1e-6, -1e-6}, dvec3{1e-6, 1e-6, 1e-6}), 1e-9));
+    for (int i = 0; i < 2000; ++i) boxes.push_back(boxAbout(random.between(dvec3{-1e6, -1e6, -1e6}, dvec3{1e6, 1e6, 1e6}), 1e2));
+    expectValid(boxes, "1e-6 next to 1e6");
+    boxes.push_back(boxAbout({1e9, -1e9, 1e9}, 0));
+    expectValid(boxes, "and a stray");
+    boxes.push_back(boxAbout({1e308, 0, 0}, 0));
+    boxes.push_back(boxAbout({-1.5e308, 1e308, -1e308}, 0));
+    expectValid(boxes, "and the largest numbers there are");
+}
+
+TEST(Tree, E6EqualCentresAndReversedOrderGiveTheSameNodes)
+{
+    std::vector<Bounds> nested;
+    for (int i = 1; i <= 1000; ++i) nested.push_back(boxAbout({0.1, 0.2, 0.3}, i * 0.001));
+    expectValid(nested, "one centre");
+
+    for (const TreeKind kind : kKinds) {
+        const auto boxes    = scattered(4000, 21);
+        auto       reversed = boxes;
+        std::ranges::reverse(reversed);
+        const Tree one(kind, std::make_unique<GivenBoxes>(boxes), kLeaf), other(kind, std::make_unique<GivenBoxes>(reversed), kLeaf);
+        auto       back = ownersOf(other);
+        for (auto& [id, items] : back) {
+            for (std::uint32_t& item : items) item = static_cast<std::uint32_t>(boxes.size()) - 1 - item;
+            std::ranges::sort(items);
+        }
+        EXPECT_EQ(ownersOf(one), back);
+    }
+}
+
+TEST(SceneTrees, HoldEveryTriangleOfEveryMeshAndEveryInstanceOnce)
+{
+    for (const char* word : {"builtin:soccer-field?count=50", "builtin:city?blocks=2", "builtin:soup?count=5000", "builtin:cube"}) {
+        auto loaded = loadScene(word);
+        ASSERT_TRUE(loaded.ok());
+        const PreparedScene prepared(std::make_shared<const Scene>(*std::move(loaded)));
+        const Scene&        scene = prepared.scene();
+        for (const TreeKind kind : kKinds) {
+            const SceneTrees& trees = treesOf(prepared, kind);
+            EXPECT_EQ(&trees, &treesOf(prepared, kind)) << "kept between frames";
+            for (std::uint32_t m = 0; m < scene.meshes.size(); ++m) {
+                const Mesh&         mesh = *scene.meshes[m];
+                std::vector<Bounds> boxes(mesh.triangles.size());
+                for (std::size_t t = 0; t < boxes.size(); ++t)
+                    for (const std::uint32_t vertex : mesh.triangles[t]) boxes[t].include(mesh.positions[vertex]);
+                expectValid(trees.mesh(MeshId{m}), boxes, SceneTrees::kTriangleLeaf);
+
+                std::vector<int> drawn(mesh.triangles.size(), 0);
+                for (const TreeNode* node : openedNodes(trees.mesh(MeshId{m})))
+                    for (const std::uint32_t t : trees.mesh(MeshId{m}).batchesOf(*node, mesh).meshTriangle) ++drawn[t];
+                for (const int times : drawn) ASSERT_EQ(times, 1) << word;
+            }
+            // Every placed vertex lies in the box of its instance.
+            const Tree& instances = trees.instances();
+            std::size_t owned     = 0;
+            for (const TreeNode* node : openedNodes(instances))
+                for (const std::uint32_t item : instances.ownItems(*node)) {
+                    ++owned;
+                    for (const dvec3& p : scene.meshOf(InstanceId{item}).positions) {
+                        const dvec3 placed = scene.instances[item].toWorld(p);
+                        ASSERT_TRUE(isWithin({placed, placed}, node->bounds)) << word;
+                    }
+                }
+            EXPECT_EQ(owned, scene.instances.size());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace zscope
