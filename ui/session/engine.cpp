@@ -11,7 +11,8 @@
 namespace zscope::ui {
 namespace {
 
-/// A first frame of a size spends its time on fresh pages; up to so many ms it is drawn again for a time worth telling.
+/// A first frame of a size, scene or pipeline spends its time on fresh pages and on what is made once; up to so many
+/// ms it is drawn again for a time worth telling.
 constexpr double kWorthRepeating = 250;
 
 constexpr std::size_t kFramesKept = 3;  // one shown, one in the queue of the window, one being drawn
@@ -69,7 +70,10 @@ Result<std::shared_ptr<const DrawnFrame>> Engine::draw(std::uint64_t generation,
 {
     std::shared_ptr<DrawnFrame> drawn = unusedFrame();
     const bool fresh = drawn->frame.visible.width() != request.camera.width ||
-                       drawn->frame.visible.height() != request.camera.height;
+                       drawn->frame.visible.height() != request.camera.height || m_drawnScene.lock() != request.scene ||
+                       m_drawnPipeline != request.pipeline;
+    m_drawnScene    = request.scene;
+    m_drawnPipeline = request.pipeline;
     auto report = m_renderer.draw(request, drawn->frame);
     if (report && fresh && report->frameMs < kWorthRepeating) report = m_renderer.draw(request, drawn->frame);
     if (!report) return report.error();

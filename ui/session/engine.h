@@ -46,6 +46,8 @@ private:
     std::optional<Replay>                    m_replay;          // of generation m_replayOf
     std::uint64_t                            m_replayOf = 0;
     std::vector<std::shared_ptr<DrawnFrame>> m_frames;
+    std::weak_ptr<const PreparedScene>       m_drawnScene;      // by the last drawing
+    std::optional<Pipeline>                  m_drawnPipeline;   // likewise
     std::shared_ptr<const DrawnFrame>        m_latest;          // what is pale in the pictures of steps
 };
 

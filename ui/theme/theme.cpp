@@ -149,7 +149,7 @@ QString styleSheetOf(const Theme& theme)
         QTableView::item:selected { background: @pickedTint; color: @text; }
         QHeaderView { background: @card; border: none; }
         QHeaderView::section { background: @card; color: @softText; border: none; border-bottom: 1px solid @border;
-              padding: 2px 3px 4px 3px; font-weight: normal; }
+              padding: 2px 2px 4px 2px; font-weight: normal; }
         QStatusBar { background: @card; border-top: 1px solid @border; }
         QStatusBar::item { border: none; }
         QStatusBar QLabel { padding: 0 8px; }

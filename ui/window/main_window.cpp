@@ -149,7 +149,7 @@ void MainWindow::resetLayout()
         return docks;
     };
     const int side = std::max(width(), 1280);
-    resizeDocks(pick({"scene", "active-edges"}), {std::max(240, side * 17 / 100), std::max(432, side * 24 / 100)}, Qt::Horizontal);
+    resizeDocks(pick({"scene", "active-edges"}), {std::max(240, side * 17 / 100), std::max(440, side * 25 / 100)}, Qt::Horizontal);
     resizeDocks(pick({"scene", "pipeline"}), {42, 58}, Qt::Vertical);
     resizeDocks(pick({"active-edges", "depth-test"}), {72, 28}, Qt::Vertical);
 }

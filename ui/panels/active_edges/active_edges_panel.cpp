@@ -159,6 +159,7 @@ void ActiveEdgesPanel::fitPolygons()
 void ActiveEdgesPanel::resizeEvent(QResizeEvent* event)
 {
     Panel::resizeEvent(event);
+    fitColumns();
     fitPolygons();
 }
 
@@ -166,17 +167,23 @@ void ActiveEdgesPanel::fitColumns()
 {
     // As wide as the widest text, and no narrower than a little while ago, so that columns do not dance.
     using Model = EdgeTableModel;
-    constexpr int      kPadding = 14, kSlack = 24;
+    constexpr int      kPadding = 9, kSlack = 24;
     const QFontMetrics metrics  = m_table->fontMetrics();
     for (int column = 0; column < Model::kColumns; ++column) {
         int width = metrics.horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
-        for (int row = 0; row < m_model->rowCount(); ++row)
+        if (const int row = m_model->widestRow(static_cast<Model::Column>(column)); row >= 0)
             width = std::max(width, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
         width += kPadding;
         int& kept = m_widths[static_cast<std::size_t>(column)];
         if (width > kept || width < kept - kSlack) kept = width;
-        m_table->setColumnWidth(column, column == Model::Mark ? 20 : kept);
     }
+    m_widths[Model::Mark] = 20;
+    int free = m_table->viewport()->width();
+    for (int column = 0; column < Model::kColumns; ++column)
+        if (!m_table->isColumnHidden(column)) free -= m_widths[static_cast<std::size_t>(column)];
+    const int share = std::max(0, free) / (Model::kColumns - 2);  // all but the mark and the hidden one
+    for (int column = 0; column < Model::kColumns; ++column)
+        m_table->setColumnWidth(column, m_widths[static_cast<std::size_t>(column)] + (column == Model::Mark ? 0 : share));
     m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + 5);
 }
 

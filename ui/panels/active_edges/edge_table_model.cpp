@@ -2,6 +2,7 @@
 #include "ui/panels/active_edges/edge_table_model.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QFont>
 #include <QFontDatabase>
@@ -55,6 +56,29 @@ int EdgeTableModel::rowOf(const EdgeRow& edge) const
 {
     const auto found = std::ranges::find_if(m_rows, [&](const Row& row) { return isSameEdge(row.edge, edge); });
     return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
+}
+
+int EdgeTableModel::widestRow(Column column) const
+{
+    const auto digits = [](double value) { return std::log10(std::abs(value) + 1) + (value < 0 ? 1 : 0); };
+    const auto length = [&](const Row& row) {
+        const EdgeRow& edge = row.edge;
+        const auto     top = static_cast<double>(edge.dx[0]), bottom = static_cast<double>(edge.dx[1]);
+        switch (column) {
+        case Polygon: return digits(edge.polygon.value);
+        case X: return digits(edge.x);
+        case XSubpixels: return digits(static_cast<double>(edge.xSubpixels));
+        case Dx: return digits(std::trunc(top / bottom)) + 0.5 * (top < 0);
+        case DxFraction: return std::floor(digits(top)) + 1 + std::floor(digits(bottom));
+        case FirstLine: return digits(edge.firstLine);
+        case LastLine: return digits(edge.lastLine);
+        case Mark:
+        case kColumns: break;
+        }
+        return 0.0;
+    };
+    const auto widest = std::ranges::max_element(m_rows, {}, length);
+    return widest == m_rows.end() ? -1 : static_cast<int>(widest - m_rows.begin());
 }
 
 int EdgeTableModel::rowCount(const QModelIndex& parent) const
@@ -156,7 +180,7 @@ QVariant EdgeTableModel::headerData(int section, Qt::Orientation orientation, in
     case Dx: return tr("dx");
     case DxFraction: return tr("exact");
     case FirstLine: return tr("first");
-    case LastLine: return tr("last line");
+    case LastLine: return tr("last");
     case kColumns: break;
     }
     return {};

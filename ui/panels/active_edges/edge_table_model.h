@@ -37,6 +37,8 @@ public:
     const std::vector<Row>& rows() const { return m_rows; }
     /// The row of the same edge, or -1.
     int rowOf(const EdgeRow& edge) const;
+    /// The row with the longest number of a column, found without writing them all; -1 if there is none.
+    int widestRow(Column column) const;
 
     int      rowCount(const QModelIndex& parent = {}) const override;
     int      columnCount(const QModelIndex& parent = {}) const override;

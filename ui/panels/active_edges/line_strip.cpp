@@ -16,7 +16,7 @@
 namespace zscope::ui {
 namespace {
 
-constexpr int kLaneHeight  = 6;
+constexpr int kLaneHeight  = 7;
 constexpr int kOwnerHeight = 18;
 
 }  // namespace

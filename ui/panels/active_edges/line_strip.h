@@ -24,7 +24,7 @@ struct StripRun {
 };
 
 struct LineStripContents {
-    static constexpr int kLanes = 6;
+    static constexpr int kLanes = 4;
 
     int                   x0 = 0, x1 = 0;  // what the strip's width stands for; equal: nothing to show
     std::vector<StripRun> offered;         // no two of a lane overlap, unless more than kLanes do
