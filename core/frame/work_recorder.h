@@ -40,7 +40,7 @@ public:
     {
         if (m_inPrepass) return;
         add(e.fate, 1);
-        m_clipped += e.clippedParts != 1 && e.fate != SetUp::ClippedAway;
+        m_clipped += e.cut;
         m_wide += e.wide;
     }
 

@@ -28,10 +28,10 @@ struct BatchTransformed {
 
 /// The fate of one triangle at set-up, told once per triangle: Drawn if any part of it is.
 struct TriangleSetUp {
-    TriangleId    triangle;
-    SetUp         fate;
-    std::uint32_t clippedParts;  // parts the near plane left; 1 for a triangle it does not meet
-    bool          wide;          // took the 128-bit path
+    TriangleId triangle;
+    SetUp      fate;
+    bool       cut;   // by the near plane, which left a part of it
+    bool       wide;  // took the 128-bit path
 };
 
 

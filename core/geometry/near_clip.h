@@ -15,7 +15,8 @@ namespace zscope {
 /// A convex polygon of three or four corners in view space, or nothing.
 struct ClippedTriangle {
     std::array<dvec3, 4> corner;
-    std::size_t          count = 0;  // 0, 3 or 4
+    std::size_t          count = 0;      // 0, 3 or 4
+    bool                 isCut = false;  // a side met the plane; what is left ends there
 
     std::size_t parts() const { return count < 3 ? 0 : count - 2; }
     /// Part p of the fan from the first corner.
@@ -37,6 +38,7 @@ inline ClippedTriangle clipNear(const std::array<dvec3, 3>& view, double near)
         const dvec3& b = view[(i + 1) % 3];
         if (isInside(a)) kept.corner[kept.count++] = a;
         if (isInside(a) == isInside(b)) continue;
+        kept.isCut = true;
         kept.corner[kept.count++] = isInside(a) ? nearCrossing(a, b, near) : nearCrossing(b, a, near);
     }
     return kept;

@@ -32,7 +32,7 @@ template <class Probe>
         const SetUp fate = setUpTriangle(vertices.corner(corner[0]), vertices.corner(corner[1]), vertices.corner(corner[2]),
                                          place.idOf(t), false, culling, region, out.next());
         if (fate == SetUp::Drawn) out.keep();
-        probe(TriangleSetUp{place.idOf(t), fate, 1, false});
+        probe(TriangleSetUp{place.idOf(t), fate, false, false});
     }
 }
 
@@ -75,7 +75,7 @@ void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceC
             }
             if (fate != SetUp::Drawn) fate = partFate;
         }
-        probe(TriangleSetUp{place.idOf(t), fate, static_cast<std::uint32_t>(kept.parts()), wide});
+        probe(TriangleSetUp{place.idOf(t), fate, kept.isCut, wide});
     }
 }
 
