@@ -87,8 +87,10 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
         drawPass<Scan, Keep::DepthOnly>(pipeline, stripe, scratch, Occlusion{}, clock, probe);
         clock.countAllAs(std::nullopt);
         probe(StageFinished{Stage::Prepass});
-        if (hasPyramid) scratch.pyramid.allTouched();
-        clock.lap(Stage::Build);
+        if (hasPyramid) {
+            scratch.pyramid.allTouched();
+            clock.lap(Stage::Upkeep);
+        }
     }
 
     probe(StageStarted{Stage::Raster});
@@ -139,9 +141,9 @@ void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     switch (pipeline.scan) {
     case Scan::HalfSpace: return drawStream<HalfSpace>(pipeline, stripe, scratch, clock, probe);
     case Scan::EdgeWalk: return drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, probe);
-    case Scan::SweepZLine: return drawSweep(stripe, scratch, LineZBuffer(stripe.visible), clock, probe);
+    case Scan::SweepZLine: return drawSweep(stripe, scratch, LineZBuffer(stripe.visible, scratch.spans), clock, probe);
     case Scan::SweepIntervals:
-        return drawSweep(stripe, scratch, Intervals(stripe.visible, scratch.open), clock, probe);
+        return drawSweep(stripe, scratch, Intervals(stripe.visible, scratch.open, scratch.spans), clock, probe);
     }
 }
 

@@ -103,7 +103,7 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
         } catch (const std::bad_alloc&) {
             outOfMemory = true;
         }
-        clock.lap(Stage::Shade);
+        clock.lap(request.shade ? Stage::Shade : Stage::Other);
         stageMs[index]  = clock.ms();
         stripeMs[index] = msSince(stripeStart);
     }

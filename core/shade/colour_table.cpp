@@ -17,6 +17,12 @@ std::uint32_t pack(Rgb colour, double brightness)
     return 0xFF000000u | channel(colour.r) << 16 | channel(colour.g) << 8 | channel(colour.b);
 }
 
+/// Of length 1, whatever the length was (but 0): scaled first, so that no square runs over or vanishes.
+dvec3 unit(const dvec3& v)
+{
+    return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+}
+
 /// In [0.35, 1]; 0.675 for a triangle without a normal.
 double brightnessOf(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& towardsLight)
 {
@@ -33,7 +39,7 @@ std::uint32_t colourOf(const Scene& scene, InstanceId instance, std::uint32_t me
     const Instance& placed       = scene.instances[instance.value];
     const Mesh&     mesh         = *scene.meshes[placed.mesh.value];
     const auto&     corners      = mesh.triangles[meshTriangle];
-    const dvec3     towardsLight = -glm::normalize(scene.light.direction);
+    const dvec3     towardsLight = -unit(scene.light.direction);
     const auto      at           = [&](std::size_t i) { return placed.toWorld(mesh.positions[corners[i]]); };
     const Rgb colour = placed.colour ? *placed.colour : mesh.materialOf(mesh.trianglePolygon[meshTriangle]).diffuse;
     return pack(colour, brightnessOf(at(0), at(1), at(2), towardsLight));

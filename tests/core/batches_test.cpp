@@ -1,0 +1,107 @@
+// Batches hold every opaque triangle of a mesh exactly once, in load order, with its own corners.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/geometry/batches.h"
+
+namespace zscope {
+namespace {
+
+/// `vertices` points, `triangles` triangles with corners near each other in the list, or anywhere.
+Mesh anyMesh(std::uint64_t seed, std::uint32_t vertices, std::uint32_t triangles, bool isLocal, bool hasTransparent)
+{
+    std::mt19937_64 random(seed);
+    Mesh            mesh;
+    mesh.materials = {Material{}, Material{.name = "glass", .diffuse = {}, .opacity = 0.5f}};
+    for (std::uint32_t v = 0; v < vertices; ++v)
+        mesh.positions.push_back({static_cast<double>(random() % 1000), static_cast<double>(random() % 1000), static_cast<double>(v)});
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+        const std::uint64_t around = isLocal ? std::uint64_t{t} * vertices / triangles : random();
+        const auto          corner = [&] { return static_cast<std::uint32_t>((around + random() % (isLocal ? 40 : vertices)) % vertices); };
+        const std::array    outline{corner(), corner(), corner()};  // repeated corners occur
+        mesh.triangles.push_back(outline);
+        mesh.trianglePolygon.push_back(PolygonId{t});
+        mesh.corners.insert(mesh.corners.end(), outline.begin(), outline.end());
+        mesh.firstCorner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+        mesh.firstTriangle.push_back(t + 1);
+        mesh.polygonMaterial.push_back(MaterialId{hasTransparent && random() % 3 == 0 ? 1u : 0u});
+        mesh.polygonGroup.push_back({});
+    }
+    return mesh;
+}
+
+void expectFaithful(const Mesh& mesh)
+{
+    const MeshBatches          made = makeBatches(mesh);
+    std::vector<std::uint32_t> opaque;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        if (mesh.materialOf(mesh.trianglePolygon[t]).opacity >= 1) opaque.push_back(t);
+    ASSERT_EQ(made.meshTriangle, opaque);
+    ASSERT_EQ(made.triangles.size(), opaque.size());
+    ASSERT_EQ(made.x.size(), made.y.size());
+    ASSERT_EQ(made.x.size(), made.z.size());
+
+    std::uint32_t vertex = 0, triangle = 0;
+    for (const Batch& batch : made.batches) {
+        ASSERT_EQ(batch.firstVertex, vertex);
+        ASSERT_EQ(batch.firstTriangle, triangle);
+        EXPECT_GE(batch.triangleCount, 1u);
+        EXPECT_LE(batch.vertexCount, kBatchVertices);
+        EXPECT_LE(batch.triangleCount, kBatchTriangles);
+        Bounds bounds;
+        for (std::uint32_t t = triangle; t < triangle + batch.triangleCount; ++t) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint16_t corner = made.triangles[t].corner[i];
+                ASSERT_LT(corner, batch.vertexCount);
+                const std::size_t at = batch.firstVertex + corner;
+                const dvec3       p  = mesh.positions[mesh.triangles[made.meshTriangle[t]][i]];
+                EXPECT_EQ((dvec3{made.x[at], made.y[at], made.z[at]}), p);
+                bounds.include(p);
+            }
+        }
+        EXPECT_EQ(batch.bounds.min, bounds.min);
+        EXPECT_EQ(batch.bounds.max, bounds.max);
+        vertex += batch.vertexCount;
+        triangle += batch.triangleCount;
+    }
+    EXPECT_EQ(triangle, opaque.size());
+    EXPECT_GE(made.x.size(), vertex + kBatchPadding);
+}
+
+TEST(Batches, HoldEveryOpaqueTriangleOnceInLoadOrderWithItsCorners)
+{
+    expectFaithful(anyMesh(1, 3000, 6000, true, false));
+    expectFaithful(anyMesh(2, 3000, 6000, true, true));
+    expectFaithful(anyMesh(3, 3000, 2000, false, true));   // hardly a vertex shared: batches end by vertices
+    expectFaithful(anyMesh(4, 10, 5000, false, false));    // all shared: batches end by triangles
+    expectFaithful(anyMesh(5, 257, 1, false, false));
+    expectFaithful(anyMesh(6, 1, 3, false, false));
+}
+
+TEST(Batches, AMeshWithNothingOpaqueHasNone)
+{
+    Mesh mesh = anyMesh(7, 30, 20, false, false);
+    mesh.materials[0].opacity = 0.25f;
+    EXPECT_TRUE(makeBatches(mesh).batches.empty());
+    EXPECT_TRUE(makeBatches(mesh).bounds.isEmpty());
+    EXPECT_TRUE(makeBatches(Mesh{}).batches.empty());
+}
+
+TEST(Batches, AVertexIsTransformedOncePerBatch)
+{
+    const Mesh        mesh = anyMesh(8, 100, 400, false, false);
+    const MeshBatches made = makeBatches(mesh);
+    ASSERT_EQ(made.batches.size(), 1u);
+    EXPECT_LE(made.batches[0].vertexCount, 100u);
+}
+
+TEST(Batches, ASelectionIsTakenInTheOrderGiven)
+{
+    const Mesh                       mesh = anyMesh(9, 100, 50, false, false);
+    const std::vector<std::uint32_t> some{40, 3, 17, 3};
+    EXPECT_EQ(makeBatches(mesh, some).meshTriangle, some);
+}
+
+}  // namespace
+}  // namespace zscope

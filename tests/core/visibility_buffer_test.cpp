@@ -1,0 +1,103 @@
+// The buffer's background makes the far test free, rows are apart, and derived values are made once.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <new>
+#include <thread>
+#include <vector>
+
+#include "core/base/derived.h"
+#include "core/base/ids.h"
+#include "core/depth/visibility_buffer.h"
+
+namespace zscope {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(VisibilityBuffer, BackgroundIsTheLargestDepthThatTheFarTestDrops)
+{
+    for (const double far : {1.5, 2.0, 3.0, 1e3, 1e30, 1e300, kInfinity}) {
+        const auto  kept  = static_cast<float>(1.0 / far);
+        const float empty = emptyDepth(1.0, far);
+        EXPECT_LT(empty, kept) << far;
+        EXPECT_EQ(std::nextafter(empty, 2.0f), kept) << far;
+    }
+    EXPECT_LT(emptyDepth(0.1, kInfinity), 0.0f) << "without a far plane even depth 0 is kept";
+}
+
+TEST(VisibilityBuffer, ClearingRowsLeavesTheOthers)
+{
+    VisibilityBuffer buffer;
+    for (const int width : {1, 15, 16, 17, 1000}) {
+        buffer.resize(width, 5, -1.0f);
+        buffer.clearRows(0, 5);
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < width; ++x) buffer.depthRow(y)[x] = 0.5f, buffer.rankRow(y)[x] = 7;
+        buffer.clearRows(2, 4);
+        for (int y = 0; y < 5; ++y) {
+            for (int x = 0; x < width; ++x) {
+                EXPECT_EQ(buffer.idAt(x, y), y == 2 || y == 3 ? -1 : 6);
+                EXPECT_EQ(buffer.depthAt(x, y), y == 2 || y == 3 ? 0.0f : 0.5f);
+            }
+        }
+    }
+}
+
+TEST(VisibilityBuffer, AVectorMayBeReadAtTheLastPixelOfEveryRow)
+{
+    for (int width = 1; width < 70; ++width) {
+        VisibilityBuffer buffer;
+        buffer.resize(width, 3, 0.0f);
+        buffer.clearRows(0, 3);
+        for (int y = 0; y < 3; ++y) {
+            for (int past = 0; past < kRowPadding; ++past) buffer.rankRow(y)[width - 1 + past] = 99;  // asan watches
+            if (y > 0) {
+                EXPECT_GE(buffer.rankRow(y) - buffer.rankRow(y - 1), width + kRowPadding);
+            }
+        }
+        if (width > 1) {
+            EXPECT_EQ(buffer.idAt(0, 1), -1) << "padding of one row is not the next row";
+        }
+    }
+}
+
+TEST(VisibilityBuffer, TheLargestIdIsReportedAsItself)
+{
+    VisibilityBuffer buffer;
+    buffer.resize(1, 1, 0.0f);
+    buffer.rankRow(0)[0] = static_cast<std::uint32_t>(kMaxTriangles);  // rank of the last possible triangle
+    EXPECT_EQ(buffer.idAt(0, 0), static_cast<std::int64_t>(kMaxTriangles) - 1);
+}
+
+struct Number {
+    int value;
+};
+
+TEST(Derived, AValueIsMadeOnceHoweverManyThreadsAsk)
+{
+    Derived                  derived;
+    std::atomic<int>         made = 0;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 8; ++i) {
+        threads.emplace_back([&] {
+            const Number& n = derived.get<Number>([&] { return std::make_unique<Number>(Number{++made}); });
+            EXPECT_EQ(n.value, 1);
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(made, 1);
+}
+
+TEST(Derived, AMakerThatFailedIsAskedAgain)
+{
+    Derived derived;
+    EXPECT_THROW(derived.get<Number>([]() -> std::unique_ptr<Number> { throw std::bad_alloc(); }), std::bad_alloc);
+    EXPECT_EQ(derived.get<Number>([] { return std::make_unique<Number>(Number{5}); }).value, 5);
+}
+
+}  // namespace
+}  // namespace zscope
