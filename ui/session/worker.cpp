@@ -28,11 +28,13 @@ Worker::~Worker()
 
 void Worker::post(Slot slot, Job job)
 {
+    m_isBusy  = true;
     bool wait = false;
     {
         const std::lock_guard lock(m_mutex);
         for (auto kind = static_cast<std::size_t>(slot); kind < kSlots; ++kind) m_waiting[kind].reset();
         m_waiting[static_cast<std::size_t>(slot)] = std::move(job);
+        ++m_posts;
         if (m_running && *m_running >= slot) {
             m_pointless = true;
             if (slot == Slot::Load) m_cancel = true;
@@ -48,12 +50,21 @@ void Worker::cancel()
     const std::lock_guard lock(m_mutex);
     for (auto& job : m_waiting) job.reset();
     if (m_running) m_cancel = true;
+    else sayIdle();
 }
 
-bool Worker::isBusy() const
+void Worker::sayIdle()
 {
-    const std::lock_guard lock(m_mutex);
-    return m_running || std::ranges::any_of(m_waiting, [](const auto& job) { return job.has_value(); });
+    // Queued behind whatever the last job has queued; of no interest once something newer was posted.
+    const auto tell = [this, posts = m_posts] {
+        {
+            const std::lock_guard lock(m_mutex);
+            if (posts != m_posts) return;
+        }
+        m_isBusy = false;
+        emit idle();
+    };
+    QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
 }
 
 void Worker::losePatience()
@@ -85,7 +96,7 @@ void Worker::run()
 
         m_running.reset();
         if (std::ranges::none_of(m_waiting, [](const auto& waiting) { return waiting.has_value(); }))
-            QMetaObject::invokeMethod(this, &Worker::idle, Qt::QueuedConnection);
+            sayIdle();
     }
 }
 

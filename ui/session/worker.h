@@ -13,6 +13,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -40,10 +41,11 @@ public:
     /// Forgets what waits and asks what runs to stop.
     void cancel();
 
-    bool isBusy() const;
+    /// From post() until idle(): what the jobs have queued for this thread before they ended has arrived by then.
+    bool isBusy() const { return m_isBusy; }
 
 signals:
-    /// Emitted in the worker's own thread of life, never from the thread of the jobs.
+    /// Nothing runs or waits any more. Emitted in the thread the worker lives in.
     void idle();
 
 private:
@@ -51,14 +53,17 @@ private:
 
     void run();
     void losePatience();
+    void sayIdle();  // with the mutex held
 
-    mutable std::mutex                     m_mutex;  // guards everything below but the thread and the timer
+    mutable std::mutex                     m_mutex;  // guards everything down to m_cancel
     std::condition_variable                m_wake;
     std::array<std::optional<Job>, kSlots> m_waiting;
     std::optional<Slot>                    m_running;
     bool                                   m_pointless = false;  // the running job's answer is no longer wanted
     bool                                   m_stop      = false;
+    std::uint64_t                          m_posts     = 0;
     std::atomic<bool>                      m_cancel{false};
+    bool                                   m_isBusy = false;  // of the thread the worker lives in, like the timer
     QTimer                                 m_patience;
     std::thread                            m_thread;
 };
