@@ -141,9 +141,9 @@ void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     switch (pipeline.scan) {
     case Scan::HalfSpace: return drawStream<HalfSpace>(pipeline, stripe, scratch, clock, probe);
     case Scan::EdgeWalk: return drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, probe);
-    case Scan::SweepZLine: return drawSweep(stripe, scratch, LineZBuffer(stripe.visible, scratch.spans), clock, probe);
+    case Scan::SweepZLine: return drawSweep(stripe, scratch, LineZBuffer(stripe.visible), clock, probe);
     case Scan::SweepIntervals:
-        return drawSweep(stripe, scratch, Intervals(stripe.visible, scratch.open, scratch.spans), clock, probe);
+        return drawSweep(stripe, scratch, Intervals(stripe.visible, scratch.open), clock, probe);
     }
 }
 
