@@ -74,13 +74,16 @@ public:
     Integer fraction() const { return m_fraction; }
     Integer dy() const { return m_dy; }
 
-    /// Strictly left of `other` on the current line, compared exactly.
+    /// Strictly left of `other` on the current line, compared exactly. Without a branch: neighbouring triangles share
+    /// their edges, so that equal positions are as common as different ones and cannot be predicted.
     bool isLeftOf(const EdgeStepper& other) const
     {
-        if (m_x != other.m_x) return m_x < other.m_x;
         __extension__ using Wide = __int128;
         using Product            = std::conditional_t<sizeof(Integer) == 4, std::int64_t, Wide>;
-        return Product{m_fraction} * other.m_dy < Product{other.m_fraction} * m_dy;
+        const bool left          = m_x < other.m_x;
+        const bool same          = m_x == other.m_x;
+        const bool fractionLeft  = Product{m_fraction} * other.m_dy < Product{other.m_fraction} * m_dy;
+        return left | (same & fractionLeft);
     }
 
 private:
