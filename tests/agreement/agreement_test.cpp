@@ -103,7 +103,10 @@ TEST(Agreement, EveryPresetDrawsWhatTheReferenceDrawsOnEveryGeneratedScene)
     const auto wordOfScene = [](const SceneEntry& entry) {
         std::string word = "builtin:" + std::string(entry.name);
         if (entry.name == "soccer-field") word += "?count=40";
-        if (entry.name == "city") word += "?blocks=3";
+        if (entry.name == "city" || entry.name == "wall-and-city") word += "?blocks=3";
+        if (entry.name == "rows") word += "?nx=3&ny=2&nz=4";
+        if (entry.name == "office-tower") word += "?n=3";
+        if (entry.name == "million") word += "?faces=50000";
         return word;
     };
     std::uint64_t covered = 0;

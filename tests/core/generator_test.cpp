@@ -66,7 +66,8 @@ TEST(Generators, EverySceneLoadsByItsWordAndByItsWrittenDefaults)
         }
         EXPECT_EQ(made(name).digest, plain.digest) << name << " is another scene the second time";
     }
-    for (const char* name : {"cubes", "cube", "teapot", "soccer-ball", "soccer-field", "city", "soup", "layers"})
+    for (const char* name : {"cubes", "cube", "teapot", "soccer-ball", "soccer-field", "city", "soup", "layers", "wall-and-city", "hole-in-wall",
+                             "rows", "million", "office-tower"})
         EXPECT_TRUE(names.contains(name)) << name;
 }
 
@@ -106,7 +107,8 @@ TEST(Generators, MemoryLimitIsToldBeforeMemoryIsTaken)
 {
     const auto before = std::chrono::steady_clock::now();
     for (const char* word : {"teapot?tessellation=1000", "soccer-field?count=1200000", "city?blocks=200", "soup?count=50000000",
-                             "layers?count=1000000"}) {
+                             "layers?count=1000000", "wall-and-city?blocks=200", "rows?nx=500&ny=500&nz=500", "million?faces=50000000",
+                             "office-tower?n=65"}) {
         const auto scene = loadScene(std::string("builtin:") + word, {.memoryLimit = 16 << 20});
         ASSERT_FALSE(scene.ok()) << word;
         EXPECT_EQ(scene.error().kind, Trouble::Limit) << word;
@@ -117,7 +119,7 @@ TEST(Generators, MemoryLimitIsToldBeforeMemoryIsTaken)
 TEST(Generators, CancelledWorkStops)
 {
     std::atomic<bool> cancel = true;
-    for (const char* word : {"city", "soccer-field", "teapot", "soup"}) {
+    for (const char* word : {"city", "soccer-field", "teapot", "soup", "wall-and-city", "rows", "million", "office-tower"}) {
         const auto scene = loadScene(std::string("builtin:") + word, {.progress = {.cancel = &cancel}});
         ASSERT_FALSE(scene.ok());
         EXPECT_EQ(scene.error().kind, Trouble::Cancelled);
@@ -295,6 +297,89 @@ TEST(Layers, EachCoversTheWholePictureAndTheOrderIsTheOneAskedFor)
             before = z;
         }
     }
+}
+
+TEST(WallAndCity, TheWallHidesAlmostTheWholePicture)
+{
+    const Scene scene = made("wall-and-city?blocks=3");
+    ASSERT_EQ(scene.meshes.size(), 2u);
+    EXPECT_EQ(scene.meshes[1]->triangles.size(), made("city?blocks=3").meshes[0]->triangles.size());
+    // Seen from the eye the wall reaches from the left edge to nine tenths of the picture, and over its top.
+    const auto camera = makeCamera(scene.views[0].view, scene.bounds);
+    ASSERT_TRUE(camera.ok());
+    double left = 0, right = 0, top = 0;
+    for (const dvec3& p : scene.meshes[0]->positions) {
+        if (p.y < 13) continue;
+        const dvec3  d = p - camera->eye;
+        const double z = dot(camera->forward, d);
+        left  = std::min(left, dot(camera->right, d) / z * camera->focal);
+        right = std::max(right, dot(camera->right, d) / z * camera->focal);
+        top   = std::max(top, dot(camera->up, d) / z * camera->focal);
+    }
+    EXPECT_LT(left, -16.0 / 9);
+    EXPECT_GT(top, 1);
+    EXPECT_GT(right, 0.75 * 16 / 9);
+    EXPECT_LT(right, 0.95 * 16 / 9);
+}
+
+TEST(HoleInWall, ExactlyTheHoleOfItsLevelIsNotWall)
+{
+    for (int level = 0; level <= 8; ++level) {
+        const Scene scene = made("hole-in-wall?level=" + std::to_string(level));
+        const Mesh& wall  = *scene.meshes[1];
+        double      area  = 0;
+        for (const auto& t : wall.triangles) area += 0.5 * std::abs(normalOf(wall, t).z);
+        EXPECT_EQ(area, 512.0 * 512 - std::pow(4.0, level)) << level;
+        for (const dvec3& p : wall.positions) EXPECT_EQ(p.z, -256);
+    }
+}
+
+TEST(Rows, HoldTheModelOnceAndAsManyInstancesAsAskedFor)
+{
+    for (const char* model : {"soccer-ball", "teapot", "cube"}) {
+        const Scene rows = made(std::string("rows?nx=3&ny=4&nz=5&model=") + model);
+        EXPECT_EQ(rows.meshes.size(), 1u);
+        EXPECT_EQ(rows.instances.size(), 60u);
+        EXPECT_EQ(rows.triangleCount(), 60 * made(model).triangleCount());
+        EXPECT_LT(rows.instances.front().toWorld.rows[2][3], rows.instances.back().toWorld.rows[2][3]) << "the farthest row first";
+    }
+}
+
+TEST(Million, HasAMillionFacesOfOneMeshAndSixteenSheetsThatFillThePicture)
+{
+    const Scene scene = made("million");
+    ASSERT_EQ(scene.meshes.size(), 1u);
+    const Mesh& mesh = *scene.meshes[0];
+    EXPECT_EQ(mesh.polygonCount(), 1'000'000u);
+    EXPECT_EQ(mesh.triangles.size(), 1'000'000u);
+    const auto camera = makeCamera(scene.views[0].view, scene.bounds);
+    ASSERT_TRUE(camera.ok());
+    // The area of each sheet that lies within the picture is the whole picture: its border lies outside.
+    constexpr std::uint32_t kColumns = 251, kRows = 126;
+    for (std::uint32_t sheet = 0; sheet < 16; ++sheet)
+        for (std::uint32_t v = 0; v < kColumns * kRows; ++v) {
+            const std::uint32_t i = v % kColumns, j = v / kColumns;
+            const dvec3&        p = mesh.positions[sheet * kColumns * kRows + v];
+            if (i == 0 || i == kColumns - 1) {
+                ASSERT_GT(std::abs(p.x) * camera->focal / -p.z, 16.0 / 9);
+            }
+            if (j == 0 || j == kRows - 1) {
+                ASSERT_GT(std::abs(p.y) * camera->focal / -p.z, 1);
+            }
+        }
+    EXPECT_LE(made("million?faces=12345").triangleCount(), 12345u);
+}
+
+TEST(OfficeTower, IsHalfABillionTrianglesInAFewMebibytes)
+{
+    const auto tower = loadScene("builtin:office-tower", {.memoryLimit = 32 << 20});
+    ASSERT_TRUE(tower.ok()) << tower.error().text();
+    EXPECT_EQ(tower->instances.size(), 35'937u);
+    EXPECT_EQ(tower->triangleCount() / 1'000'000, 538u);
+    EXPECT_NEAR(static_cast<double>(tower->meshes[0]->triangles.size()), 15'000, 100);
+    EXPECT_LT(tower->instances.capacity() * sizeof(Instance), std::size_t{6} << 20);
+    EXPECT_EQ(openEdges(*tower->meshes[0]), 0u) << "all of it boxes and posts";
+    EXPECT_TRUE(loadScene("builtin:office-tower?n=65").ok()) << "the largest one has fewer triangles than there are ids";
 }
 
 TEST(Random, IsTheSequenceOfSplitMix64)

@@ -19,6 +19,10 @@
     file(city)                       \
     file(soup)                       \
     file(layers)                     \
+    file(walls)                      \
+    file(rows)                       \
+    file(million)                    \
+    file(office_tower)               \
     file(hard_a)                     \
     file(hard_b)                     \
     file(hard_c)                     \
