@@ -26,6 +26,8 @@
     file(hard_a)                     \
     file(hard_b)                     \
     file(hard_c)                     \
+    file(hard_d)                     \
+    file(hard_e)                     \
     file(hard_f)
 
 namespace zscope {

@@ -1,0 +1,169 @@
+// The hard cases of the pyramid, docs/correctness.md, D1 to D9. Its cells are held to brute force in the test of its own;
+// here the frames are: every preset, and how much each of them hid. D8 waits for a method that uses the last frame.
+
+#include <algorithm>
+
+#include "tests/agreement/hard_support.h"
+
+namespace zscope::hardcase {
+namespace {
+
+using Counters = std::map<std::string, std::uint64_t>;
+
+Counters countersOf(const HardCase& hard, const char* preset)
+{
+    DrawRequest request;
+    request.scene    = hard.prepared;
+    request.camera   = hard.camera;
+    request.pipeline = findPreset(preset)->pipeline;
+    Renderer   renderer;
+    const auto counts = renderer.count(request);
+    Counters   byName;
+    EXPECT_TRUE(counts.ok());
+    for (const NamedCount& count : *counts) byName[std::string(count.name)] = count.value;
+    return byName;
+}
+
+std::uint64_t hiddenBy(const HardCase& hard, const char* preset)
+{
+    const Counters counters = countersOf(hard, preset);
+    return counters.at("triangles_hidden_by_node") + counters.at("triangles_hidden");
+}
+
+/// Presets that see what hides before what is hidden, whatever the order of the file: an octree's order is exact (that
+/// of a BVH is not), and a pre-pass has seen everything.
+constexpr const char* kComplete[] = {"hzb-octree", "hzb-simple", "hzb-bvh-prepass"};
+
+bool isWall(const HardCase& hard, std::int64_t id)
+{
+    return id >= static_cast<std::int64_t>(hard.scene->triangleCount()) - 2;
+}
+
+TEST(HardD, D1ASheetBehindOneCellIsHiddenAndOneAPixelWiderShowsThatPixel)
+{
+    for (int level = 3; level <= 5; ++level) {
+        const int      side  = 1 << level;
+        const HardCase exact = hardCase("D1?level=" + std::to_string(level));
+        const Picture  picture = agreedPicture(exact);
+        for (const std::int64_t id : picture.ids.values()) EXPECT_TRUE(id < 0 || isWall(exact, id));
+        for (const char* preset : kComplete) {
+            const Counters counters = countersOf(exact, preset);
+            EXPECT_EQ(counters.at("triangles_drawn"), 2u) << preset << ", level " << level;
+        }
+        expectTwins(exact, picture);
+
+        const HardCase wider  = hardCase("D1?wider=yes&level=" + std::to_string(level));
+        const Picture  behind = agreedPicture(wider);
+        int            shown  = 0;
+        for (int y = 0; y < wider.height(); ++y)
+            for (int x = 0; x < wider.width(); ++x)
+                if (behind.ids.at(x, y) >= 0 && !isWall(wider, behind.ids.at(x, y))) {
+                    EXPECT_EQ(x, 2 * side);
+                    ++shown;
+                }
+        EXPECT_EQ(shown, side);
+        expectCounters(wider);
+    }
+}
+
+TEST(HardD, D2WhatLiesBehindAHoleOfOnePixelIsSeenThroughIt)
+{
+    for (const int level : {0, 3, 4, 6})
+        for (int corner = 0; corner < 4; ++corner) {
+            const int      x = (1 << level) - (corner & 1), y = (1 << level) - (corner >> 1);
+            const HardCase hard    = hardCase("D2?x=" + std::to_string(x) + "&y=" + std::to_string(y));
+            const Picture  picture = agreedPicture(hard, Effort::Rotating);
+            for (int j = 0; j < hard.height(); ++j)
+                for (int i = 0; i < hard.width(); ++i)
+                    ASSERT_EQ(picture.ids.at(i, j) < 512, i == x && j == y) << hard.word << " at " << i << ", " << j;
+            EXPECT_GT(hiddenBy(hard, "hzb-octree"), 300u) << hard.word;
+        }
+    for (const char* border : {"D2?x=0&y=0", "D2?x=127&y=0", "D2?x=0&y=127", "D2?x=127&y=127", "D2?x=127&y=64"}) {
+        const HardCase hard    = hardCase(border);
+        const Picture  picture = agreedPicture(hard);
+        EXPECT_EQ(std::ranges::count_if(picture.ids.values(), [](std::int64_t id) { return id < 512; }), 1) << border;
+        expectTwins(hard, picture);
+    }
+}
+
+TEST(HardD, D4EqualDepthIsNotCulledAndTheLowerIdWins)
+{
+    for (const bool wallFirst : {true, false}) {
+        const HardCase hard    = hardCase(std::string("D4?steps=0&first=") + (wallFirst ? "wall" : "sheet"));
+        const Picture  picture = agreedPicture(hard);
+        for (int y = 0; y < hard.height(); ++y)
+            for (int x = 0; x < hard.width(); ++x) {
+                ASSERT_EQ(picture.depth.at(x, y), 0.25f);
+                const bool inSheet = x >= 32 && x < 96 && y >= 32 && y < 96;
+                const bool isSheet = wallFirst ? picture.ids.at(x, y) >= 2 : picture.ids.at(x, y) < 512;
+                ASSERT_EQ(isSheet, inSheet && !wallFirst) << hard.word << " at " << x << ", " << y;
+            }
+        for (const char* preset : kComplete) EXPECT_EQ(hiddenBy(hard, preset), 0u) << preset << ": it might win by its id";
+        expectCounters(hard);
+        expectReversedTwin(hard, picture);
+        expectShuffledTwin(hard, picture);
+    }
+}
+
+TEST(HardD, D5OneStepNearerIsSeenAndOneStepFartherIsCulled)
+{
+    for (const int steps : {-2, -1, 1, 2})
+        for (const char* first : {"wall", "sheet"}) {
+            const HardCase hard    = hardCase("D4?steps=" + std::to_string(steps) + "&first=" + first);
+            const Picture  picture = agreedPicture(hard);
+            const bool     isSheet = depthSteps(0.25f, picture.depth.at(64, 64)) > 0;
+            EXPECT_EQ(isSheet, steps > 0) << hard.word;
+            EXPECT_EQ(depthSteps(0.25f, picture.depth.at(64, 64)), std::max(steps, 0)) << hard.word;
+            EXPECT_EQ(picture.depth.at(2, 2), 0.25f);
+            // After a pre-pass each triangle of the sheet is asked about against the finished depth. (A node's bound is
+            // rounded outward by a step, so it may take two.)
+            EXPECT_EQ(hiddenBy(hard, "hzb-simple"), steps < 0 ? 512u : 0u) << hard.word;
+        }
+}
+
+TEST(HardD, D6RectanglesOverTheBordersAreJudgedByTheirInsidePart)
+{
+    const HardCase hard    = hardCase("D6");
+    const Picture  picture = agreedPicture(hard);
+    for (int y = 0; y < hard.height(); ++y)
+        for (int x = 0; x < hard.width(); ++x) {
+            const bool behind = x >= 120 && y < 40;
+            ASSERT_EQ(picture.ids.at(x, y) >= 0, x < 120 || behind) << x << ", " << y;
+            ASSERT_EQ(picture.depth.at(x, y), x < 120 ? 0.125f : behind ? 0.0625f : 0.0f);
+        }
+    for (const char* preset : kComplete) EXPECT_GT(hiddenBy(hard, preset), 500u) << preset;
+    expectCounters(hard);
+    expectTwins(hard, picture);
+}
+
+TEST(HardD, D7AStripAsWideAsThePictureIsSeenInItsLastPixel)
+{
+    for (const int width : {9, 64, 65, 511, 512, 513, 1025}) {
+        const HardCase hard    = hardCase("D7?width=" + std::to_string(width));
+        const Picture  picture = agreedPicture(hard, Effort::Rotating);
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < width; ++x) {
+                const bool last = x == width - 1;
+                ASSERT_EQ(picture.depth.at(x, y), last ? (y >= 2 && y < 5 ? 0.0625f : 0.0f) : y >= 1 && y < 6 ? 0.125f : 0.0f);
+            }
+        expectCounters(hard);
+    }
+}
+
+TEST(HardD, D9FromFarToNearEverySheetIsDrawnOverWhatWasThere)
+{
+    const HardCase hard    = hardCase("D9");
+    const Picture  picture = agreedPicture(hard);
+    for (int y = 0; y < hard.height(); ++y)
+        for (int x = 0; x < hard.width(); ++x) {
+            const int ring = std::min({x, y, 127 - x, 127 - y, 23});
+            ASSERT_EQ(picture.depth.at(x, y), static_cast<float>(0.03125 * (1 + ring * 0.125))) << x << ", " << y;
+        }
+    EXPECT_EQ(hiddenBy(hard, "quadtree"), 0u) << "in the order of the file nothing is hidden when it comes";
+    EXPECT_GT(hiddenBy(hard, "hzb-octree"), hard.scene->triangleCount() / 8);
+    expectCounters(hard);
+    expectTwins(hard, picture);
+}
+
+}  // namespace
+}  // namespace zscope::hardcase
