@@ -145,8 +145,6 @@ QString styleSheetOf(const Theme& theme)
         QFrame#messageBar QLabel { color: @text; }
         QTableView { background: @card; border: none; gridline-color: transparent; outline: none;
               selection-background-color: @pickedTint; selection-color: @text; }
-        QTableView::item { padding: 0; border: none; }
-        QTableView::item:selected { background: @pickedTint; color: @text; }
         QHeaderView { background: @card; border: none; }
         QHeaderView::section { background: @card; color: @softText; border: none; border-bottom: 1px solid @border;
               padding: 2px 2px 4px 2px; font-weight: normal; }

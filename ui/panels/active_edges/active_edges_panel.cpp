@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QStackedLayout>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -19,6 +20,20 @@
 namespace zscope::ui {
 namespace {
 
+/// Keeps the colours of the marks in a selected row, and draws no box around one cell of it.
+class RowDelegate final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->state.setFlag(QStyle::State_HasFocus, false);
+        option->palette.setBrush(QPalette::HighlightedText, option->palette.brush(QPalette::Text));
+    }
+};
+
 constexpr std::size_t kPolygonsNamed = 60;  // the tool tip of the list; the line itself shows what fits
 
 }  // namespace
@@ -28,6 +43,7 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
       m_polygons(new QLabel), m_hint(new QLabel), m_strip(new LineStrip), m_buckets(new BucketChart)
 {
     m_table->setModel(m_model);
+    m_table->setItemDelegate(new RowDelegate(m_table));
     m_table->setAccessibleName(tr("Active edge table"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -80,21 +96,30 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
 void ActiveEdgesPanel::present(const Snapshot& shown, Changes what)
 {
     if (!(what & (Change::Picture | Change::Selection | Change::Pipeline | Change::Scene))) return;
-    showRows(shown);
+    showRows(shown, what);
     showWords(shown);
     m_strip->present(shown);
     m_buckets->present(shown);
 }
 
-void ActiveEdgesPanel::showRows(const Snapshot& shown)
+void ActiveEdgesPanel::showRows(const Snapshot& shown, Changes what)
 {
-    m_filling = true;
-    m_model->setPalette(palette());
-    m_model->present(shown);
-    fitColumns();
+    const bool sameRows = !(what & (Change::Picture | Change::Pipeline | Change::Scene));
+    m_filling           = true;
+    if (sameRows) {
+        m_model->presentPick(shown);
+    } else {
+        m_model->setPalette(palette());
+        m_model->present(shown);
+        fitColumns();
+    }
     const int selected = shown.selectedEdge ? m_model->rowOf(*shown.selectedEdge) : -1;
-    if (selected >= 0) m_table->selectRow(selected);
+    if (selected < 0) m_table->clearSelection();
+    else if (!m_table->selectionModel()->isRowSelected(selected)) m_table->selectRow(selected);
     m_filling = false;
+    if (sameRows && selected >= 0) return;  // the row is under the user's hand
+    const bool rows = !m_model->rows().empty();
+    m_tableOrHint->setCurrentIndex(rows ? 0 : 1);  // before scrolling: a hidden table does not scroll
 
     int reveal = selected;
     if (reveal < 0) {  // what the step or the pick is about
@@ -107,8 +132,6 @@ void ActiveEdgesPanel::showRows(const Snapshot& shown)
     if (reveal >= 0) m_table->scrollTo(m_model->index(reveal, 0), QAbstractItemView::PositionAtCenter);
 
     const SweepState* sweep = shown.sweep();
-    const bool        rows  = !m_model->rows().empty();
-    m_tableOrHint->setCurrentIndex(rows ? 0 : 1);
     if (rows) return;
     if (familyOf(shown.pipeline) != Family::Sweep)
         m_hint->setText(tr("This algorithm keeps no active edges. Choose the scanline algorithm to see them."));

@@ -30,7 +30,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void showRows(const Snapshot& shown);
+    void showRows(const Snapshot& shown, Changes what);
     void showWords(const Snapshot& shown);
     void fitColumns();
     void fitPolygons();

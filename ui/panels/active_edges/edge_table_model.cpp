@@ -44,9 +44,20 @@ void EdgeTableModel::present(const Snapshot& shown)
     endResetModel();
 }
 
+void EdgeTableModel::presentPick(const Snapshot& shown)
+{
+    m_picked = pickedTriangle(shown);
+    recolour();
+}
+
 void EdgeTableModel::setPalette(const QPalette& palette)
 {
     m_palette = palette;
+    recolour();
+}
+
+void EdgeTableModel::recolour()
+{
     if (!m_rows.empty())
         emit dataChanged(index(0, 0), index(static_cast<int>(m_rows.size()) - 1, kColumns - 1),
                          {Qt::ForegroundRole, Qt::BackgroundRole});

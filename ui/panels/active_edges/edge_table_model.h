@@ -30,8 +30,10 @@ public:
 
     explicit EdgeTableModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
-    /// Replaces all rows. `picked` is the triangle whose rows light up.
+    /// Replaces all rows.
     void present(const Snapshot& shown);
+    /// Keeps the rows; those of the picked triangle light up.
+    void presentPick(const Snapshot& shown);
     void setPalette(const QPalette& palette);
 
     const std::vector<Row>& rows() const { return m_rows; }
@@ -48,6 +50,7 @@ public:
 private:
     QString text(const Row& row, Column column) const;
     QString stateText(State state) const;
+    void    recolour();
 
     std::vector<Row>          m_rows;
     std::optional<TriangleId> m_picked;
