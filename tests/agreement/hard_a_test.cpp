@@ -40,12 +40,12 @@ TEST(HardA, A1TwoTrianglesShareAnEdgeAndEachPixelOfTheQuadOnceIn400Directions)
             for (int i = 0; i < 2; ++i) {
                 const HardCase hard = hardCase("A1?direction=" + std::to_string(direction) + "&ends=" + ends +
                                                "&diagonal=" + (i == 0 ? "long" : "short"));
-                const Picture  picture = agreedPicture(hard, Effort::Rotating);
+                const Picture  picture = agreedPicture(hard, Effort::Some);
                 expectWhole(hard, picture, outlineOfQuad(hard));
                 both[i] = coverageOf(picture);
                 if (i != direction % 2) continue;
-                const Grid<int> first  = coverageOf(agreedPicture(only(hard, [](auto id) { return id == 0; }), Effort::Rotating));
-                const Grid<int> second = coverageOf(agreedPicture(only(hard, [](auto id) { return id == 1; }), Effort::Rotating));
+                const Grid<int> first  = coverageOf(agreedPicture(only(hard, [](auto id) { return id == 0; }), Effort::Some));
+                const Grid<int> second = coverageOf(agreedPicture(only(hard, [](auto id) { return id == 1; }), Effort::Some));
                 EXPECT_EQ(sum(first) + sum(second), sum(both[i])) << hard.word << ": a pixel is covered twice or not at all";
             }
             EXPECT_EQ(both[0], both[1]) << "direction " << direction << ", " << ends << ": the diagonal shows";
@@ -112,7 +112,7 @@ TEST(HardA, A4FanCoversItsDiscExactlyOnceAndTheCentrePixelOnce)
     for (const int triangles : {1000, 10'000})
         for (const std::string centre : {"centre", "corner", "elsewhere"}) {
             const HardCase hard = hardCase("A4?triangles=" + std::to_string(triangles) + "&centre=" + centre);
-            const Picture  picture = agreedPicture(hard, triangles == 1000 ? Effort::All : Effort::Rotating);
+            const Picture  picture = agreedPicture(hard, triangles == 1000 ? Effort::All : Effort::EachPreset);
             Outline        rim;
             for (const GridTriangle& triangle : gridTriangles(hard)) rim.push_back(triangle.corner[1]);
             expectWhole(hard, picture, rim);
@@ -132,7 +132,7 @@ TEST(HardA, A5SliversEqualTheExactSetAndZeroWidthDrawsNothing)
     for (const std::string run : {"horizontal", "vertical", "shallow", "steep"})
         for (const std::string width : {"256", "2", "1", "0.75", "0.5", "0.25", "0"}) {
             const HardCase hard    = hardCase("A5?run=" + run + "&width=" + width);
-            const Picture  picture = agreedPicture(hard, width == "1" ? Effort::All : Effort::Rotating);
+            const Picture  picture = agreedPicture(hard, width == "1" ? Effort::All : Effort::EachPreset);
             expectSumOfTriangles(hard, picture);
             const auto counters = expectCounters(hard);
             if (width == "0") {
@@ -152,7 +152,7 @@ TEST(HardA, A5SliversEqualTheExactSetAndZeroWidthDrawsNothing)
 TEST(HardA, A6SphereOfAMillionTinyTrianglesHasNoHoleInsideItsSilhouette)
 {
     const HardCase hard    = hardCase("A6");
-    const Picture  picture = agreedPicture(hard, Effort::Rotating);
+    const Picture  picture = agreedPicture(hard, Effort::EachPreset);
     EXPECT_NEAR(static_cast<double>(hard.scene->triangleCount()), 1e6, 3000);
     for (int y = 0; y < 128; ++y)
         for (int x = 0; x < 128; ++x) {
@@ -164,7 +164,7 @@ TEST(HardA, A6SphereOfAMillionTinyTrianglesHasNoHoleInsideItsSilhouette)
     EXPECT_GT(counters.at("triangles_no_pixel_centre") + counters.at("triangles_degenerate"), 950'000u);
     EXPECT_LT(counters.at("triangles_drawn"), 50'000u);
     // Seen from outside the back faces are hidden: culling them changes nothing.
-    const Picture front = agreedPicture(hard, Effort::Rotating, FaceCulling::Back);
+    const Picture front = agreedPicture(hard, Effort::EachPreset, FaceCulling::Back);
     EXPECT_EQ(front.ids, picture.ids);
 }
 
@@ -273,7 +273,7 @@ TEST(HardA, A9CornersAtTheSnappingMidpointGoToTheEvenUnitForAllUsersOfTheVertex)
                 p.y = (32 - static_cast<double>(g.y) / 256) * -p.z;
             }
         });
-        EXPECT_EQ(agreedPicture(rounded, Effort::Rotating).ids, picture.ids) << hard.word;
+        EXPECT_EQ(agreedPicture(rounded, Effort::EachPreset).ids, picture.ids) << hard.word;
     }
 }
 

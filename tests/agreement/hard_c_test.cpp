@@ -12,7 +12,7 @@ std::vector<Picture> eachAlone(const HardCase& hard)
 {
     std::vector<Picture> alone;
     for (std::uint32_t id = 0; id < hard.scene->triangleCount(); ++id)
-        alone.push_back(agreedPicture(only(hard, [id](std::uint32_t other) { return other == id; }), Effort::Rotating));
+        alone.push_back(agreedPicture(only(hard, [id](std::uint32_t other) { return other == id; }), Effort::Some));
     return alone;
 }
 

@@ -31,7 +31,7 @@ TEST(HardE, E2CoincidentTrianglesShowTheLowestId)
 {
     for (const int count : {1000, 20'000}) {
         const HardCase hard    = hardCase("E2?count=" + std::to_string(count));
-        const Picture  picture = agreedPicture(hard, count > 1000 ? Effort::Rotating : Effort::All);
+        const Picture  picture = agreedPicture(hard, count > 1000 ? Effort::EachPreset : Effort::All);
         for (const std::int64_t id : picture.ids.values()) EXPECT_TRUE(id <= 0 || id == count);
         EXPECT_GT(coveredPixels(picture), 800);
         EXPECT_LE(treesOf(*hard.prepared, TreeKind::Octree).mesh(MeshId{0}).nodeCount(), 2u * Tree::kMaxDepth + 1);
@@ -103,7 +103,7 @@ TEST(HardE, E7TheEyeInsideOnAFaceAndOnACornerOfNodes)
             turned.forward     = turn < 3 ? turned.right : turned.up;
             (turn < 3 ? turned.right : turned.up) = -before;
             const HardCase there = changed(hard, "turned " + std::to_string(turn), turned, [](auto&, auto&) {});
-            EXPECT_GT(coveredPixels(agreedPicture(there, Effort::Rotating)), 4000) << eye << ", turn " << turn;
+            EXPECT_GT(coveredPixels(agreedPicture(there, Effort::EachPreset)), 4000) << eye << ", turn " << turn;
         }
     }
 }

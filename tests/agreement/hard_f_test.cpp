@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <pthread.h>
-#include <time.h>
 
 #include "core/lesson/replay.h"
 #include "tests/agreement/hard_support.h"
@@ -249,44 +248,24 @@ Picture drawnWithLittleStack(const DrawRequest& request)
     return work.picture;
 }
 
-/// The least processor time of three frames, in milliseconds: what else the machine does can only lengthen them.
-double leastTime(const DrawRequest& request)
-{
-    const auto now = [] {  // of this thread, which draws alone
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-    };
-    Renderer renderer;
-    Frame    frame;
-    double   least = 1e300;
-    for (int i = 0; i < 3; ++i) {
-        const double start = now();
-        EXPECT_TRUE(renderer.draw(request, frame).ok());
-        least = std::min(least, now() - start);
-    }
-    return least;
-}
-
-TEST(HardF, F9FiftyThousandPolygonsOnOneRowOrOnAllRowsTakeTimeNearNLogN)
+TEST(HardF, F9FiftyThousandPolygonsOnOneRowOrOnAllRowsAreDrawnWithLittleStack)
 {
     for (const std::string spread : {"one-row", "rows"}) {
         const auto     word    = [&](int polygons) { return "F9?polygons=" + std::to_string(polygons) + "&spread=" + spread; };
+        // Edges that cross one another at every turn. Nothing here is timed: a sort that were quadratic would move 10^9
+        // edges a line, and run into the test's time limit.
+        const HardCase leaning        = hardCase(word(50'000) + "&lean=300");
+        const Picture  leaningPicture = agreedPicture(leaning, Effort::EachPreset);
         const HardCase hard    = hardCase(word(50'000));
-        const Picture  picture = agreedPicture(hard, Effort::Rotating);
+        const Picture  picture = agreedPicture(hard, Effort::EachPreset);
         expectCounters(hard);
         for (const Preset& preset : presets()) {
             if (!preset.exact) continue;
             DrawRequest request = sweepRequest(hard);
             request.pipeline    = preset.pipeline;
             EXPECT_EQ(drawnWithLittleStack(request), picture) << preset.name;
-
-            // Four times as many polygons, crossing one another at every turn: n log n asks for 4.6 times the time,
-            // n^2 for 16.
-            DrawRequest few = request, many = request;
-            few.scene  = hardCase(word(12'500) + "&lean=300").prepared;
-            many.scene = hardCase(word(50'000) + "&lean=300").prepared;
-            EXPECT_LT(leastTime(many), 10 * leastTime(few)) << hard.word << " by " << preset.name;
+            request.scene = leaning.prepared;
+            EXPECT_EQ(drawnWithLittleStack(request), leaningPicture) << preset.name;
         }
         if (spread == "one-row") { EXPECT_EQ(sum(coverageOf(picture)), 1024 * 16) << "they leave nothing uncovered"; }
     }
@@ -319,7 +298,7 @@ TEST(HardF, F10PolygonsFromOutsideAreActiveFromRowZeroAndLoseNothingAtTheBorder)
         wide.width *= 8;
         wide.height *= 8;
         wide.focal /= 8;
-        const Picture whole = agreedPicture(changed(hard, "with all that is around it", wide, [](auto&, auto&) {}), Effort::Rotating);
+        const Picture whole = agreedPicture(changed(hard, "with all that is around it", wide, [](auto&, auto&) {}), Effort::EachPreset);
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x) ASSERT_EQ(picture.ids.at(x, y), whole.ids.at(x + 224, y + 224)) << from << " at " << x << ", " << y;
 

@@ -44,10 +44,11 @@ HardCase changed(const HardCase& original, const std::string& how, const Camera&
 /// Only the triangles that `isKept` says; they get new ids.
 HardCase only(const HardCase& original, const std::function<bool(std::uint32_t id)>& isKept);
 
-/// How many of the combinations of threads and vector targets are drawn.
+/// How many of the presets, and of the combinations of threads and vector targets for each, are drawn.
 enum class Effort {
-    All,       // each preset with each combination
-    Rotating,  // each preset with one combination, another one at each call
+    All,         // every exact preset with every combination
+    EachPreset,  // every exact preset with one combination, another one at each call
+    Some,        // four of the presets with one combination each, others at the next call; for cases of many scenes
 };
 
 /// The reference's picture, after every exact preset has been held against it, bit for bit.
