@@ -48,7 +48,7 @@ TEST(ColourTable, TheFarSideIsDarkerAndNotBlackAndAPointIsBetween)
     const auto red = [](const dvec3& light, std::uint32_t triangle) {
         return colourOf(oneTriangle(light), InstanceId{0}, triangle) >> 16 & 255;
     };
-    EXPECT_GT(red({0, 0, 1}, 0), 80u);
+    EXPECT_GT(red({0, 0, 1}, 0), 40u);  // of 255
     EXPECT_LT(red({0, 0, 1}, 0), red({1, 0, 0}, 0));
     EXPECT_LT(red({1, 0, 0}, 0), red({0, 0, -1}, 0));
     EXPECT_EQ(red({0, 0, 1}, 1), red({1, 0, 0}, 0)) << "without a normal: half lit";
