@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMaxThreads = 256;
 
-/// An upper estimate of what the frame allocates: buffers, and for sweeps the edge table.
+/// What the picture's buffers take. Scratch memory depends on what is in view; running out of it is caught while drawing.
 std::uint64_t estimatedBytes(const DrawRequest& request)
 {
     const auto pixels = static_cast<std::uint64_t>(request.camera.width + 2 * kRowPadding) * static_cast<std::uint64_t>(request.camera.height);

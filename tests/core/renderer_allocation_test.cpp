@@ -24,6 +24,13 @@ void* counted(std::size_t bytes)
 
 void* operator new(std::size_t bytes) { return counted(bytes); }
 void* operator new[](std::size_t bytes) { return counted(bytes); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept
+{
+    ++allocations;
+    allocatedBytes += bytes;
+    return std::malloc(bytes > 0 ? bytes : 1);
+}
+void  operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void* operator new(std::size_t bytes, std::align_val_t alignment)
 {
     ++allocations;

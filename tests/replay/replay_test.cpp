@@ -288,7 +288,7 @@ TEST(Replay, CancellingEndsARunOfOneLargeMeshSoon)
         owner.join();
         ASSERT_FALSE(count.ok()) << preset.name;
         EXPECT_EQ(count.error().kind, Trouble::Cancelled) << preset.name;
-        EXPECT_LT(took.count(), 10.0) << preset.name;
+        EXPECT_LT(took.count(), 30.0) << preset.name;
     }
 }
 
