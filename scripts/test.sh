@@ -24,9 +24,9 @@ run_tests tsan -L threads
 build_preset debug-asan-ubsan all
 run_tests debug-asan-ubsan -E OnTheSharedModels
 
-# One lane only, and no Qt: the same pictures.
-build_preset scalar all
-run_tests scalar -L 'agreement|replay|cli'
+# One lane only, and no Qt: the same pictures and the same steps.
+build_preset scalar agreement_test replay_test sweep_state_test
+run_tests scalar -R 'Agreement|Replay|SweepState' -E 'NOT_BUILT|OnTheSharedModels'
 
 build_preset ci all
 run_tests ci
