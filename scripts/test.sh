@@ -20,9 +20,10 @@ require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${pa
 build_preset tsan threads_test seeded_race
 run_tests tsan -L threads
 
-# Memory and undefined behaviour, in everything but the window. The large models add time and no new code.
+# Memory and undefined behaviour, in the whole core. The large models add time and no new code; the command line's tests
+# start hundreds of processes, each of which would pay for the sanitizer's start.
 build_preset debug-asan-ubsan all
-run_tests debug-asan-ubsan -E OnTheSharedModels
+run_tests debug-asan-ubsan -E OnTheSharedModels -LE cli
 
 # One lane only, and no Qt: the same pictures and the same steps.
 build_preset scalar agreement_test replay_test sweep_state_test
