@@ -3,10 +3,8 @@
 #include <algorithm>
 
 #include <omp.h>
-#include <unistd.h>
 
-#include "core/sweep/active_edges.h"
-#include "core/sweep/edge_table.h"
+#include "core/base/memory.h"
 
 namespace zscope {
 
@@ -23,13 +21,6 @@ std::uint64_t estimatedBytes(const DrawRequest& request)
 
 }  // namespace
 
-std::uint64_t defaultMemoryLimit()
-{
-    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
-    if (pages <= 0 || size <= 0) return std::uint64_t{4} << 30;
-    return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3;
-}
-
 Result<FramePlan> planFrame(const DrawRequest& request)
 {
     if (const auto invalid = explainInvalid(request.pipeline)) return Error{Trouble::Usage, *invalid};
@@ -40,7 +31,7 @@ Result<FramePlan> planFrame(const DrawRequest& request)
     if (!entry->available)
         return Error{Trouble::Usage, "this machine or build has no '" + std::string(entry->word) + "' kernels"};
 
-    const std::uint64_t limit = request.memoryLimit ? request.memoryLimit : defaultMemoryLimit();
+    const std::uint64_t limit = effectiveMemoryLimit(request.memoryLimit);
     const std::uint64_t needed = estimatedBytes(request);
     if (needed > limit) {
         return Error{Trouble::Limit, "a picture of " + std::to_string(request.camera.width) + "x" +

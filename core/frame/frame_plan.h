@@ -24,9 +24,6 @@ struct StageReason {
 };
 StageReason reasonFor(Stage stage, const DrawRequest& request);
 
-/// Bytes a process on this machine may use when nobody said otherwise: three quarters of the memory.
-std::uint64_t defaultMemoryLimit();
-
 /// The scene's colours, made on the first frame that shades.
 const ColourTable& coloursOf(const PreparedScene& scene);
 
