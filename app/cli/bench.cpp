@@ -32,7 +32,7 @@ Result<BenchRequest> requestOf(const BenchOptions& options, Session& session)
 
     const auto algorithms = algorithmsOf(options.algorithms.value_or("all"));
     if (!algorithms) return algorithms.error();
-    for (const NamedPipeline& each : *algorithms) request.algorithms.push_back({each.name, each.pipeline});
+    for (const NamedPipeline& each : *algorithms) request.algorithms.push_back({each.name, each.pipeline, each.claim});
     if (options.threads) {
         request.threads.clear();
         for (const std::string& word : listOf(*options.threads)) {

@@ -33,7 +33,7 @@ Result<Done> apply(const std::string& setting, std::vector<NamedPipeline>& algor
         algorithm.pipeline     = *changed;
         algorithm.name         = nameOf(*changed);
         const Preset* preset   = findPreset(algorithm.name);
-        algorithm.exact        = preset ? preset->exact : algorithm.exact;
+        algorithm.claim        = preset ? preset->claim : algorithm.claim;
     }
     return Done{};
 }
@@ -73,7 +73,7 @@ Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words)
 {
     std::vector<NamedPipeline> algorithms;
     const auto add = [&algorithms](const Preset& preset) {
-        algorithms.push_back({std::string(preset.name), preset.pipeline, preset.exact});
+        algorithms.push_back({std::string(preset.name), preset.pipeline, preset.claim});
     };
     if (words == "all") {
         for (const Preset& preset : presets()) add(preset);

@@ -36,7 +36,7 @@ Json algorithms()
         for (const Grain grain : grainsOf(preset.pipeline)) grains.push_back(zscope::wordOf(grain));
         list.push_back({{"name", preset.name},
                         {"title", preset.title},
-                        {"exact", preset.exact},
+                        {"exact", preset.isExact()},
                         {"family", wordOf(familyOf(preset.pipeline))},
                         {"grains", std::move(grains)}});
     }

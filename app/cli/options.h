@@ -73,7 +73,7 @@ private:
 struct NamedPipeline {
     std::string name;
     Pipeline    pipeline;
-    bool        exact = true;
+    Claim       claim = Claim::Exact;
 };
 
 struct How {

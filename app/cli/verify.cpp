@@ -25,6 +25,18 @@ struct VerifyOptions {
 /// Pixels kept with their ids and depths in memory: more than the largest picture has is never needed.
 constexpr std::int64_t kMaxSamples = std::int64_t{kMaxPictureSide} * kMaxPictureSide;
 
+std::string wordOf(Claim claim)
+{
+    return claim == Claim::Exact ? "yes" : claim == Claim::ExactByFace ? "by face" : "no";
+}
+
+std::string verdictOf(const VerifyRow& row)
+{
+    if (!row.passed()) return "WRONG";
+    if (row.claim == Claim::Approximate) return "approximate";
+    return row.figures.isExact() ? "same picture" : "same coverage by face";
+}
+
 std::string tableOf(const std::vector<VerifyRow>& rows)
 {
     Table table({{"algorithm", Table::Align::Left}, {"exact", Table::Align::Left}, {"threads"},
@@ -32,11 +44,11 @@ std::string tableOf(const std::vector<VerifyRow>& rows)
                  {"depth bits differ"}, {"max depth steps"}, {"lost"}, {"false culls"}, {"", Table::Align::Left}});
     for (const VerifyRow& row : rows) {
         const ErrorFigures& f = row.figures;
-        table.row({row.algorithm, row.exact ? "yes" : "no", std::to_string(row.threads),
+        table.row({row.algorithm, wordOf(row.claim), std::to_string(row.threads),
                    std::string(wordOf(row.simd)), grouped(f.covered), grouped(f.holes), grouped(f.spills),
                    grouped(f.wrongSurface()), grouped(f.depthBitsDiffer), grouped(f.maxDepthSteps),
                    grouped(f.lostTriangles), grouped(f.falseCulls),
-                   !row.passed() ? "WRONG" : row.exact ? "same picture" : "approximate"});
+                   verdictOf(row)});
     }
     return table.text();
 }
@@ -47,7 +59,7 @@ Json jsonOf(const std::vector<VerifyRow>& rows)
     for (const VerifyRow& row : rows) {
         const ErrorFigures& f = row.figures;
         list.push_back({{"algorithm", row.algorithm},
-                        {"exact", row.exact},
+                        {"exact", row.claim == Claim::Exact},
                         {"threads", row.threads},
                         {"simd", wordOf(row.simd)},
                         {"covered", f.covered},
@@ -89,7 +101,7 @@ Result<Exit> verifyScene(const VerifyOptions& options, Session& session)
                           .memoryLimit = how->memoryLimit,
                           .progress    = session.progress()};
     for (const NamedPipeline& algorithm : how->algorithms)
-        request.algorithms.push_back({algorithm.name, {}, algorithm.pipeline, algorithm.exact});
+        request.algorithms.push_back({algorithm.name, {}, algorithm.pipeline, algorithm.claim});
 
     const auto rows = verify(request);
     if (!rows) return rows.error();

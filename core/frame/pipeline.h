@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/approximation.h"
+#include "core/base/fault.h"
 #include "core/base/result.h"
 #include "core/probe/grain.h"
 
@@ -30,11 +32,13 @@ constexpr bool asksNodes(Cull cull) { return cull == Cull::Nodes || cull == Cull
 constexpr bool asksTriangles(Cull cull) { return cull == Cull::Triangles || cull == Cull::NodesAndTriangles; }
 
 struct Pipeline {
-    Order       order  = Order::Submitted;
-    Cull        cull   = Cull::Frustum;
-    Upkeep      upkeep = Upkeep::None;
-    Scan        scan   = Scan::HalfSpace;
-    DepthMoment depth  = DepthMoment::AtOnce;
+    Order         order  = Order::Submitted;
+    Cull          cull   = Cull::Frustum;
+    Upkeep        upkeep = Upkeep::None;
+    Scan          scan   = Scan::HalfSpace;
+    DepthMoment   depth  = DepthMoment::AtOnce;
+    Approximation approximation;        // each of its members is an axis
+    Fault         fault  = Fault::None; // see core/frame/faults.h
 
     friend bool operator==(const Pipeline&, const Pipeline&) = default;
 };
@@ -59,18 +63,30 @@ Result<Pipeline> withChoice(Pipeline pipeline, std::string_view axis, std::strin
 
 enum class Family { Stream, Sweep };  // triangles one after another | the scene line by line
 
+/// What a method promises of its pictures.
+enum class Claim {
+    Exact,        // the definition's picture, to the bit
+    ExactByFace,  // draws whole faces: which pixels each of them covers is exact; ids are those of a face's first triangle,
+                  // and the depth on faces that are not plane is a figure
+    Approximate,  // publishes its error figures
+};
+
 struct Preset {
     std::string_view name;
     std::string_view title;  // one line
     Pipeline         pipeline;
-    bool             exact = true;
+    Claim            claim = Claim::Exact;
+
+    constexpr bool isExact() const { return claim == Claim::Exact; }
 };
 std::span<const Preset> presets();
 const Preset*           findPreset(std::string_view name);  // nullptr: no preset has this name
-/// The preset's name if the pipeline is one, else its choices joined by '+'.
+/// The name of the preset that the pipeline is, or of the one that comes closest with what differs: "zbuffer+near=drop".
 std::string nameOf(const Pipeline& pipeline);
 
 Family             familyOf(const Pipeline& pipeline);
+/// True if nothing in it leaves the definition: its picture is the reference's to the bit.
+bool               isExact(const Pipeline& pipeline);
 std::vector<Grain> grainsOf(const Pipeline& pipeline);  // coarse to fine
 /// Why this composition cannot run, in one sentence; nothing if it can.
 std::optional<std::string> explainInvalid(const Pipeline& pipeline);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/measure/face_figures.h"
 #include "core/measure/reference.h"
 
 namespace zscope {
@@ -67,7 +68,7 @@ public:
                     m_request.progress.at(static_cast<double>(rows.size()) / static_cast<double>(runs), algorithm.name);
                     Result<BenchRow> row = time(algorithm, threads, simd);
                     if (!row) return row.error();
-                    row->counters = *counters;
+                    row->counters = counters->counters;
                     rows.push_back(*std::move(row));
                 }
             }
@@ -103,7 +104,11 @@ private:
         if (!first) return first.error();
         row.threads = first->threads;
         row.simd    = first->simd;
-        if (m_reference) row.wrongPixels = differingPixels(*m_reference, pictureOf(m_frame.visible));
+        if (m_reference) {
+            const auto wrong = wrongPixels(algorithm.claim);
+            if (!wrong) return wrong.error();
+            row.wrongPixels = *wrong;
+        }
         for (int frame = 0; frame < m_request.warmUp; ++frame)
             if (const auto report = m_renderer.draw(draw, m_frame); !report) return report.error();
 
@@ -115,6 +120,16 @@ private:
         }
         summarise(std::move(reports), row);
         return row;
+    }
+
+    /// Of the frame just drawn.
+    Result<std::uint64_t> wrongPixels(Claim claim) const
+    {
+        const Picture picture = pictureOf(m_frame.visible);
+        if (claim != Claim::ExactByFace) return differingPixels(*m_reference, picture);
+        const auto figures = compareByFace(*m_request.scene, m_request.camera, m_request.faceCulling, *m_reference, picture, m_request.progress);
+        if (!figures) return figures.error();
+        return figures->wrongCoverage();
     }
 
     const BenchRequest&                  m_request;

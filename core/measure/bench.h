@@ -26,6 +26,7 @@ namespace zscope {
 struct BenchAlgorithm {
     std::string name;
     Pipeline    pipeline;
+    Claim       claim = Claim::Exact;
 };
 
 struct BenchRequest {
@@ -48,7 +49,8 @@ struct BenchRow {
     int         threads = 1;  // as used
     Simd        simd    = Simd::Scalar;
 
-    /// Pixels whose id or depth bits differ from the reference; nothing: no reference was asked for.
+    /// Pixels whose id or depth bits differ from the reference, or, of a method that is exact by face, its holes and spills;
+    /// nothing: no reference was asked for.
     std::optional<std::uint64_t> wrongPixels;
 
     double        bestMs = 0, medianMs = 0, q1Ms = 0, q3Ms = 0;  // of a frame

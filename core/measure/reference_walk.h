@@ -1,11 +1,13 @@
-// What the reference pictures and the reference samples share: the walk over all triangles, and the rule that finds
-// the winner. For core/measure only.
+// What the reference pictures and the reference samples share: the walk over all triangles, the points in rows, and the rule
+// that finds the winner. For core/measure only.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <omp.h>
@@ -77,6 +79,39 @@ Result<Done> forEachTriangle(const Scene& scene, const View& view, const Progres
     if (progress.cancelled()) return Error{Trouble::Cancelled, "the reference was cancelled"};
     return Done{};
 }
+
+/// The points of a picture in rows, so that those inside a box are found without looking at all of them.
+class PointsByRow {
+public:
+    PointsByRow(std::span<const PixelPosition> points, int height) : m_points(points), m_rowStart(height + 1u, 0)
+    {
+        for (std::uint32_t i = 0; i < points.size(); ++i) m_order.push_back(i);
+        std::ranges::sort(m_order, {}, [&](std::uint32_t i) { return std::pair(points[i].y, points[i].x); });
+        for (const PixelPosition& p : points) ++m_rowStart[static_cast<std::size_t>(p.y) + 1];
+        for (std::size_t y = 1; y < m_rowStart.size(); ++y) m_rowStart[y] += m_rowStart[y - 1];
+    }
+
+    /// Calls visit(index of the point) for the points inside the box; tells whether there was one.
+    template <class Visit>
+    bool within(const PixelBox& box, const Visit& visit) const
+    {
+        if (box.isEmpty()) return false;
+        bool any = false;
+        for (std::size_t i = m_rowStart[static_cast<std::size_t>(box.y0)];
+             i < m_rowStart[static_cast<std::size_t>(box.y1) + 1]; ++i) {
+            const std::uint32_t point = m_order[i];
+            if (!box.holds(m_points[point].x, m_points[point].y)) continue;
+            visit(point);
+            any = true;
+        }
+        return any;
+    }
+
+private:
+    std::span<const PixelPosition> m_points;
+    std::vector<std::uint32_t>     m_order;     // points sorted by row
+    std::vector<std::size_t>       m_rowStart;  // into m_order; height + 1 entries
+};
 
 inline constexpr auto everyInstance = [](InstanceId) { return true; };
 

@@ -3,6 +3,8 @@
 #include <random>
 #include <utility>
 
+#include "core/measure/face_figures.h"
+
 namespace zscope {
 
 namespace {
@@ -32,9 +34,14 @@ Result<Truth> truthOf(const VerifyRequest& request)
     return truth;
 }
 
-ErrorFigures figuresOf(const Truth& truth, bool sampled, const Picture& test)
+Result<ErrorFigures> figuresOf(const Truth& truth, const VerifyRequest& request, Claim claim, const Picture& test)
 {
-    if (!sampled) return compare(truth.picture, test);
+    const Scene& scene  = request.scene->scene();
+    const bool   byFace = claim == Claim::ExactByFace;
+    if (!request.samples) {
+        if (!byFace) return compare(truth.picture, test);
+        return compareByFace(scene, request.camera, request.faceCulling, truth.picture, test, request.progress);
+    }
     std::vector<PixelPair> pixels;
     pixels.reserve(truth.points.size());
     for (std::size_t i = 0; i < truth.points.size(); ++i) {
@@ -44,7 +51,8 @@ ErrorFigures figuresOf(const Truth& truth, bool sampled, const Picture& test)
                           .referenceDepth = truth.samples[i].depth,
                           .testDepth      = test.depth.at(x, y)});
     }
-    return compare(pixels, test.ids.values());
+    if (!byFace) return compare(pixels, test.ids.values());
+    return compareByFace(scene, request.camera, request.faceCulling, std::move(pixels), truth.points, test.ids.values(), request.progress);
 }
 
 }  // namespace
@@ -87,11 +95,13 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                 request.progress.at(static_cast<double>(rows.size()) / static_cast<double>(total), algorithm.name);
                 const auto report = renderer.draw(draw, frame);
                 if (!report) return report.error();
+                auto figures = figuresOf(*truth, request, algorithm.claim, pictureOf(frame.visible));
+                if (!figures) return figures.error();
                 rows.push_back({.algorithm = std::string(algorithm.name),
-                                .exact     = algorithm.exact,
+                                .claim     = algorithm.claim,
                                 .threads   = report->threads,
                                 .simd      = report->simd,
-                                .figures = figuresOf(*truth, request.samples.has_value(), pictureOf(frame.visible))});
+                                .figures   = *std::move(figures)});
             }
         }
     }

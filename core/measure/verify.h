@@ -34,13 +34,18 @@ struct VerifyRequest {
 
 struct VerifyRow {
     std::string  algorithm;
-    bool         exact   = true;  // the method claims to draw the definition's picture
-    int          threads = 1;     // as used
+    Claim        claim   = Claim::Exact;
+    int          threads = 1;  // as used
     Simd         simd    = Simd::Scalar;
-    ErrorFigures figures;
+    ErrorFigures figures;         // by face for a method that draws whole faces (core/measure/face_figures.h)
 
-    /// An exact method without any difference; an approximate one is not judged, it publishes its figures.
-    bool passed() const { return !exact || figures.isExact(); }
+    /// An exact method without any difference, or one that covers exactly what it should by face; an approximate one is not
+    /// judged, it publishes its figures.
+    bool passed() const
+    {
+        if (claim == Claim::ExactByFace) return figures.wrongCoverage() == 0;
+        return claim == Claim::Approximate || figures.isExact();
+    }
 };
 
 /// Errors: what the renderer refuses, Limit, Cancelled.

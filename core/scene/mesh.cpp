@@ -33,7 +33,9 @@ PolygonSplit Mesh::addPolygon(std::span<const std::uint32_t> outline, MaterialId
         ++droppedFaces;
         return how;
     }
-    trianglePolygon.resize(triangles.size(), PolygonId{static_cast<std::uint32_t>(polygonCount())});
+    const PolygonId polygon{static_cast<std::uint32_t>(polygonCount())};
+    trianglePolygon.resize(triangles.size(), polygon);
+    if (how == PolygonSplit::MendedFan) mendedFaces.push_back(polygon);
     corners.insert(corners.end(), outline.begin(), outline.end());
     firstCorner.push_back(static_cast<std::uint32_t>(corners.size()));
     firstTriangle.push_back(static_cast<std::uint32_t>(triangles.size()));

@@ -8,6 +8,7 @@
 // Promise    every index is in range; a face that was dropped while reading is in none of the lists
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -61,6 +62,7 @@ struct Mesh {
 
     std::vector<std::array<std::uint32_t, 3>> triangles;       // vertices, in the polygon's sense of turning
     std::vector<PolygonId>                    trianglePolygon; // one per triangle
+    std::vector<PolygonId>                    mendedFaces;     // ascending: degenerate or self-intersecting, so a mere fan
 
     std::vector<Material>    materials{Material{}};  // [0] is what a face without usemtl has
     std::vector<std::string> groups{"default"};      // "group" or "object/group"; [0] before any statement
@@ -74,6 +76,8 @@ struct Mesh {
         return std::span(corners).subspan(firstCorner[p.value], firstCorner[p.value + 1] - firstCorner[p.value]);
     }
     const Material& materialOf(PolygonId p) const { return materials[polygonMaterial[p.value].value]; }
+    /// Its triangles are a fan that is no triangulation of its outline.
+    bool isMended(PolygonId p) const { return std::ranges::binary_search(mendedFaces, p); }
 
     /// Box of the positions that a triangle uses.
     Bounds bounds() const;

@@ -139,6 +139,14 @@ InstanceId Scene::instanceOf(TriangleId id) const
     return InstanceId{static_cast<std::uint32_t>(after - firstTriangle.begin() - 1)};
 }
 
+TriangleId Scene::firstOfFace(TriangleId id) const
+{
+    const InstanceId    instance = instanceOf(id);
+    const Mesh&         mesh     = meshOf(instance);
+    const std::uint32_t first    = firstTriangle[instance.value];
+    return {first + mesh.firstTriangle[mesh.trianglePolygon[id.value - first].value]};
+}
+
 Result<Scene> assemble(Scene parts)
 {
     const Light& light = parts.light;

@@ -51,6 +51,8 @@ struct Scene {
     const Mesh&   meshOf(InstanceId i) const { return *meshes[instances[i.value].mesh.value]; }
     /// The instance that holds triangle `id`; logarithmic in the number of instances.
     InstanceId instanceOf(TriangleId id) const;
+    /// The first triangle of the face, as it was read, that triangle `id` is part of; as costly as instanceOf().
+    TriangleId firstOfFace(TriangleId id) const;
 };
 
 /// Checks and completes a scene: ids, bounds, digest. Errors: Limit when there are more triangles than ids,

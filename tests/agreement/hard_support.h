@@ -46,12 +46,12 @@ HardCase only(const HardCase& original, const std::function<bool(std::uint32_t i
 
 /// How many of the presets, and of the combinations of threads and vector targets for each, are drawn.
 enum class Effort {
-    All,         // every exact preset with every combination
-    EachPreset,  // every exact preset with one combination, another one at each call
+    All,         // every preset that claims to be exact with every combination
+    EachPreset,  // every such preset with one combination, another one at each call
     Some,        // four of the presets with one combination each, others at the next call; for cases of many scenes
 };
 
-/// The reference's picture, after every exact preset has been held against it, bit for bit.
+/// The reference's picture, after every exact preset has been held against it, bit for bit, or by face.
 Picture agreedPicture(const HardCase& hard, Effort effort = Effort::All, FaceCulling culling = FaceCulling::None);
 
 /// Counters by name, of the z-buffer, after those of every preset were checked: they add up, are the fates that the

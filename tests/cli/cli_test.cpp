@@ -180,7 +180,7 @@ TEST_F(Cli, ListsAreTheRegistries)
         const Preset& preset = presets()[i];
         EXPECT_EQ(algorithms[i]["name"], preset.name);
         EXPECT_EQ(algorithms[i]["title"], preset.title);
-        EXPECT_EQ(algorithms[i]["exact"], preset.exact);
+        EXPECT_EQ(algorithms[i]["exact"], preset.isExact());
         EXPECT_EQ(algorithms[i]["family"], familyOf(preset.pipeline) == Family::Sweep ? "sweep" : "stream");
         EXPECT_EQ(algorithms[i]["grains"].size(), grainsOf(preset.pipeline).size());
     }

@@ -332,6 +332,8 @@ TEST(MeshPolygons, TileTheListsOfCornersAndTriangles)
     EXPECT_EQ(mesh.firstCorner, (std::vector<std::uint32_t>{0, 3, 7, 11}));
     EXPECT_EQ(mesh.firstTriangle, (std::vector<std::uint32_t>{0, 1, 3, 5}));
     EXPECT_EQ(mesh.trianglePolygon, (std::vector<PolygonId>{{0}, {1}, {1}, {2}, {2}}));
+    EXPECT_EQ(mesh.mendedFaces, (std::vector<PolygonId>{{2}}));
+    EXPECT_TRUE(mesh.isMended(PolygonId{2}) && !mesh.isMended(PolygonId{1}));
     EXPECT_EQ(mesh.materialOf(PolygonId{1}).name, "red");
     EXPECT_EQ(mesh.polygonGroup[1], GroupId{1});
     EXPECT_EQ(mesh.splitFaces, 2u);

@@ -187,7 +187,7 @@ private slots:
         for (const Preset& preset : presets()) {
             session->setPipeline(preset.pipeline);
             QVERIFY(settles(*session));
-            if (preset.exact) QCOMPARE(shownBy(*session), first);
+            if (preset.isExact()) QCOMPARE(shownBy(*session), first);
         }
     }
     void aFinerGrainStaysAtTheSameMoment()

@@ -167,7 +167,7 @@ bool ObjBuilder::keepFace(int line)
     const bool fits = m_budget.makeRoom(mesh.corners, corners) && m_budget.makeRoom(mesh.firstCorner, 1) &&
                       m_budget.makeRoom(mesh.polygonMaterial, 1) && m_budget.makeRoom(mesh.polygonGroup, 1) &&
                       m_budget.makeRoom(mesh.firstTriangle, 1) && m_budget.makeRoom(mesh.triangles, corners) &&
-                      m_budget.makeRoom(mesh.trianglePolygon, corners) &&
+                      m_budget.makeRoom(mesh.trianglePolygon, corners) && m_budget.makeRoom(mesh.mendedFaces, 1) &&
                       (corners <= 4 || m_budget.fits(corners * kSplitBytesPerCorner));
     if (!fits) return outOfMemory(line);
     if (!m_groupIsEntered && !enterGroup()) return outOfMemory(line);

@@ -129,7 +129,7 @@ void PipelinePanel::showChoices(const Snapshot& shown)
         }
     }
     const Preset* preset = findPreset(nameOf(shown.pipeline));
-    emit summaryChanged(!preset ? QString() : preset->exact ? tr("exact") : tr("approximate"));
+    emit summaryChanged(!preset ? QString() : preset->isExact() ? tr("exact") : tr("approximate"));
 }
 
 void PipelinePanel::showStages(const Snapshot& shown)
