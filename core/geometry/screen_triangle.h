@@ -138,6 +138,7 @@ public:
     void keep() { ++m_count; }
 
     std::span<const ScreenTriangle> view() const { return std::span(m_triangles).first(m_count); }
+    std::span<ScreenTriangle>       kept() { return std::span(m_triangles).first(m_count); }  // to be put in another order
     std::size_t                     bytes() const { return m_triangles.capacity() * sizeof(ScreenTriangle); }
 
 private:

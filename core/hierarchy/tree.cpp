@@ -25,16 +25,24 @@ double areaOf(const Bounds& box)
     return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-/// The octant of `cell` that holds `box` whole, or -1. A box in the splitting plane belongs to the lower side.
-int octantOf(const Bounds& box, const dvec3& centre)
+/// Where a box lies of the planes through `centre`: octants are 0 to 7, a bit per axis; then come the 19 ways of crossing
+/// planes. A box in a splitting plane belongs to the lower side.
+int slotOf(const Bounds& box, const dvec3& centre)
 {
-    int octant = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (box.max[axis] <= centre[axis]) continue;
-        if (box.min[axis] < centre[axis]) return -1;
-        octant |= 1 << axis;
+    constexpr int kAcross = 2;
+    int  place = 0, octant = 0;  // in base 3, in base 2
+    bool straddles = false;
+    for (int axis = 2; axis >= 0; --axis) {
+        const int side = box.max[axis] <= centre[axis] ? 0 : box.min[axis] < centre[axis] ? kAcross : 1;
+        place          = place * 3 + side;
+        octant         = octant * 2 + side;
+        straddles      = straddles || side == kAcross;
     }
-    return octant;
+    if (!straddles) return octant;
+    // Counting up to `place` in base 3, octants left out.
+    int before = 0;
+    for (int other = 0; other < place; ++other) before += other % 3 == kAcross || other / 3 % 3 == kAcross || other / 9 == kAcross;
+    return TreeNode::kOctants + before;
 }
 
 Bounds octantCell(const Bounds& cell, const dvec3& centre, int octant)
@@ -78,7 +86,7 @@ void Tree::divide(TreeNode& node) const
 {
     node.ownEnd = node.end;
     if (node.size() <= m_leafSize || node.depth >= kMaxDepth || node.bounds.isEmpty()) return;
-    const std::vector<Group> groups = m_kind == TreeKind::Octree ? octants(node) : halves(node);
+    const std::vector<Group> groups = m_kind == TreeKind::Octree && !node.straddles ? byPlanes(node) : halves(node);
     if (groups.empty()) return;
 
     node.ownEnd     = groups.front().first;
@@ -86,7 +94,9 @@ void Tree::divide(TreeNode& node) const
     node.children   = std::make_unique<TreeNode[]>(groups.size());
     for (std::size_t i = 0; i < groups.size(); ++i) {
         TreeNode& child = node.children[i];
-        child.id        = node.id * 8 + static_cast<std::uint64_t>(groups[i].slot);
+        child.parent    = &node;
+        child.slot      = groups[i].slot;
+        child.straddles = groups[i].straddles;
         child.depth     = node.depth + 1;
         child.first     = groups[i].first;
         child.end       = groups[i].end;
@@ -96,29 +106,36 @@ void Tree::divide(TreeNode& node) const
     m_nodeCount.fetch_add(groups.size(), std::memory_order_relaxed);
 }
 
-/// Own items first, then octant after octant, each in the order they had. Empty if no item fits an octant.
-std::vector<Tree::Group> Tree::octants(TreeNode& node) const
+/// What goes down octant by octant, then what stays, each in the order it had. If all of it stays: its halves.
+std::vector<Tree::Group> Tree::byPlanes(const TreeNode& node) const
 {
-    const dvec3                               centre = centreOf(node.cell);
-    std::array<std::vector<std::uint32_t>, 9> bins;  // [0] stays, [1 + octant] goes down
+    const dvec3                                             centre = centreOf(node.cell);
+    std::array<std::vector<std::uint32_t>, TreeNode::kSlots> bins;
     for (std::uint32_t i = node.first; i < node.end; ++i)
-        bins[static_cast<std::size_t>(octantOf(m_boxes->boxOf(m_items[i]), centre) + 1)].push_back(m_items[i]);
-    std::vector<Group> groups;
-    if (bins[0].size() == node.size()) return groups;
+        bins[static_cast<std::size_t>(slotOf(m_boxes->boxOf(m_items[i]), centre))].push_back(m_items[i]);
+    std::size_t stays = 0;
+    for (std::size_t slot = TreeNode::kOctants; slot < bins.size(); ++slot) stays += bins[slot].size();
+    if (stays == node.size()) return halves(node);
 
-    std::uint32_t at = node.first;
-    for (int bin = 0; bin < 9; ++bin) {
-        const auto& items = bins[static_cast<std::size_t>(bin)];
+    std::vector<Group> groups;
+    std::uint32_t      at = node.first;
+    for (int slot = 0; slot < TreeNode::kSlots; ++slot) {
+        const auto& items     = bins[static_cast<std::size_t>(slot)];
+        const bool  straddles = slot >= TreeNode::kOctants;
         std::ranges::copy(items, m_items.begin() + at);
         const auto end = at + static_cast<std::uint32_t>(items.size());
-        if (bin > 0 && !items.empty()) groups.push_back({at, end, octantCell(node.cell, centre, bin - 1), bin - 1});
+        if (straddles && stays <= m_leafSize) {  // too little to be told apart
+            if (stays > 0 && slot == TreeNode::kOctants) groups.push_back({at, node.end, node.cell, slot, true});
+        } else if (!items.empty()) {
+            groups.push_back({at, end, straddles ? node.cell : octantCell(node.cell, centre, slot), slot, straddles});
+        }
         at = end;
     }
     return groups;
 }
 
 /// Two halves by the surface area heuristic over bins of the centres along the longest axis. Empty if all centres agree.
-std::vector<Tree::Group> Tree::halves(TreeNode& node) const
+std::vector<Tree::Group> Tree::halves(const TreeNode& node) const
 {
     constexpr std::size_t kBins = 16;
     Bounds                centres;
@@ -162,7 +179,8 @@ std::vector<Tree::Group> Tree::halves(TreeNode& node) const
     const auto middle = std::stable_partition(m_items.begin() + node.first, m_items.begin() + node.end,
                                               [&](std::uint32_t item) { return binOf(item) < best; });
     const auto split  = static_cast<std::uint32_t>(middle - m_items.begin());
-    return {{node.first, split, {}, 0}, {split, node.end, {}, 1}};
+    const bool straddles = m_kind == TreeKind::Octree;
+    return {{node.first, split, node.cell, 0, straddles}, {split, node.end, node.cell, 1, straddles}};
 }
 
 const MeshBatches& Tree::batchesOf(const TreeNode& node, const Mesh& mesh) const
@@ -176,6 +194,11 @@ const MeshBatches& Tree::batchesOf(const TreeNode& node, const Mesh& mesh) const
         mine.hasBatches.store(true, std::memory_order_release);
     }
     return node.batches;
+}
+
+std::string pathOf(const TreeNode& node)
+{
+    return node.parent ? pathOf(*node.parent) + "." + std::to_string(node.slot) : "0";
 }
 
 std::uint64_t Tree::bytes() const

@@ -1,10 +1,13 @@
 // A hierarchy of boxes over numbered items (the triangles of a mesh, or the instances of a scene).
 //
-// Nodes      an octree's node keeps the items that no child contains whole; a BVH's inner node keeps none. `bounds` is
-//            the box of all items below, not the cell
+// Octree     an item goes down while one octant contains it whole, else it stays in the node. What stays is kept in nodes
+//            of its own beside the octants (`straddles`), each with a box of its own: one if it is little, else one for
+//            each set of splitting planes that its items cross; a large one is halved like a BVH
+// BVH        halves by the surface area heuristic
+// Nodes      only nodes without children hold items. `bounds` is the box of all items below, not the cell
 // Lazy       a node is divided when it is first opened, and stays so: a part of the scene that nobody looks at is
 //            never divided. Any thread may open nodes
-// Names      a node's id spells its path: root 1, child c of node n is n * 8 + c, whatever order they were opened in
+// Names      a node is named by its path from the root, whatever order the nodes were opened in: pathOf()
 // Promise    deterministic for a given order of items; depth at most kMaxDepth; every item is in exactly one node
 // Cost       dividing is linear in the node's items; memory linear in the items
 #pragma once
@@ -14,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/geometry/batches.h"
@@ -32,15 +36,20 @@ public:
 };
 
 struct TreeNode {
-    std::uint64_t id = 1;
-    int           depth = 0;
-    Bounds        bounds;              // of everything below
-    Bounds        cell;                // octree: the cube that is halved
-    std::uint32_t first = 0, end = 0;  // of Tree::items: everything below
+    static constexpr int kOctants = 8;
+    static constexpr int kSlots   = 27;  // per axis: below the splitting plane, above it, across it
+
+    const TreeNode* parent = nullptr;     // of the root
+    int             slot   = 0;           // which child of it: octants and halves from 0 on, what straddles from kOctants on
+    bool            straddles = false;    // octree: no octant of the node that was divided by planes contains its items
+    int             depth = 0;
+    Bounds          bounds;               // of everything below
+    Bounds          cell;                 // octree: the box that is cut in octants; of a straddling node: its parent's
+    std::uint32_t   first = 0, end = 0;   // of Tree::items: everything below
 
     // Written once, when the node is opened.
     std::atomic<bool>           isOpen = false;
-    std::uint32_t               ownEnd = 0;  // items [first, ownEnd) belong to no child
+    std::uint32_t               ownEnd = 0;  // items [first, ownEnd) belong to no child: all of them, or none
     std::unique_ptr<TreeNode[]> children;
     int                         childCount = 0;
 
@@ -51,9 +60,12 @@ struct TreeNode {
     std::uint32_t size() const { return end - first; }
 };
 
+/// "0.3.6": the slots taken from the root, which is 0.
+std::string pathOf(const TreeNode& node);
+
 class Tree {
 public:
-    static constexpr int kMaxDepth = 20;  // so that a path fits 64 bits
+    static constexpr int kMaxDepth = 20;
 
     /// `leafSize`: a node of no more items is not divided.
     Tree(TreeKind kind, std::unique_ptr<const ItemBoxes> boxes, std::uint32_t leafSize);
@@ -80,6 +92,8 @@ public:
     /// The node's own items as batches of `mesh`; the node must be open, and the items triangles of the mesh.
     const MeshBatches& batchesOf(const TreeNode& node, const Mesh& mesh) const;
 
+    Bounds        boxOf(std::uint32_t item) const { return m_boxes->boxOf(item); }
+
     TreeKind      kind() const { return m_kind; }
     std::uint64_t nodeCount() const { return m_nodeCount.load(std::memory_order_relaxed); }
     std::uint64_t bytes() const;
@@ -89,11 +103,12 @@ private:
         std::uint32_t first, end;
         Bounds        cell;
         int           slot;
+        bool          straddles;
     };
 
     void               divide(TreeNode& node) const;
-    std::vector<Group> octants(TreeNode& node) const;
-    std::vector<Group> halves(TreeNode& node) const;
+    std::vector<Group> byPlanes(const TreeNode& node) const;
+    std::vector<Group> halves(const TreeNode& node) const;
     Bounds             boundsOf(std::uint32_t first, std::uint32_t end) const;
 
     TreeKind                                 m_kind;

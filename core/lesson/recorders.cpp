@@ -119,7 +119,7 @@ void HierarchyRecorder::observe(const StageStarted& e)
 NodeRow& HierarchyRecorder::rowOf(const NodePlace& place)
 {
     const std::int64_t tree = place.isInstanceTree ? -1 : std::int64_t{place.instance.value};
-    const auto [known, isNew] = m_ids.try_emplace({tree, place.node.id}, static_cast<int>(m_state.nodes.size()));
+    const auto [known, isNew] = m_ids.try_emplace({tree, &place.node}, static_cast<int>(m_state.nodes.size()));
     if (!isNew) return m_state.nodes[static_cast<std::size_t>(known->second)];
 
     NodeRow row;
@@ -127,13 +127,11 @@ NodeRow& HierarchyRecorder::rowOf(const NodePlace& place)
     row.box = place.node.bounds;
     if (!place.isInstanceTree) row.instance = place.instance;
     if (place.node.depth > 0)
-        row.parent = m_ids.at({tree, place.node.id / 8});
+        row.parent = m_ids.at({tree, place.node.parent});
     else if (!place.isInstanceTree)
         row.parent = m_instanceNode;
     row.depth = row.parent < 0 ? 0 : m_state.nodes[static_cast<std::size_t>(row.parent)].depth + 1;
-    row.path  = "0";
-    for (int level = place.node.depth - 1; level >= 0; --level)
-        row.path += "." + std::to_string(place.node.id >> (3 * level) & 7);
+    row.path  = pathOf(place.node);
     m_state.nodes.push_back(std::move(row));
     return m_state.nodes.back();
 }

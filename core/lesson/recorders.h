@@ -95,7 +95,7 @@ private:
     NodeRow& rowOf(const NodePlace& place);
 
     HierarchyState                                        m_state;
-    std::map<std::pair<std::int64_t, std::uint64_t>, int> m_ids;  // (instance or -1, TreeNode::id) to row
+    std::map<std::pair<std::int64_t, const TreeNode*>, int> m_ids;  // (instance or -1, node) to row
     int m_instanceNode = -1;  // of the tree over the instances: the one whose instances are being visited
 };
 static_assert(observes<HierarchyRecorder, StageStarted> && observes<HierarchyRecorder, NodeJudged> &&

@@ -85,7 +85,7 @@ struct NodeRow {
     NodeVerdict verdict = NodeVerdict::Waiting;
     Bounds      box;                      // in the space of the tree: the world's, or the mesh's
     std::optional<InstanceId> instance;   // whose mesh tree it belongs to; nothing: the tree over the instances
-    std::string path;                     // "0.3.6": the children taken from the tree's root
+    std::string path;                     // "0.3.6": the slots taken from the tree's root; from 8 on they straddle planes
 };
 
 /// The hierarchy as far as the run has come.

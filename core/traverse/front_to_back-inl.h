@@ -1,10 +1,12 @@
 // Order front to back: the two-level hierarchy is descended from the near side to the far side, so that what is drawn first
 // hides what comes later.
 //
-// Node       outside the frustum: skipped. Hidden by the pyramid: skipped. Else entered: its own items are drawn, then its
+// Node       outside the frustum: skipped. Hidden by the pyramid: skipped. Else entered: its own items are drawn, or its
 //            children visited, nearer ones first
 // Order      octree: the eye's octant first, then across one splitting plane, two, three. An affine placement keeps planes
-//            planes, so the eye is taken into the tree's own space. BVH: the nearer box first
+//            planes, so the eye is taken into the tree's own space. What straddles the planes has no exact place between
+//            the octants: it comes before the first octant whose box is farther from the eye. BVH: the nearer box first.
+//            Instances of one node: the nearer box first. Triangles of one batch, where they are large: the nearer first
 // Promise    skips only what cannot win a pixel (StripeVolume, NodeReach, Pyramid); a node that reaches before the near
 //            plane, as one that holds the eye does, is always entered
 // Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993
@@ -15,6 +17,7 @@
 #define ZSCOPE_FRONT_TO_BACK_INL_H
 #endif
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -66,7 +69,14 @@ public:
         const Affine     world;
         const PlacedTree placed = place(instances, world, true, {});
         visit(placed, instances.root(), [&](const TreeNode& node) {
-            for (const std::uint32_t item : instances.ownItems(node)) visitInstance(InstanceId{item});
+            auto& waiting = m_scratch.instances;
+            waiting.clear();
+            for (const std::uint32_t item : instances.ownItems(node))
+                waiting.push_back({distance(m_stripe.projection.eye, instances.boxOf(item)), InstanceId{item}});
+            std::ranges::sort(waiting, [](const WaitingInstance& a, const WaitingInstance& b) {
+                return std::pair(a.distance, a.instance.value) < std::pair(b.distance, b.instance.value);
+            });
+            for (const WaitingInstance& next : waiting) visitInstance(next.instance);
         });
         m_clock.lap(Stage::Cull);
     }
@@ -98,8 +108,23 @@ private:
                 m_clock.lap(Stage::Cull);
                 setUpBatch(BatchPlace{batches, batch, toWorld, m_scene.firstTriangle[id.value]}, id, m_stripe, m_scratch,
                            m_clock, m_probe);
+                sortIfLarge(m_scratch.triangles);
                 m_consume(m_scratch.triangles.view());
             }
+        });
+    }
+
+    /// Nearest first where it pays: a triangle that is hidden saves more pixels than its place in the order costs. The
+    /// parts of a clipped triangle stay together, because all of them reach the near plane.
+    static void sortIfLarge(TriangleList& triangles)
+    {
+        constexpr std::int64_t kLarge = 256;  // pixels of a box, on average
+        std::int64_t           pixels = 0;
+        for (const ScreenTriangle& triangle : triangles.view())
+            pixels += std::int64_t{triangle.box.x1 - triangle.box.x0} * (triangle.box.y1 - triangle.box.y0);
+        if (pixels < kLarge * static_cast<std::int64_t>(triangles.view().size())) return;
+        std::ranges::sort(triangles.kept(), [](const ScreenTriangle& a, const ScreenTriangle& b) {
+            return a.depth.nearest != b.depth.nearest ? a.depth.nearest > b.depth.nearest : a.id < b.id;
         });
     }
 
@@ -135,36 +160,58 @@ private:
         return verdict;
     }
 
+    struct Child {
+        double          distance;
+        const TreeNode* node;
+    };
+
     struct Children {
-        std::array<const TreeNode*, 8> nodes;
-        std::size_t                    count = 0;
+        std::array<const TreeNode*, TreeNode::kSlots> nodes;
+        std::size_t                                   count = 0;
+
+        void add(const TreeNode* node) { nodes[count++] = node; }
     };
 
     static Children inOrder(const PlacedTree& placed, const TreeNode& node)
     {
         Children   ordered;
         const auto children = placed.tree.childrenOf(node);
-        if (placed.tree.kind() == TreeKind::Bvh) {
-            for (const TreeNode& child : children) ordered.nodes[ordered.count++] = &child;
-            if (ordered.count == 2 && isNearer(placed.eye, *ordered.nodes[1], *ordered.nodes[0]))
-                std::swap(ordered.nodes[0], ordered.nodes[1]);
+        const bool halved   = children.size() > 1 && (children[0].straddles || placed.tree.kind() == TreeKind::Bvh);
+        if (halved) {
+            const bool swap = distance(placed.eye, children[1].bounds) < distance(placed.eye, children[0].bounds);
+            ordered.add(&children[swap ? 1 : 0]);
+            ordered.add(&children[swap ? 0 : 1]);
             return ordered;
         }
+        std::array<Child, TreeNode::kSlots> straddling;
+        std::size_t                         waiting = 0, next = 0;
+        std::array<const TreeNode*, 8>      octant{};
+        for (const TreeNode& child : children) {
+            if (child.straddles)
+                straddling[waiting++] = {distance(placed.eye, child.bounds), &child};
+            else
+                octant[static_cast<std::size_t>(child.slot)] = &child;
+        }
+        std::sort(straddling.begin(), straddling.begin() + waiting, [](const Child& a, const Child& b) {
+            return a.distance != b.distance ? a.distance < b.distance : a.node->slot < b.node->slot;
+        });
         const dvec3    centre = 0.5 * node.cell.min + 0.5 * node.cell.max;
         const unsigned eyes = (placed.eye.x > centre.x ? 1u : 0u) | (placed.eye.y > centre.y ? 2u : 0u) | (placed.eye.z > centre.z ? 4u : 0u);
-        for (const unsigned across : {0u, 1u, 2u, 4u, 3u, 5u, 6u, 7u})  // planes between the eye's octant and this one
-            for (const TreeNode& child : children)
-                if ((child.id & 7) == (eyes ^ across)) ordered.nodes[ordered.count++] = &child;
+        for (const unsigned across : {0u, 1u, 2u, 4u, 3u, 5u, 6u, 7u}) {  // planes between the eye's octant and this one
+            const TreeNode* child = octant[eyes ^ across];
+            if (!child) continue;
+            while (next < waiting && straddling[next].distance < distance(placed.eye, child->bounds)) ordered.add(straddling[next++].node);
+            ordered.add(child);
+        }
+        while (next < waiting) ordered.add(straddling[next++].node);
         return ordered;
     }
 
-    static bool isNearer(const dvec3& eye, const TreeNode& a, const TreeNode& b)
+    /// Squared, from the eye to the nearest point of the box.
+    static double distance(const dvec3& eye, const Bounds& box)
     {
-        const auto away = [&eye](const Bounds& box) {
-            const dvec3 gap = eye - glm::clamp(eye, box.min, box.max);
-            return glm::dot(gap, gap);
-        };
-        return away(a.bounds) < away(b.bounds);
+        const dvec3 gap = eye - glm::clamp(eye, box.min, box.max);
+        return glm::dot(gap, gap);
     }
 
     const Stripe&     m_stripe;

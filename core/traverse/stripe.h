@@ -31,6 +31,12 @@ struct Stripe {
     PixelBox region() const { return {0, firstRow, visible.width(), endRow}; }
 };
 
+/// An instance of a node that is being visited, waiting for its turn.
+struct WaitingInstance {
+    double     distance;  // squared, from the eye to its box
+    InstanceId instance;
+};
+
 /// Scratch memory of one thread, reused frame after frame.
 struct StripeScratch {
     ScreenVertices   vertices;
@@ -40,12 +46,13 @@ struct StripeScratch {
     ActivePolygons   polygons;
     Pyramid          pyramid;  // hierarchical methods only
 
-    std::vector<std::uint32_t> open;  // interval method only: polygons open at the interval at hand
+    std::vector<WaitingInstance> instances;  // hierarchical methods only
+    std::vector<std::uint32_t>   open;       // interval method only: polygons open at the interval at hand
 
     std::size_t bytes() const
     {
         return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes() +
-               open.capacity() * sizeof(std::uint32_t) + pyramid.bytes();
+               open.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes();
     }
 };
 

@@ -51,26 +51,27 @@ std::vector<const TreeNode*> openedNodes(const Tree& tree)
     return nodes;
 }
 
-/// Node id to the items it keeps, sorted.
-std::map<std::uint64_t, std::vector<std::uint32_t>> ownersOf(const Tree& tree)
+/// Node name to the items it keeps, sorted.
+std::map<std::string, std::vector<std::uint32_t>> ownersOf(const Tree& tree)
 {
-    std::map<std::uint64_t, std::vector<std::uint32_t>> owners;
+    std::map<std::string, std::vector<std::uint32_t>> owners;
     for (const TreeNode* node : openedNodes(tree)) {
         const auto own = tree.ownItems(*node);
-        owners[node->id].assign(own.begin(), own.end());
-        std::ranges::sort(owners[node->id]);
+        auto&      kept = owners[pathOf(*node)];
+        kept.assign(own.begin(), own.end());
+        std::ranges::sort(kept);
     }
     return owners;
 }
 
 void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32_t leaf = kLeaf)
 {
-    std::vector<int>        times(boxes.size(), 0);
-    std::set<std::uint64_t> ids;
-    const auto              nodes = openedNodes(tree);
+    std::vector<int>      times(boxes.size(), 0);
+    std::set<std::string> names;
+    const auto            nodes = openedNodes(tree);
     ASSERT_EQ(tree.nodeCount(), nodes.size());
     for (const TreeNode* node : nodes) {
-        ASSERT_TRUE(ids.insert(node->id).second) << "two nodes of one name";
+        ASSERT_TRUE(names.insert(pathOf(*node)).second) << "two nodes of one name";
         ASSERT_LE(node->depth, Tree::kMaxDepth);
         Bounds all;
         for (const std::uint32_t item : tree.allItems(*node)) {
@@ -92,15 +93,17 @@ void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32
         for (const TreeNode& child : children) {
             ASSERT_EQ(child.first, at) << "children stand side by side";
             ASSERT_GT(child.size(), 0u);
-            ASSERT_EQ(child.id >> 3, node->id);
+            ASSERT_EQ(child.parent, node);
             ASSERT_EQ(child.depth, node->depth + 1);
             at = child.end;
         }
         ASSERT_EQ(at, node->end);
-        if (tree.kind() == TreeKind::Bvh) {
+        ASSERT_TRUE(tree.ownItems(*node).empty());
+        const bool isHalved = tree.kind() == TreeKind::Bvh || children[0].straddles;
+        if (isHalved) {
             ASSERT_EQ(children.size(), 2u);
-            ASSERT_TRUE(tree.ownItems(*node).empty());
-            continue;
+            for (const TreeNode& child : children) ASSERT_EQ(child.straddles, tree.kind() == TreeKind::Octree);
+            if (tree.kind() == TreeKind::Bvh || node->straddles) continue;
         }
         const dvec3 centre = 0.5 * node->cell.min + 0.5 * node->cell.max;
         const auto  octant = [&](unsigned which) {
@@ -108,14 +111,26 @@ void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32
             for (int k = 0; k < 3; ++k) (which >> k & 1 ? part.min : part.max)[k] = centre[k];
             return part;
         };
+        std::uint32_t stays = 0;
+        int           keepers = 0;
         for (const TreeNode& child : children) {
-            const Bounds part = octant(static_cast<unsigned>(child.id & 7));
+            if (child.straddles) {
+                stays += child.size();
+                ++keepers;
+                ASSERT_TRUE(isHalved || child.slot >= TreeNode::kOctants);
+                for (const std::uint32_t item : tree.allItems(child))
+                    for (unsigned which = 0; which < 8; ++which) ASSERT_FALSE(isWithin(boxes[item], octant(which))) << "it could go down";
+                continue;
+            }
+            ASSERT_LT(child.slot, TreeNode::kOctants);
+            const Bounds part = octant(static_cast<unsigned>(child.slot));
             ASSERT_EQ(child.cell.min, part.min);
             ASSERT_EQ(child.cell.max, part.max);
             for (const std::uint32_t item : tree.allItems(child)) ASSERT_TRUE(boxes[item].isEmpty() || isWithin(boxes[item], part));
         }
-        for (const std::uint32_t item : tree.ownItems(*node))
-            for (unsigned which = 0; which < 8; ++which) ASSERT_FALSE(isWithin(boxes[item], octant(which))) << "it could go down";
+        if (!isHalved && stays <= leaf) {
+            ASSERT_LE(keepers, 1) << "what is little stays together";
+        }
     }
     for (const int count : times) ASSERT_EQ(count, 1);
 }
@@ -188,7 +203,41 @@ TEST(Tree, E1BoxesThatTouchOrLieInTheSplittingPlanesGoToOneSide)
     expectValid(boxes, "on the planes");
     const Tree tree(TreeKind::Octree, std::make_unique<GivenBoxes>(boxes), kLeaf);
     tree.open(tree.root());
-    EXPECT_TRUE(tree.ownItems(tree.root()).empty()) << "none of them crosses a plane";
+    for (const TreeNode& child : tree.childrenOf(tree.root())) EXPECT_FALSE(child.straddles) << "none of them crosses a plane";
+}
+
+TEST(Tree, WhatStraddlesIsToldApartByThePlanesItCrosses)
+{
+    // Flat plates in the cell [-1, 1]: across one plane of the three in each quadrant of the others, and across all.
+    std::vector<Bounds> boxes{boxAbout({0, 0, 0}, 1)};
+    for (int axis = 0; axis < 3; ++axis)
+        for (int quadrant = 0; quadrant < 4; ++quadrant)
+            for (int i = 0; i < 20; ++i) {
+                dvec3 middle{0, 0, 0}, half{0.01, 0.01, 0.01};
+                half[axis] = 0.2;
+                middle[(axis + 1) % 3] = (quadrant & 1 ? 0.5 : -0.5) + 0.02 * i;
+                middle[(axis + 2) % 3] = quadrant & 2 ? 0.5 : -0.5;
+                boxes.push_back(boxAbout(middle, half));
+            }
+    for (int i = 0; i < 20; ++i) boxes.push_back(boxAbout({0.3 + 0.01 * i, 0.5, 0.5}, 0.001));  // these go down
+    expectValid(boxes, "plates");
+    const Tree tree(TreeKind::Octree, std::make_unique<GivenBoxes>(boxes), kLeaf);
+    tree.open(tree.root());
+    std::vector<std::uint32_t> sizes;
+    for (const TreeNode& child : tree.childrenOf(tree.root()))
+        if (child.straddles) sizes.push_back(child.size());
+    EXPECT_EQ(std::ranges::count(sizes, 20u), 12);
+    EXPECT_EQ(std::ranges::count(sizes, 1u), 1);
+    EXPECT_EQ(sizes.size(), 13u);
+
+    const Tree few(TreeKind::Octree, std::make_unique<GivenBoxes>(boxes), 1000);
+    EXPECT_EQ(few.childrenOf(few.open(few.root())).size(), 0u);
+    boxes.resize(4);
+    for (int i = 0; i < 20; ++i) boxes.push_back(boxAbout({0.3 + 0.01 * i, 0.5, 0.5}, 0.001));
+    const Tree little(TreeKind::Octree, std::make_unique<GivenBoxes>(boxes), kLeaf);
+    std::size_t keepers = 0;
+    for (const TreeNode& child : little.childrenOf(little.open(little.root()))) keepers += child.straddles;
+    EXPECT_EQ(keepers, 1u) << "little is not told apart";
 }
 
 TEST(Tree, E2AHundredThousandCoincidentItemsStopTheDivision)
@@ -278,7 +327,7 @@ TEST(Tree, E6EqualCentresAndReversedOrderGiveTheSameNodes)
         std::ranges::reverse(reversed);
         const Tree one(kind, std::make_unique<GivenBoxes>(boxes), kLeaf), other(kind, std::make_unique<GivenBoxes>(reversed), kLeaf);
         auto       back = ownersOf(other);
-        for (auto& [id, items] : back) {
+        for (auto& [name, items] : back) {
             for (std::uint32_t& item : items) item = static_cast<std::uint32_t>(boxes.size()) - 1 - item;
             std::ranges::sort(items);
         }
