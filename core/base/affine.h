@@ -14,10 +14,15 @@ using glm::dvec3;
 struct Affine {
     std::array<std::array<double, 4>, 3> rows{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
-    dvec3 operator()(const dvec3& q) const
+    dvec3 operator()(const dvec3& q) const { return in<double>(q); }
+    /// The same in another arithmetic: float, as an approximation.
+    template <class Real>
+    dvec3 in(const dvec3& point) const
     {
-        const auto row = [&q](const std::array<double, 4>& m) {
-            return ((m[0] * q.x + m[1] * q.y) + m[2] * q.z) + m[3];
+        const glm::vec<3, Real> q(point);
+        const auto              row = [&q](const std::array<double, 4>& m) {
+            const auto at = [&m](std::size_t i) { return static_cast<Real>(m[i]); };
+            return ((at(0) * q.x + at(1) * q.y) + at(2) * q.z) + at(3);
         };
         return {row(rows[0]), row(rows[1]), row(rows[2])};
     }

@@ -1,29 +1,22 @@
 #include "core/depth/visibility_buffer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace zscope {
 
-float emptyDepth(double near, double far)
-{
-    return std::nextafter(static_cast<float>(near / far), -std::numeric_limits<float>::infinity());
-}
-
-void VisibilityBuffer::resize(int width, int height, float empty)
+void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encoding)
 {
     m_width  = width;
     m_height = height;
     m_stride = static_cast<std::size_t>((width + 2 * kRowPadding - 1) / kRowPadding * kRowPadding);
-    m_empty  = empty;
+    m_encoding = encoding;
     m_depth.resize(m_stride * static_cast<std::size_t>(height));
     m_rank.resize(m_depth.size());
 }
 
 void VisibilityBuffer::clearRows(int first, int end)
 {
-    std::fill(m_depth.data() + offset(first), m_depth.data() + offset(end), m_empty);
+    std::fill(m_depth.data() + offset(first), m_depth.data() + offset(end), empty());
     std::fill(m_rank.data() + offset(first), m_rank.data() + offset(end), 0u);
 }
 

@@ -23,11 +23,12 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 /// Turns each triangle of a batch into pixels as soon as it is set up, unless the pyramid says it is hidden.
-template <class Scan, Keep kKeep, class Probe>
+template <class Scan, Keep kKeep, class Rules, class Probe>
 struct ScanConvert {
     VisibilityBuffer& visible;
     const Occlusion&  occlusion;
     StageClock&       clock;
+    const Rules&      rules;
     const Probe&      probe;
 
     void operator()(std::span<const ScreenTriangle> triangles) const
@@ -35,7 +36,7 @@ struct ScanConvert {
         for (const ScreenTriangle& triangle : triangles) {
             if (occlusion.asksTriangles && isHidden(triangle)) continue;
             probe(TriangleReached{triangle});
-            Scan::template fill<kKeep>(triangle, visible, probe);
+            Scan::template fill<kKeep>(triangle, visible, rules, probe);
             if (occlusion.keepsFresh) occlusion.pyramid->touched(triangle.box);
             probe(TriangleFinished{triangle.id});
         }
@@ -45,7 +46,7 @@ struct ScanConvert {
 private:
     bool isHidden(const ScreenTriangle& triangle) const
     {
-        const PyramidQuery query = occlusion.pyramid->ask(triangle.box, triangle.depth.nearest);
+        const PyramidQuery query = occlusion.pyramid->ask(triangle.box, rules.stored(triangle.depth.nearest));
         if (query.hidden)
             probe(TriangleHidden{triangle.id, query});
         else
@@ -55,23 +56,24 @@ private:
 };
 
 /// One pass over the scene in the pipeline's order.
-template <class Scan, Keep kKeep, class Probe>
+template <class Scan, Keep kKeep, class Rules, class Probe>
 void drawPass(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, const Occlusion& occlusion,
-              StageClock& clock, const Probe& probe)
+              StageClock& clock, const Rules& rules, const Probe& probe)
 {
-    const ScanConvert<Scan, kKeep, Probe> convert{stripe.visible, occlusion, clock, probe};
+    const ScanConvert<Scan, kKeep, Rules, Probe> convert{stripe.visible, occlusion, clock, rules, probe};
     if (pipeline.order == Order::Submitted) {
-        visitAsSubmitted(stripe, scratch, clock, convert, probe);
+        visitAsSubmitted(stripe, scratch, clock, convert, rules, probe);
         return;
     }
     const TreeKind    kind  = pipeline.order == Order::Octree ? TreeKind::Octree : TreeKind::Bvh;
     const SceneTrees& trees = treesOf(stripe.scene, kind);
     clock.lap(Stage::Build);
-    FrontToBack(stripe, scratch, trees, occlusion, clock, convert, probe).visitScene();
+    FrontToBack(stripe, scratch, trees, occlusion, clock, convert, rules, probe).visitScene();
 }
 
-template <class Scan, class Probe>
-void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
+template <class Scan, class Rules, class Probe>
+void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
+                const Probe& probe)
 {
     probe(StageStarted{Stage::Clear});
     stripe.visible.clearRows(stripe.firstRow, stripe.endRow);
@@ -84,7 +86,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     if (hasPrepass) {
         probe(StageStarted{Stage::Prepass});
         clock.countAllAs(Stage::Prepass);
-        drawPass<Scan, Keep::DepthOnly>(pipeline, stripe, scratch, Occlusion{}, clock, probe);
+        drawPass<Scan, Keep::DepthOnly>(pipeline, stripe, scratch, Occlusion{}, clock, rules, probe);
         clock.countAllAs(std::nullopt);
         probe(StageFinished{Stage::Prepass});
         if (hasPyramid) {
@@ -99,51 +101,55 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                               .asksTriangles = asksTriangles(pipeline.cull),
                               .keepsFresh    = hasPyramid && !hasPrepass};
     if (hasPrepass)
-        drawPass<Scan, Keep::Equal>(pipeline, stripe, scratch, occlusion, clock, probe);
+        drawPass<Scan, Keep::Equal>(pipeline, stripe, scratch, occlusion, clock, rules, probe);
     else
-        drawPass<Scan, Keep::Nearest>(pipeline, stripe, scratch, occlusion, clock, probe);
+        drawPass<Scan, Keep::Nearest>(pipeline, stripe, scratch, occlusion, clock, rules, probe);
     probe(StageFinished{Stage::Raster});
 }
 
 /// Enters each triangle of a batch in the edge table.
+template <class Rules>
 struct EnterEdges {
-    EdgeTable&  edges;
-    StageClock& clock;
+    EdgeTable&   edges;
+    StageClock&  clock;
+    const Rules& rules;
 
     void operator()(std::span<const ScreenTriangle> triangles) const
     {
-        for (const ScreenTriangle& triangle : triangles) edges.add(triangle);
+        for (const ScreenTriangle& triangle : triangles) edges.add(triangle, rules);
         clock.lap(Stage::Setup);
     }
 };
 
-template <class Resolve, class Probe>
-void drawSweep(const Stripe& stripe, StripeScratch& scratch, Resolve resolve, StageClock& clock, const Probe& probe)
+template <class Resolve, class Rules, class Probe>
+void drawSweep(const Stripe& stripe, StripeScratch& scratch, Resolve resolve, StageClock& clock, const Rules& rules,
+               const Probe& probe)
 {
     probe(StageStarted{Stage::Setup});
     scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width());
-    visitAsSubmitted(stripe, scratch, clock, EnterEdges{scratch.edges, clock}, probe);
+    visitAsSubmitted(stripe, scratch, clock, EnterEdges<Rules>{scratch.edges, clock, rules}, rules, probe);
     scratch.edges.fillBuckets();
     probe(EdgeTableReady{scratch.edges});
     clock.lap(Stage::Setup);
     probe(StageFinished{Stage::Setup});
 
     probe(StageStarted{Stage::Raster});
-    sweep(scratch.edges, scratch.active, scratch.polygons, resolve, stripe.progress, probe);
+    sweep(scratch.edges, scratch.active, scratch.polygons, resolve, stripe.progress, rules, probe);
     clock.lap(Stage::Raster);
     probe(StageFinished{Stage::Raster});
 }
 
 /// The one place where a pipeline's words become the types that draw.
-template <class Probe>
-void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Probe& probe)
+template <class Rules, class Probe>
+void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
+                const Probe& probe)
 {
     switch (pipeline.scan) {
-    case Scan::HalfSpace: return drawStream<HalfSpace>(pipeline, stripe, scratch, clock, probe);
-    case Scan::EdgeWalk: return drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, probe);
-    case Scan::SweepZLine: return drawSweep(stripe, scratch, LineZBuffer(stripe.visible), clock, probe);
+    case Scan::HalfSpace: return drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules, probe);
+    case Scan::EdgeWalk: return drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules, probe);
+    case Scan::SweepZLine: return drawSweep(stripe, scratch, LineZBuffer(stripe.visible, rules), clock, rules, probe);
     case Scan::SweepIntervals:
-        return drawSweep(stripe, scratch, Intervals(stripe.visible, scratch.open), clock, probe);
+        return drawSweep(stripe, scratch, Intervals(stripe.visible, scratch.open, rules), clock, rules, probe);
     }
 }
 

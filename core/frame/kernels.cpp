@@ -13,7 +13,7 @@ namespace zscope::HWY_NAMESPACE {
 
 void drawStripeAtFullSpeed(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock)
 {
-    drawStripe(pipeline, stripe, scratch, clock, NoProbe{});
+    drawStripe(pipeline, stripe, scratch, clock, ExactRules{}, NoProbe{});
 }
 
 const Kernels& kernels()

@@ -19,4 +19,8 @@ struct Kernels {
 /// The kernels of an available target (not Simd::Auto).
 const Kernels& kernelsOf(Simd target);
 
+/// The same drivers where the rules are not the exact ones.
+using DrawStripeByRules = void (*)(const Pipeline&, const ChosenRules&, const Stripe&, StripeScratch&, StageClock&);
+DrawStripeByRules drawStripeByRulesOf(Simd target);
+
 }  // namespace zscope

@@ -4,6 +4,7 @@
 #include <array>
 #include <type_traits>
 
+#include "core/frame/faults.h"
 #include "core/frame/presets.h"
 #include "core/frame/registry.h"
 
@@ -22,12 +23,18 @@ std::string joined(std::span<const ChoiceEntry> choices)
 
 std::span<const AxisEntry> axes()
 {
-    static constexpr std::array<AxisEntry, 5> kAxes{
+    static constexpr std::array kAxes{
         AxisEntry{"order", "In which order the scene is visited", kOrderChoices},
         AxisEntry{"cull", "What is skipped before it becomes pixels", kCullChoices},
         AxisEntry{"upkeep", "How the pyramid is kept true to the depth buffer", kUpkeepChoices},
         AxisEntry{"scan", "How triangles become pixels", kScanChoices},
         AxisEntry{"depth", "When depth is decided", kDepthChoices},
+        AxisEntry{"snap", "How finely corners are snapped", kSnapChoices},
+        AxisEntry{"vertices", "In which numbers vertices are transformed", kVertexChoices},
+        AxisEntry{"depth-numbers", "How a fragment's depth is found", kDepthNumberChoices},
+        AxisEntry{"depth-format", "How a depth is stored", kDepthFormatChoices},
+        AxisEntry{"edges", "How edges move from line to line", kEdgeChoices},
+        AxisEntry{"near", "What happens at the near plane", kNearChoices},
     };
     return kAxes;
 }
@@ -43,6 +50,12 @@ bool withAxis(Pipe& pipeline, std::string_view axis, const Use& use)
     if (axis == "upkeep") return use(pipeline.upkeep), true;
     if (axis == "scan") return use(pipeline.scan), true;
     if (axis == "depth") return use(pipeline.depth), true;
+    if (axis == "snap") return use(pipeline.approximation.snap), true;
+    if (axis == "vertices") return use(pipeline.approximation.vertex), true;
+    if (axis == "depth-numbers") return use(pipeline.approximation.depth), true;
+    if (axis == "depth-format") return use(pipeline.approximation.format), true;
+    if (axis == "edges") return use(pipeline.approximation.edges), true;
+    if (axis == "near") return use(pipeline.approximation.near), true;
     return false;
 }
 
@@ -85,10 +98,17 @@ const Preset* findPreset(std::string_view name)
 
 std::string nameOf(const Pipeline& pipeline)
 {
-    const auto found = std::ranges::find(kPresets, pipeline, &Preset::pipeline);
-    if (found != kPresets.end()) return std::string(found->name);
-    std::string name;
-    for (const AxisEntry& axis : axes()) name += (name.empty() ? "" : "+") + std::string(chosen(pipeline, axis.word));
+    const auto differs = [&](const Preset& preset, const AxisEntry& axis) {
+        return chosen(preset.pipeline, axis.word) != chosen(pipeline, axis.word);
+    };
+    const auto distance = [&](const Preset& preset) {
+        return std::ranges::count_if(axes(), [&](const AxisEntry& axis) { return differs(preset, axis); });
+    };
+    const Preset& closest = *std::ranges::min_element(kPresets, {}, distance);
+    std::string   name(closest.name);
+    for (const AxisEntry& axis : axes())
+        if (differs(closest, axis)) name += '+' + std::string(axis.word) + '=' + std::string(chosen(pipeline, axis.word));
+    if (pipeline.fault != Fault::None) name += "+fault=" + std::string(entryOf(pipeline.fault).word);
     return name;
 }
 
@@ -97,6 +117,8 @@ Family familyOf(const Pipeline& pipeline)
     const bool sweeps = pipeline.scan == Scan::SweepZLine || pipeline.scan == Scan::SweepIntervals;
     return sweeps ? Family::Sweep : Family::Stream;
 }
+
+bool isExact(const Pipeline& pipeline) { return !pipeline.approximation.isAny() && pipeline.fault == Fault::None; }
 
 std::vector<Grain> grainsOf(const Pipeline& pipeline)
 {
@@ -109,8 +131,29 @@ std::vector<Grain> grainsOf(const Pipeline& pipeline)
     return grains;
 }
 
+namespace {
+
+/// Why the approximations and the fault do not fit the rest, or nothing.
+std::optional<std::string> explainMisfit(const Pipeline& pipeline)
+{
+    const Approximation& approximation = pipeline.approximation;
+    const bool           walksLines    = pipeline.scan != Scan::HalfSpace;
+    if (approximation.snap == SnapBits::Twelve && walksLines)
+        return "Steps from line to line count in 1/256 pixel: choose scan=half-space for 12 bits";
+    if (approximation.depth == DepthNumbers::Accumulated && !walksLines)
+        return "Half-spaces have no span to carry a depth along: choose scan=edge-walk or a sweep";
+    if (approximation.edges == EdgeSteps::Accumulated && pipeline.scan != Scan::EdgeWalk)
+        return "Only the edge walk can step by float32: choose scan=edge-walk";
+    if (pipeline.fault == Fault::None || entryOf(pipeline.fault).canHappen(pipeline)) return std::nullopt;
+    return "The fault '" + std::string(entryOf(pipeline.fault).word) + "' cannot happen here: it is one of " +
+           std::string(entryOf(pipeline.fault).place) + ", as in " + std::string(entryOf(pipeline.fault).preset);
+}
+
+}  // namespace
+
 std::optional<std::string> explainInvalid(const Pipeline& pipeline)
 {
+    if (auto misfit = explainMisfit(pipeline)) return misfit;
     const bool asks = asksNodes(pipeline.cull) || asksTriangles(pipeline.cull);
     if (familyOf(pipeline) == Family::Sweep) {
         if (pipeline.order != Order::Submitted) return "A sweep sorts the scene by lines itself: choose order=submitted";

@@ -37,7 +37,7 @@ struct Pipeline {
     Upkeep        upkeep = Upkeep::None;
     Scan          scan   = Scan::HalfSpace;
     DepthMoment   depth  = DepthMoment::AtOnce;
-    Approximation approximation;        // each of its members is an axis
+    Approximation approximation = {};          // each of its members is an axis
     Fault         fault  = Fault::None; // see core/frame/faults.h
 
     friend bool operator==(const Pipeline&, const Pipeline&) = default;

@@ -40,4 +40,40 @@ inline constexpr std::array kScanChoices{
     ChoiceEntry{"sweep-intervals", "The scene line by line, interval by interval"},
 };
 
+// The first choice of each of the following is the definition's; the others are approximations.
+
+inline constexpr std::array kSnapChoices{
+    ChoiceEntry{"8-bits", "Corners snapped to 1/256 pixel"},
+    ChoiceEntry{"4-bits", "Corners snapped to 1/16 pixel"},
+    ChoiceEntry{"12-bits", "Corners snapped to 1/4096 pixel"},
+};
+
+inline constexpr std::array kVertexChoices{
+    ChoiceEntry{"float64", "Vertices transformed in float64"},
+    ChoiceEntry{"float32", "Vertices transformed in float32"},
+};
+
+inline constexpr std::array kDepthNumberChoices{
+    ChoiceEntry{"float64", "A fragment's depth evaluated in float64"},
+    ChoiceEntry{"float32", "A fragment's depth evaluated in float32"},
+    ChoiceEntry{"accumulated", "A fragment's depth carried along the span, a constant added per pixel, in float32"},
+};
+
+inline constexpr std::array kDepthFormatChoices{
+    ChoiceEntry{"float32-reversed", "near/z as float32: 1 is near, 0 infinitely far"},
+    ChoiceEntry{"float32-standard", "Depth that grows towards 1 with distance, as float32"},
+    ChoiceEntry{"fixed-24", "The same rounded to 24 bits"},
+    ChoiceEntry{"fixed-16", "The same rounded to 16 bits"},
+};
+
+inline constexpr std::array kEdgeChoices{
+    ChoiceEntry{"exact", "Edges step by integers with remainder"},
+    ChoiceEntry{"accumulated", "Edges step by a float32 that is added to"},
+};
+
+inline constexpr std::array kNearChoices{
+    ChoiceEntry{"clip", "Triangles are cut at the near plane"},
+    ChoiceEntry{"drop", "Triangles that cross the near plane are left out"},
+};
+
 }  // namespace zscope

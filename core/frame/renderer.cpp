@@ -72,13 +72,15 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
     const Camera&           camera = request.camera;
     const Projection        projection(camera);
     const Kernels&          kernels = kernelsOf(plan->simd);
+    const bool              exact   = isExact(request.pipeline);
+    const ChosenRules       rules(request.pipeline.approximation, request.pipeline.fault, camera);
     std::vector<StageMs>    stageMs(static_cast<std::size_t>(plan->threads));
     std::vector<double>     stripeMs(static_cast<std::size_t>(plan->threads));
     std::atomic<bool>       outOfMemory = false;
     const ColourTable*      colours     = nullptr;
     try {
         if (request.shade) colours = &coloursOf(*request.scene);
-        frame.visible.resize(camera.width, camera.height, emptyDepth(camera.near, camera.far));
+        frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
         if (!request.shade)
             frame.colour = {};
         else if (frame.colour.width() != camera.width || frame.colour.height() != camera.height)
@@ -97,7 +99,10 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
         const auto [first, end] = m_workspace->borders.stripe(i);
         const Stripe stripe{*request.scene, projection, request.faceCulling, frame.visible, first, end, {.cancel = request.cancel}};
         try {
-            kernels.drawStripe(request.pipeline, stripe, m_workspace->scratch[index], clock);
+            if (exact)
+                kernels.drawStripe(request.pipeline, stripe, m_workspace->scratch[index], clock);
+            else
+                drawStripeByRulesOf(plan->simd)(request.pipeline, rules, stripe, m_workspace->scratch[index], clock);
             if (request.shade)
                 kernels.shadeRows(request.scene->scene(), *colours, frame.visible, first, end, frame.colour.view());
         } catch (const std::bad_alloc&) {

@@ -30,12 +30,15 @@ void runSerially(const DrawRequest& request, Frame& frame, StripeScratch& scratc
 {
     const Camera&    camera = request.camera;
     const Projection projection(camera);
-    frame.visible.resize(camera.width, camera.height, emptyDepth(camera.near, camera.far));
+    frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
     frame.visible.clearRows(0, camera.height);
 
     StageClock   clock;
     const Stripe whole{*request.scene, projection, request.faceCulling, frame.visible, 0, camera.height, {.report = {}, .cancel = request.cancel}};
-    drawStripe(request.pipeline, whole, scratch, clock, probe);
+    if (isExact(request.pipeline))
+        drawStripe(request.pipeline, whole, scratch, clock, ExactRules{}, probe);
+    else
+        drawStripe(request.pipeline, whole, scratch, clock, ChosenRules(request.pipeline.approximation, request.pipeline.fault, camera), probe);
     if (request.shade) {
         probe(StageStarted{Stage::Shade});
         shadeWhole(request, frame);

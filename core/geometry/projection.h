@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+#include <glm/vec3.hpp>
+
 #include "core/base/affine.h"
 #include "core/scene/view.h"
 
@@ -42,21 +44,24 @@ struct Projection {
     {
     }
 
+    /// `Real` is the type the arithmetic is done in: double by definition, float as an approximation.
+    template <class Real = double>
     dvec3 toView(const dvec3& world) const
     {
-        const dvec3 d{world.x - eye.x, world.y - eye.y, world.z - eye.z};
-        return {(right.x * d.x + right.y * d.y) + right.z * d.z,
-                (up.x * d.x + up.y * d.y) + up.z * d.z,
-                (forward.x * d.x + forward.y * d.y) + forward.z * d.z};
+        using Vec = glm::vec<3, Real>;
+        const Vec p(world), e(eye), r(right), u(up), f(forward);
+        const Vec d{p.x - e.x, p.y - e.y, p.z - e.z};
+        return {(r.x * d.x + r.y * d.y) + r.z * d.z, (u.x * d.x + u.y * d.y) + u.z * d.z, (f.x * d.x + f.y * d.y) + f.z * d.z};
     }
 
-    /// `view` must lie at or beyond the near plane.
-    ScreenCorner toScreen(const dvec3& view) const
+    /// `view` must lie at or beyond the near plane. `snaps`: how many snapped positions a pixel has on a side.
+    template <class Real = double>
+    ScreenCorner toScreen(const dvec3& view, double snaps = kSubpixels) const
     {
-        const double d = near / view.z;
-        const double x = centreX + (view.x * d) * scale;
-        const double y = centreY - (view.y * d) * scale;
-        return {x, y, d, std::nearbyint(x * kSubpixels), std::nearbyint(y * kSubpixels)};
+        const Real   d = static_cast<Real>(near) / static_cast<Real>(view.z);
+        const double x = static_cast<Real>(centreX) + (static_cast<Real>(view.x) * d) * static_cast<Real>(scale);
+        const double y = static_cast<Real>(centreY) - (static_cast<Real>(view.y) * d) * static_cast<Real>(scale);
+        return {x, y, d, std::nearbyint(x * snaps) * (kSubpixels / snaps), std::nearbyint(y * snaps) * (kSubpixels / snaps)};
     }
 
     dvec3  eye, right, up, forward;

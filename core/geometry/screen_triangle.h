@@ -16,6 +16,7 @@
 
 #include "core/base/ids.h"
 #include "core/geometry/projection.h"
+#include "core/geometry/rules.h"
 
 namespace zscope {
 
@@ -45,13 +46,6 @@ struct ScreenTriangle {
 
 /// What became of a triangle at set-up.
 enum class SetUp { Drawn, Transparent, Outside, ClippedAway, BackFacing, Degenerate, NoPixelCentre, OutOfRange };
-
-/// First pixel (or line) whose centre, at 256 i + 128 subpixels, is at or beyond `snapped`; limited to +-2^30.
-inline int firstPixelCentreFrom(double snapped)
-{
-    const std::int64_t pixel = (static_cast<std::int64_t>(snapped) + 127) >> 8;
-    return static_cast<int>(std::clamp<std::int64_t>(pixel, -(std::int64_t{1} << 30), std::int64_t{1} << 30));
-}
 
 /// The plane of the corners in the order given, as the definition writes it.
 [[gnu::always_inline]] inline DepthPlane depthPlane(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2)
@@ -100,17 +94,19 @@ inline int firstPixelCentreFrom(double snapped)
 
 /// Sets up one part for the pixels of `region`. `out` is complete only if the answer is SetUp::Drawn.
 /// Always inlined, so that each instruction set gets it in its own instructions.
+template <class Rules>
 [[gnu::always_inline]] inline SetUp setUpTriangle(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2, TriangleId id,
-                           bool wide, FaceCulling culling, const PixelBox& region, ScreenTriangle& out)
+                           bool wide, FaceCulling culling, const PixelBox& region, const Rules& rules, ScreenTriangle& out)
 {
+    if (rules.dropsCrossing(p0, p1, p2)) return SetUp::Outside;
     const int turn = turnOf(p0, p1, p2, wide);
     if (turn == 0) return SetUp::Degenerate;
     if (turn > 0 && culling == FaceCulling::Back) return SetUp::BackFacing;
 
-    out.box = {std::max(region.x0, firstPixelCentreFrom(std::min({p0.xs, p1.xs, p2.xs}))),
-               std::max(region.y0, firstPixelCentreFrom(std::min({p0.ys, p1.ys, p2.ys}))),
-               std::min(region.x1, firstPixelCentreFrom(std::max({p0.xs, p1.xs, p2.xs}))),
-               std::min(region.y1, firstPixelCentreFrom(std::max({p0.ys, p1.ys, p2.ys})))};
+    out.box = {std::max(region.x0, rules.firstCentreFrom(std::min({p0.xs, p1.xs, p2.xs}))),
+               std::max(region.y0, rules.firstCentreFrom(std::min({p0.ys, p1.ys, p2.ys}))),
+               std::min(region.x1, rules.firstCentreFrom(std::max({p0.xs, p1.xs, p2.xs}))),
+               std::min(region.y1, rules.firstCentreFrom(std::max({p0.ys, p1.ys, p2.ys})))};
     if (out.box.isEmpty()) return SetUp::NoPixelCentre;
 
     const ScreenCorner& second = turn > 0 ? p1 : p2;

@@ -22,38 +22,47 @@ struct BatchPlace {
     TriangleId idOf(std::uint32_t triangle) const { return {firstTriangle + mesh.meshTriangle[triangle]}; }
 };
 
-template <class Probe>
+template <class Rules, class Probe>
 [[gnu::always_inline]] inline void setUpPlain(const BatchPlace& place, const ScreenVertices& vertices, FaceCulling culling, const PixelBox& region,
-                TriangleList& out, const Probe& probe)
+                const Rules& rules, TriangleList& out, const Probe& probe)
 {
     const std::uint32_t first = place.batch.firstTriangle;
     for (std::uint32_t t = first; t < first + place.batch.triangleCount; ++t) {
         const auto& corner = place.mesh.triangles[t].corner;
         const SetUp fate = setUpTriangle(vertices.corner(corner[0]), vertices.corner(corner[1]), vertices.corner(corner[2]),
-                                         place.idOf(t), false, culling, region, out.next());
+                                         place.idOf(t), false, culling, region, rules, out.next());
         if (fate == SetUp::Drawn) out.keep();
         probe(TriangleSetUp{place.idOf(t), fate, false, false});
     }
 }
 
 /// One part of a clipped triangle; decides by itself whether it needs the wide path.
-inline SetUp setUpPart(const std::array<dvec3, 3>& view, TriangleId id, const Projection& projection, FaceCulling culling,
-                       const PixelBox& region, ScreenTriangle& out)
+template <class Rules>
+SetUp setUpPart(const std::array<dvec3, 3>& view, TriangleId id, const Projection& projection, FaceCulling culling,
+                const PixelBox& region, const Rules& rules, ScreenTriangle& out)
 {
     std::array<ScreenCorner, 3> corner;
     bool                        wide = false;
     for (std::size_t i = 0; i < 3; ++i) {
-        corner[i] = projection.toScreen(view[i]);
+        corner[i] = rules.usesFloat32Vertices() ? projection.toScreen<float>(view[i], rules.snapsPerPixel())
+                                                : projection.toScreen(view[i], rules.snapsPerPixel());
         const double reach = std::max(std::abs(corner[i].xs), std::abs(corner[i].ys));
         if (!(std::abs(corner[i].xs) < kSnapLimit && std::abs(corner[i].ys) < kSnapLimit)) return SetUp::OutOfRange;
         wide = wide || reach > kGuardBand;
     }
-    return setUpTriangle(corner[0], corner[1], corner[2], id, wide, culling, region, out);
+    return setUpTriangle(corner[0], corner[1], corner[2], id, wide, culling, region, rules, out);
 }
 
-template <class Probe>
+/// From the model to view space.
+template <class Real>
+dvec3 viewOf(const dvec3& model, const Affine* toWorld, const Projection& projection)
+{
+    return projection.toView<Real>(toWorld ? toWorld->in<Real>(model) : model);
+}
+
+template <class Rules, class Probe>
 void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceCulling culling, const PixelBox& region,
-                    TriangleList& out, const Probe& probe)
+                    const Rules& rules, TriangleList& out, const Probe& probe)
 {
     const MeshBatches&  mesh  = place.mesh;
     const std::uint32_t first = place.batch.firstTriangle;
@@ -62,13 +71,15 @@ void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceC
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t v = place.batch.firstVertex + mesh.triangles[t].corner[i];
             const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
-            view[i] = projection.toView(place.toWorld ? (*place.toWorld)(model) : model);
+            view[i] = rules.usesFloat32Vertices() ? viewOf<float>(model, place.toWorld, projection)
+                                                  : viewOf<double>(model, place.toWorld, projection);
         }
-        const ClippedTriangle kept = clipNear(view, projection.near);
+        ClippedTriangle kept = clipNear(view, projection.near);
+        if (kept.isCut && rules.dropsAtNear()) kept.count = 0;
         SetUp fate = SetUp::ClippedAway;
         bool  wide = false;
         for (std::size_t p = 0; p < kept.parts(); ++p) {
-            const SetUp partFate = setUpPart(kept.part(p), place.idOf(t), projection, culling, region, out.next());
+            const SetUp partFate = setUpPart(kept.part(p), place.idOf(t), projection, culling, region, rules, out.next());
             if (partFate == SetUp::Drawn) {
                 wide = wide || out.next().wide;
                 out.keep();

@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "core/geometry/projection.h"
+#include "core/geometry/rules.h"
 #include "core/geometry/screen_vertices.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,49 +20,88 @@ namespace zscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// `toWorld` is nullptr for the identity, which leaves a vertex as it is.
-inline void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p,
-                           ScreenVertices& out)
-{
-    const hn::ScalableTag<double> d64;
-    const auto all = [&d64](double value) HWY_ATTR { return hn::Set(d64, value); };
+/// The vertex stage in the arithmetic of `Real`: double by definition, float as an approximation. The lanes are as many as
+/// float64 has in either case.
+template <class Real>
+struct VertexStage {
+    using F64 = hn::ScalableTag<double>;
+    using Tag = hn::Rebind<Real, F64>;
+    using Vec = hn::Vec<Tag>;
 
-    const auto one = all(1), guard = all(kGuardBand), near = all(p.near);
-    auto       worst = hn::Zero(d64);  // becomes 1 in a lane that meets a vertex that is not plain
-
-    for (std::size_t i = 0; i < batch.vertexCount; i += hn::Lanes(d64)) {
-        auto x = hn::LoadU(d64, mesh.x.data() + batch.firstVertex + i);
-        auto y = hn::LoadU(d64, mesh.y.data() + batch.firstVertex + i);
-        auto z = hn::LoadU(d64, mesh.z.data() + batch.firstVertex + i);
-        if (toWorld) {
-            const auto& m  = toWorld->rows;
-            const auto  wx = ((all(m[0][0]) * x + all(m[0][1]) * y) + all(m[0][2]) * z) + all(m[0][3]);
-            const auto  wy = ((all(m[1][0]) * x + all(m[1][1]) * y) + all(m[1][2]) * z) + all(m[1][3]);
-            const auto  wz = ((all(m[2][0]) * x + all(m[2][1]) * y) + all(m[2][2]) * z) + all(m[2][3]);
-            x = wx, y = wy, z = wz;
-        }
-        const auto dx = x - all(p.eye.x), dy = y - all(p.eye.y), dz = z - all(p.eye.z);
-        const auto vx = (all(p.right.x) * dx + all(p.right.y) * dy) + all(p.right.z) * dz;
-        const auto vy = (all(p.up.x) * dx + all(p.up.y) * dy) + all(p.up.z) * dz;
-        const auto vz = (all(p.forward.x) * dx + all(p.forward.y) * dy) + all(p.forward.z) * dz;
-
-        const auto d  = near / vz;
-        const auto sx = all(p.centreX) + (vx * d) * all(p.scale);
-        const auto sy = all(p.centreY) - (vy * d) * all(p.scale);
-        const auto xs = hn::Round(sx * all(kSubpixels)), ys = hn::Round(sy * all(kSubpixels));
-
-        // NaN compares false, so a vertex without a place is not plain either.
-        const auto plain = hn::And(vz >= near, hn::And(hn::Abs(xs) <= guard, hn::Abs(ys) <= guard));
-        const auto isVertex = hn::Iota(d64, static_cast<double>(i)) < all(batch.vertexCount);
-        worst               = hn::Max(worst, hn::IfThenZeroElse(plain, hn::IfThenElseZero(isVertex, one)));
-
-        hn::StoreU(sx, d64, out.x.data() + i);
-        hn::StoreU(sy, d64, out.y.data() + i);
-        hn::StoreU(d, d64, out.d.data() + i);
-        hn::StoreU(xs, d64, out.xs.data() + i);
-        hn::StoreU(ys, d64, out.ys.data() + i);
+    static Vec all(double value) { return hn::Set(Tag(), static_cast<Real>(value)); }
+    static Vec load(const double* from)
+    {
+        if constexpr (sizeof(Real) == sizeof(double))
+            return hn::LoadU(F64(), from);
+        else
+            return hn::DemoteTo(Tag(), hn::LoadU(F64(), from));
     }
-    out.plain = hn::GetLane(hn::MaxOfLanes(d64, worst)) == 0;
+    static hn::Vec<F64> wide(Vec value)
+    {
+        if constexpr (sizeof(Real) == sizeof(double))
+            return value;
+        else
+            return hn::PromoteTo(F64(), value);
+    }
+
+    template <class Rules>
+    static void run(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p, const Rules& rules,
+                    ScreenVertices& out)
+    {
+        const F64  d64;
+        const auto one = hn::Set(d64, 1), guard = hn::Set(d64, kGuardBand), near = all(p.near);
+        const auto snaps = hn::Set(d64, rules.snapsPerPixel());
+        auto       worst = hn::Zero(d64);  // becomes 1 in a lane that meets a vertex that is not plain
+
+        for (std::size_t i = 0; i < batch.vertexCount; i += hn::Lanes(d64)) {
+            auto x = load(mesh.x.data() + batch.firstVertex + i);
+            auto y = load(mesh.y.data() + batch.firstVertex + i);
+            auto z = load(mesh.z.data() + batch.firstVertex + i);
+            if (toWorld) {
+                const auto& m  = toWorld->rows;
+                const auto  wx = ((all(m[0][0]) * x + all(m[0][1]) * y) + all(m[0][2]) * z) + all(m[0][3]);
+                const auto  wy = ((all(m[1][0]) * x + all(m[1][1]) * y) + all(m[1][2]) * z) + all(m[1][3]);
+                const auto  wz = ((all(m[2][0]) * x + all(m[2][1]) * y) + all(m[2][2]) * z) + all(m[2][3]);
+                x = wx, y = wy, z = wz;
+            }
+            const auto dx = x - all(p.eye.x), dy = y - all(p.eye.y), dz = z - all(p.eye.z);
+            const auto vx = (all(p.right.x) * dx + all(p.right.y) * dy) + all(p.right.z) * dz;
+            const auto vy = (all(p.up.x) * dx + all(p.up.y) * dy) + all(p.up.z) * dz;
+            const auto vz = (all(p.forward.x) * dx + all(p.forward.y) * dy) + all(p.forward.z) * dz;
+
+            const auto d  = near / vz;
+            const auto sx = wide(all(p.centreX) + (vx * d) * all(p.scale));
+            const auto sy = wide(all(p.centreY) - (vy * d) * all(p.scale));
+            auto       xs = hn::Round(sx * snaps), ys = hn::Round(sy * snaps);
+            if constexpr (!Rules::kExact) {
+                const auto subpixels = hn::Set(d64, kSubpixels / rules.snapsPerPixel());
+                xs = xs * subpixels, ys = ys * subpixels;
+            }
+
+            // NaN compares false, so a vertex without a place is not plain either.
+            const auto plain = hn::And(wide(vz) >= wide(near), hn::And(hn::Abs(xs) <= guard, hn::Abs(ys) <= guard));
+            const auto isVertex = hn::Iota(d64, static_cast<double>(i)) < hn::Set(d64, batch.vertexCount);
+            worst               = hn::Max(worst, hn::IfThenZeroElse(plain, hn::IfThenElseZero(isVertex, one)));
+
+            hn::StoreU(sx, d64, out.x.data() + i);
+            hn::StoreU(sy, d64, out.y.data() + i);
+            hn::StoreU(wide(d), d64, out.d.data() + i);
+            hn::StoreU(xs, d64, out.xs.data() + i);
+            hn::StoreU(ys, d64, out.ys.data() + i);
+        }
+        out.plain = hn::GetLane(hn::MaxOfLanes(d64, worst)) == 0;
+    }
+};
+
+/// `toWorld` is nullptr for the identity, which leaves a vertex as it is.
+template <class Rules>
+void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p, const Rules& rules,
+                    ScreenVertices& out)
+{
+    if (rules.usesFloat32Vertices())
+        VertexStage<float>::run(mesh, batch, toWorld, p, rules, out);
+    else
+        VertexStage<double>::run(mesh, batch, toWorld, p, rules, out);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -25,7 +25,7 @@ EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, int y)
     row.x          = (static_cast<double>(crossing.x()) +
              static_cast<double>(crossing.fraction()) / static_cast<double>(crossing.dy())) / kSubpixels;
     row.dx         = {dx / common, dy / common};
-    row.firstLine  = EdgeTable::linesOf(part, edge.side()).first;
+    row.firstLine  = EdgeTable::linesOf(part, edge.side(), ExactRules{}).first;
     row.lastLine   = edge.lastLine();
     return row;
 }

@@ -11,9 +11,12 @@
 #define ZSCOPE_DEPTH_TEST_INL_H
 #endif
 
+#include <array>
+
 #include <hwy/highway.h>
 
 #include "core/depth/visibility_buffer.h"
+#include "core/geometry/rules.h"
 #include "core/scan/pixel_events.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,20 +35,29 @@ inline int laneCount() { return static_cast<int>(hn::Lanes(F64())); }
 /// Below every depth a buffer can hold.
 inline constexpr double kNotCovered = -2;
 
+/// Rounded to float32 and back: the result of one float32 operation on float32 values, whichever way it was computed.
+inline Vec64 inFloat32(Vec64 value) { return hn::PromoteTo(F64(), hn::DemoteTo(F32(), value)); }
+
 /// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c.
-template <Keep kKeep = Keep::Nearest>
+template <Keep kKeep, class Rules>
 class DepthTest {
 public:
     /// `empty` is the depth of the background of the buffer that is tested against.
-    DepthTest(const DepthPlane& plane, std::uint32_t rank, float empty)
-        : m_a(plane.a), m_farthest(plane.farthest), m_nearest(plane.nearest), m_rank(rank), m_empty(empty)
+    DepthTest(const DepthPlane& plane, std::uint32_t rank, float empty, const Rules& rules)
+        : m_a(plane.a), m_farthest(plane.farthest), m_nearest(plane.nearest), m_rank(rank), m_empty(empty), m_rules(rules)
     {
     }
 
-    /// a*(i + 0.5) for the pixels x, x + 1, ...
-    Vec64 column(int x) const
+    /// a*(i + 0.5) for the pixels x, x + 1, ... of a span or box that begins at pixel `first`.
+    Vec64 column(int x, [[maybe_unused]] int first) const
     {
-        return hn::Set(F64(), m_a) * (hn::Iota(F64(), 0.0) + hn::Set(F64(), x + 0.5));
+        const auto centres = hn::Iota(F64(), 0.0) + hn::Set(F64(), x + 0.5);
+        if constexpr (!Rules::kExact) {
+            const float a = static_cast<float>(m_a);
+            if (m_rules.depthNumbers() == DepthNumbers::Float32) return inFloat32(hn::Set(F64(), a) * centres);
+            if (m_rules.depthNumbers() == DepthNumbers::Accumulated) return carried(a, x, first);
+        }
+        return hn::Set(F64(), m_a) * centres;
     }
 
     /// Offers the covered lanes at depthRow[0..], rankRow[0..]. `x` and `y` are only told to the probe.
@@ -56,7 +68,7 @@ public:
         const F64  d64;
         const F32  d32;
         const U32  u32;
-        const auto z     = limited(column + hn::Set(d64, line));
+        const auto z     = stored(limited(column + hn::Set(d64, line)));
         const auto depth = hn::DemoteTo(d32, hn::IfThenElse(covered, z, hn::Set(d64, kNotCovered)));
 
         const auto stored = hn::LoadU(d32, depthRow);
@@ -80,7 +92,7 @@ public:
     {
         const F32  d32;
         const U32  u32;
-        const auto depth  = hn::DemoteTo(d32, limited(column + hn::Set(F64(), line)));
+        const auto depth  = hn::DemoteTo(d32, stored(limited(column + hn::Set(F64(), line))));
         const auto inside = hn::Iota(d32, 0.0f) < hn::Set(d32, static_cast<float>(count));
         hn::StoreU(hn::IfThenElse(inside, depth, hn::LoadU(d32, depthRow)), d32, depthRow);
         hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, inside), hn::Set(u32, m_rank), hn::LoadU(u32, rankRow)), u32, rankRow);
@@ -106,47 +118,78 @@ private:
         return hn::Min(hn::Max(z, hn::Set(F64(), m_farthest)), hn::Set(F64(), m_nearest));
     }
 
+    /// As DepthEncoding::stored(), before the last rounding to float32.
+    Vec64 stored(Vec64 z) const
+    {
+        if constexpr (!Rules::kExact) {
+            const DepthEncoding& as = m_rules.encoding();
+            if (as.isReversed()) return z;
+            const auto standard = (hn::Set(F64(), 1.0) - z) * hn::Set(F64(), as.range);
+            if (!as.isFixed()) return hn::Neg(standard);
+            return hn::Round(standard * hn::Set(F64(), as.steps)) * hn::Set(F64(), -1 / (as.steps + 1));
+        }
+        return z;
+    }
+
+    /// a*(first + 0.5), and from there a added once per pixel, in float32.
+    static Vec64 carried(float a, int x, int first)
+    {
+        HWY_ALIGN std::array<double, hn::MaxLanes(F64())> value;
+        float                                             carry = a * (static_cast<float>(first) + 0.5f);
+        for (int at = first; at < x; ++at) carry += a;
+        for (std::size_t lane = 0; lane < hn::Lanes(F64()); ++lane, carry += a) value[lane] = carry;
+        return hn::Load(F64(), value.data());
+    }
+
     double        m_a, m_farthest, m_nearest;
     std::uint32_t m_rank;
     float         m_empty;
+    const Rules&  m_rules;
 };
 
 /// The constant part of a line's depth: b*(j + 0.5) + c.
-inline double lineDepth(const DepthPlane& plane, int y) { return plane.b * (y + 0.5) + plane.c; }
+template <class Rules>
+double lineDepth(const DepthPlane& plane, int y, const Rules& rules)
+{
+    if (rules.depthNumbers() == DepthNumbers::Float64) return plane.b * (y + 0.5) + plane.c;
+    return static_cast<float>(plane.b) * (static_cast<float>(y) + 0.5f) + static_cast<float>(plane.c);
+}
 
 /// Tests the pixels [x0, x1) of line y, all of them covered; they lie inside the picture.
-template <Keep kKeep = Keep::Nearest, class Probe>
+template <Keep kKeep = Keep::Nearest, class Rules, class Probe>
 void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
-              const Probe& probe)
+              const Rules& rules, const Probe& probe)
 {
-    const DepthTest<kKeep> test(plane, rankOfSpan, visible.empty());
-    const double           line  = lineDepth(plane, y);
-    float*                 depth = visible.depthRow(y);
-    std::uint32_t*         rank  = visible.rankRow(y);
+    const DepthTest<kKeep, Rules> test(plane, rankOfSpan, visible.empty(), rules);
+    const double                  line  = lineDepth(plane, y, rules);
+    float*                        depth = visible.depthRow(y);
+    std::uint32_t*                rank  = visible.rankRow(y);
     for (int x = x0; x < x1; x += laneCount()) {
         const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
-        test.offer(test.column(x), line, covered, depth + x, rank + x, x, y, probe);
+        test.offer(test.column(x, x0), line, covered, depth + x, rank + x, x, y, probe);
     }
 }
 
 /// testSpan(), and tells that the span was filled.
-template <Keep kKeep = Keep::Nearest, class Probe>
+template <Keep kKeep = Keep::Nearest, class Rules, class Probe>
 void fillSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
-              const Probe& probe)
+              const Rules& rules, const Probe& probe)
 {
     if (x0 >= x1) return;
-    testSpan<kKeep>(plane, rankOfSpan, y, x0, x1, visible, probe);
+    testSpan<kKeep>(plane, rankOfSpan, y, x0, x1, visible, rules, probe);
     probe(SpanFilled{y, x0, x1, TriangleId{rankOfSpan - 1}});
 }
 
 /// Stores the pixels [x0, x1) of line y without a test: the caller knows that nothing there is nearer.
-inline void storeSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible)
+template <class Rules>
+void storeSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
+               const Rules& rules)
 {
-    const DepthTest<> test(plane, rankOfSpan, visible.empty());
-    const double      line  = lineDepth(plane, y);
-    float*            depth = visible.depthRow(y);
-    std::uint32_t*    rank  = visible.rankRow(y);
-    for (int x = x0; x < x1; x += laneCount()) test.store(test.column(x), line, x1 - x, depth + x, rank + x);
+    const DepthTest<Keep::Nearest, Rules> test(plane, rankOfSpan, visible.empty(), rules);
+    const double                          line  = lineDepth(plane, y, rules);
+    float*                                depth = visible.depthRow(y);
+    std::uint32_t*                        rank  = visible.rankRow(y);
+    for (int x = x0; x < x1; x += laneCount()) test.store(test.column(x, x0), line, x1 - x, depth + x, rank + x);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

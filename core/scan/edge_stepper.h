@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -109,6 +110,28 @@ private:
     Integer m_x = 0, m_fraction = 0;
     Integer m_stepX = 0, m_stepFraction = 0;
     Integer m_dy = 1;
+};
+
+/// The same edge as an approximation: a float32 that a float32 is added to on every line, rounding errors and all.
+class AccumulatedEdge {
+public:
+    AccumulatedEdge(double xa, double ya, double xb, double yb, int line, int)
+        : m_step(static_cast<float>((xb - xa) / (yb - ya) * kSubpixels)),
+          m_x(static_cast<float>(xa) + m_step * (static_cast<float>(static_cast<double>(centreOfLine(line)) - ya) / 256.0f))
+    {
+    }
+
+    void nextLine() { m_x += m_step; }
+    int  firstPixel() const { return firstPixelCentreFrom(std::ceil(x32())); }
+    /// Subpixels, rounded down.
+    std::int64_t x() const { return static_cast<std::int64_t>(std::floor(x32())); }
+
+private:
+    /// Far beyond any picture is as good as anywhere there, and fits an integer.
+    double x32() const { return std::clamp<double>(m_x, -0x1p40, 0x1p40); }
+
+    float m_step;  // subpixels per line
+    float m_x;     // subpixels
 };
 
 }  // namespace zscope

@@ -21,8 +21,8 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 struct EdgeWalk {
-    template <Keep kKeep, class Probe>
-    static void fill(const ScreenTriangle& triangle, VisibilityBuffer& visible, const Probe& probe)
+    template <Keep kKeep, class Rules, class Probe>
+    static void fill(const ScreenTriangle& triangle, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         // From top to bottom: the long side joins the first and the last, the short sides meet in the middle.
         std::array<std::size_t, 3> at{0, 1, 2};
@@ -34,32 +34,37 @@ struct EdgeWalk {
         orderByY(0, 1);
 
         const PixelBox& box    = triangle.box;
+        const int       first  = std::max(rules.firstLineOfTriangle(triangle.y[at[0]]), box.y0);
         const int       middle = std::clamp(firstLineFrom(triangle.y[at[1]]), box.y0, box.y1);
-        if (triangle.wide) {
-            walk<kKeep, std::int64_t>(triangle, at, 0, 1, box.y0, middle, visible, probe);
-            walk<kKeep, std::int64_t>(triangle, at, 1, 2, middle, box.y1, visible, probe);
-        } else {
-            walk<kKeep, std::int32_t>(triangle, at, 0, 1, box.y0, middle, visible, probe);
-            walk<kKeep, std::int32_t>(triangle, at, 1, 2, middle, box.y1, visible, probe);
-        }
+        const auto      both   = [&]<class Stepper>() {
+            walk<kKeep, Stepper>(triangle, at, 0, 1, first, middle, visible, rules, probe);
+            walk<kKeep, Stepper>(triangle, at, 1, 2, std::max(first, middle), box.y1, visible, rules, probe);
+        };
+        if (rules.accumulatesEdges())
+            both.template operator()<AccumulatedEdge>();
+        else if (triangle.wide)
+            both.template operator()<EdgeStepper<std::int64_t>>();
+        else
+            both.template operator()<EdgeStepper<std::int32_t>>();
     }
 
 private:
     /// Lines [first, end) between the long side and the short side from corner `top` to `bottom` (in order of y).
-    template <Keep kKeep, class Integer, class Probe>
+    template <Keep kKeep, class Stepper, class Rules, class Probe>
     static void walk(const ScreenTriangle& triangle, const std::array<std::size_t, 3>& at, std::size_t top, std::size_t bottom,
-                     int first, int end, VisibilityBuffer& visible, const Probe& probe)
+                     int first, int end, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         if (first >= end) return;
-        using Stepper   = EdgeStepper<Integer>;
+        if (rules.isSkippedAsHorizontal(triangle.x[at[top]], triangle.x[at[bottom]])) return;
         const auto edge = [&](std::size_t a, std::size_t b) {
             return Stepper(triangle.x[at[a]], triangle.y[at[a]], triangle.x[at[b]], triangle.y[at[b]], first, end - 1);
         };
         Stepper longSide = edge(0, 2), shortSide = edge(top, bottom);
         for (int y = first; y < end; ++y) {
-            const int one = longSide.firstPixel(), other = shortSide.firstPixel();
+            const int one   = rules.firstPixel(longSide.firstPixel(), longSide.x());
+            const int other = rules.firstPixel(shortSide.firstPixel(), shortSide.x());
             fillSpan<kKeep>(triangle.depth, triangle.rank(), y, std::max(std::min(one, other), triangle.box.x0),
-                     std::min(std::max(one, other), triangle.box.x1), visible, probe);
+                            std::min(std::max(one, other), triangle.box.x1), visible, rules, probe);
             longSide.nextLine();
             shortSide.nextLine();
         }

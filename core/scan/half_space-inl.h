@@ -25,24 +25,26 @@ namespace zscope::HWY_NAMESPACE {
 struct HalfSpace {
     static constexpr int kTileLines = 8;
 
-    template <Keep kKeep, class Probe>
-    static void fill(const ScreenTriangle& triangle, VisibilityBuffer& visible, const Probe& probe)
+    template <Keep kKeep, class Rules, class Probe>
+    static void fill(const ScreenTriangle& triangle, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         if (triangle.wide) {
-            EdgeWalk::fill<kKeep>(triangle, visible, probe);
+            EdgeWalk::fill<kKeep>(triangle, visible, rules, probe);
             return;
         }
         const PixelBox&             box = triangle.box;
-        const std::array<HalfPlane, 3> planes{halfPlane(triangle, 0, 1), halfPlane(triangle, 1, 2), halfPlane(triangle, 2, 0)};
-        const DepthTest<kKeep>      test(triangle.depth, triangle.rank(), visible.empty());
+        const double                notOwned = rules.notOwned();
+        const std::array<HalfPlane, 3> planes{halfPlane(triangle, 0, 1, notOwned), halfPlane(triangle, 1, 2, notOwned),
+                                              halfPlane(triangle, 2, 0, notOwned)};
+        const DepthTest<kKeep, Rules> test(triangle.depth, triangle.rank(), visible.empty(), rules);
         const bool oneTile = box.x1 - box.x0 <= laneCount() && box.y1 - box.y0 <= kTileLines;
 
         for (int x = box.x0; x < box.x1; x += laneCount()) {
-            const Vec64 column = test.column(x);
+            const Vec64 column = test.column(x, box.x0);
             for (int y = box.y0; y < box.y1; y += kTileLines) {
                 const int end = std::min(y + kTileLines, box.y1);
                 if (!oneTile && isOutside(planes, x - box.x0, y - box.y0)) continue;
-                fillTile(triangle, planes, test, column, x, y, end, visible, probe);
+                fillTile(triangle, planes, test, column, x, y, end, visible, rules, probe);
             }
         }
     }
@@ -56,12 +58,12 @@ private:
         double at(int right, int down) const { return origin + right * perPixel + down * perLine; }
     };
 
-    static HalfPlane halfPlane(const ScreenTriangle& t, std::size_t a, std::size_t b)
+    static HalfPlane halfPlane(const ScreenTriangle& t, std::size_t a, std::size_t b, double notOwned)
     {
         const double dx = t.x[b] - t.x[a], dy = t.y[b] - t.y[a];
         const double px = t.box.x0 * kSubpixels + 128, py = t.box.y0 * kSubpixels + 128;
         const bool   isLeftOrTop = dy < 0 || (dy == 0 && dx > 0);
-        return {dx * (py - t.y[a]) - dy * (px - t.x[a]) - (isLeftOrTop ? 0 : 1), -dy * kSubpixels, dx * kSubpixels};
+        return {dx * (py - t.y[a]) - dy * (px - t.x[a]) - (isLeftOrTop ? 0 : notOwned), -dy * kSubpixels, dx * kSubpixels};
     }
 
     /// True if some edge has the whole tile at (right, down) on its outer side, judged at the tile's innermost corner.
@@ -74,9 +76,10 @@ private:
     }
 
     /// Lines [y, end) of the column of pixels x, x + 1, ...
-    template <Keep kKeep, class Probe>
-    static void fillTile(const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes, const DepthTest<kKeep>& test,
-                         Vec64 column, int x, int y, int end, VisibilityBuffer& visible, const Probe& probe)
+    template <Keep kKeep, class Rules, class Probe>
+    static void fillTile(const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes,
+                         const DepthTest<kKeep, Rules>& test, Vec64 column, int x, int y, int end, VisibilityBuffer& visible,
+                         const Rules& rules, const Probe& probe)
     {
         const F64  d64;
         const auto lane  = hn::Iota(d64, x - triangle.box.x0);
@@ -89,7 +92,7 @@ private:
         for (; y < end; ++y) {
             const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
             if (!hn::AllFalse(d64, inside)) {
-                test.offer(column, lineDepth(triangle.depth, y), inside, visible.depthRow(y) + x, visible.rankRow(y) + x, x,
+                test.offer(column, lineDepth(triangle.depth, y, rules), inside, visible.depthRow(y) + x, visible.rankRow(y) + x, x,
                            y, probe);
             }
             e0 = e0 + down0;

@@ -48,6 +48,8 @@ public:
 
     bool          isLeftOf(const ActiveEdge& other) const { return m_crossing.isLeftOf(other.m_crossing); }
     int           firstPixel() const { return m_crossing.firstPixel(); }
+    template <class Rules>
+    int firstPixel(const Rules& rules) const { return rules.firstPixel(m_crossing.firstPixel(), m_crossing.x()); }
     std::uint32_t side() const { return m_side; }
     int           lastLine() const { return m_lastLine; }  // inclusive
     bool          isWide() const { return m_wide; }

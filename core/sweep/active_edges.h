@@ -26,11 +26,11 @@ public:
 
     /// Moves on to line y: edges whose last line lies above it leave, the others step, and those that have crossed
     /// change places.
-    template <class Probe>
-    void advanceTo(int y, const EdgeTable& table, ActivePolygons& polygons, const Probe& probe)
+    template <class Rules, class Probe>
+    void advanceTo(int y, const EdgeTable& table, ActivePolygons& polygons, const Rules& rules, const Probe& probe)
     {
         std::size_t kept = 0;
-        NearlySorted order(m_edges.size());
+        NearlySorted order(m_edges.size(), rules.sortsActiveEdges());
         for (ActiveEdge edge : m_edges) {
             if (edge.lastLine() < y) {
                 probe(EdgeLeft{edge, polygons[edge.polygon()].part});
@@ -48,8 +48,8 @@ public:
     }
 
     /// Adds the edges of the table's bucket for line y, each in its place, and their polygons.
-    template <class Probe>
-    void admit(int y, const EdgeTable& table, ActivePolygons& polygons, const Probe& probe)
+    template <class Rules, class Probe>
+    void admit(int y, const EdgeTable& table, ActivePolygons& polygons, const Rules& rules, const Probe& probe)
     {
         m_newcomers.clear();
         for (const std::uint32_t index : table.startingAt(y)) {
@@ -57,7 +57,7 @@ public:
             table.prefetchPart(m_newcomers.back().polygon());
         }
         table.prefetchEdgesOf(y + 1);
-        NearlySorted order(m_newcomers.size());
+        NearlySorted order(m_newcomers.size(), rules.sortsActiveEdges());
         for (std::size_t i = 0; i < m_newcomers.size(); ++i) {
             ActiveEdge          edge = m_newcomers[i];
             const std::uint32_t part = edge.polygon();
@@ -66,7 +66,10 @@ public:
             order.insert(m_newcomers, i, edge);
         }
         order.finish(m_newcomers);
-        mergeNewcomers();
+        if (rules.sortsActiveEdges())
+            mergeNewcomers();
+        else
+            m_edges.insert(m_edges.end(), m_newcomers.begin(), m_newcomers.end());
     }
 
     std::span<const ActiveEdge> view() const { return m_edges; }
@@ -76,23 +79,24 @@ private:
     /// Insertion sort that gives up, and sorts outright at the end, once it has moved four times as many edges as there are.
     class NearlySorted {
     public:
-        explicit NearlySorted(std::size_t count) : m_movesLeft(4 * count) {}
+        NearlySorted(std::size_t count, bool sorts) : m_sorts(sorts), m_movesLeft(4 * count) {}
 
         /// The first `count` edges stand in order (or sorting by insertion has been given up): `edge` joins them.
         void insert(std::vector<ActiveEdge>& edges, std::size_t count, const ActiveEdge& edge)
         {
             std::size_t place = count;
-            for (; place > 0 && edge.isLeftOf(edges[place - 1]) && m_movesLeft > 0; --place, --m_movesLeft)
+            for (; place > 0 && m_sorts && edge.isLeftOf(edges[place - 1]) && m_movesLeft > 0; --place, --m_movesLeft)
                 edges[place] = edges[place - 1];
             edges[place] = edge;
         }
         void finish(std::vector<ActiveEdge>& edges) const
         {
-            if (m_movesLeft > 0) return;
+            if (m_movesLeft > 0 || !m_sorts) return;
             std::ranges::sort(edges, [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
         }
 
     private:
+        bool        m_sorts;
         std::size_t m_movesLeft;
     };
 

@@ -31,12 +31,13 @@ public:
     }
 
     /// `part` must have been set up for the lines of this table.
-    void add(const ScreenTriangle& part)
+    template <class Rules>
+    void add(const ScreenTriangle& part, const Rules& rules)
     {
         const auto index = static_cast<std::uint32_t>(m_parts.size());
         m_parts.push_back(part);
         for (std::uint32_t side = 0; side < 3; ++side) {
-            const auto [first, end] = linesOf(part, side);
+            const auto [first, end] = linesOf(part, side, rules);
             if (first >= end) continue;
             m_edges.emplace_back(part, index, side, first, end - 1);
             m_starts.push_back({first - m_firstLine, std::clamp(m_edges.back().firstPixel(), -1, m_width) + 1});
@@ -88,10 +89,13 @@ public:
         int first, end;  // [first, end)
     };
     /// The lines of this band whose centres the side crosses.
-    static Lines linesOf(const ScreenTriangle& part, std::uint32_t side)
+    template <class Rules>
+    static Lines linesOf(const ScreenTriangle& part, std::uint32_t side, const Rules& rules)
     {
-        const double ya = part.y[side], yb = part.y[(side + 1) % 3];
-        return {std::max(part.box.y0, firstLineFrom(std::min(ya, yb))), std::min(part.box.y1, firstLineFrom(std::max(ya, yb)))};
+        const double ya = part.y[side], yb = part.y[(side + 1) % 3], top = std::min(ya, yb);
+        if (rules.isSkippedAsHorizontal(part.x[side], part.x[(side + 1) % 3])) return {0, 0};
+        const int first = top == std::min({part.y[0], part.y[1], part.y[2]}) ? rules.firstLineOfTriangle(top) : firstLineFrom(top);
+        return {std::max(part.box.y0, first), std::min(part.box.y1, firstLineFrom(std::max(ya, yb)))};
     }
 
 private:

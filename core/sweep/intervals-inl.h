@@ -28,23 +28,27 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
+template <class Rules>
 class Intervals {
 public:
     /// `open` is scratch memory, reused from line to line.
-    Intervals(VisibilityBuffer& visible, std::vector<std::uint32_t>& open) : m_visible(visible), m_open(open) {}
+    Intervals(VisibilityBuffer& visible, std::vector<std::uint32_t>& open, const Rules& rules)
+        : m_visible(visible), m_open(open), m_rules(rules)
+    {
+    }
 
     template <class Probe>
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
     {
         if (isCrowded(active, polygons)) {
-            LineZBuffer(m_visible).line(y, active, polygons, probe);
+            LineZBuffer(m_visible, m_rules).line(y, active, polygons, probe);
             return;
         }
         m_visible.clearRows(y, y + 1);
         m_open.clear();
         int from = 0;
         for (const ActiveEdge& edge : active) {
-            const int to = std::clamp(edge.firstPixel(), 0, m_visible.width());
+            const int to = std::clamp(edge.firstPixel(m_rules), 0, m_visible.width());
             if (from < to && !m_open.empty()) resolve(y, from, to, polygons, probe);
             from = to;
             toggle(polygons, edge.polygon());
@@ -61,11 +65,12 @@ private:
         bool  limited;
     };
 
-    static EndDepth depthAt(const DepthPlane& plane, int x, double line)
+    EndDepth depthAt(const DepthPlane& plane, int x, int y) const
     {
+        const double line = lineDepth(plane, y, m_rules);
         const double z    = plane.a * (x + 0.5) + line;
         const double kept = std::min(std::max(z, double{plane.farthest}), double{plane.nearest});
-        return {static_cast<float>(kept), kept != z};
+        return {m_rules.stored(kept), kept != z};
     }
 
     /// True if `near` is more than kLead steps nearer than `far`; depths are not negative, so their bits are ordered.
@@ -107,34 +112,35 @@ private:
     void resolve(int y, int x0, int x1, const ActivePolygons& polygons, const Probe& probe)
     {
         if (const ActivePolygon* nearest = leader(y, x0, x1, polygons)) {
-            storeSpan(nearest->depth, nearest->rank(), y, x0, x1, m_visible);
+            storeSpan(nearest->depth, nearest->rank(), y, x0, x1, m_visible, m_rules);
             probe(SpanFilled{y, x0, x1, nearest->id});
             return;
         }
-        for (const std::uint32_t row : m_open) testSpan(polygons[row].depth, polygons[row].rank(), y, x0, x1, m_visible, probe);
+        for (const std::uint32_t row : m_open) testSpan(polygons[row].depth, polygons[row].rank(), y, x0, x1, m_visible, m_rules, probe);
         tellRuns(y, x0, x1, probe);
     }
 
     /// The polygon that leads all other open ones all over [x0, x1), or nullptr if none does for certain.
     const ActivePolygon* leader(int y, int x0, int x1, const ActivePolygons& polygons) const
     {
+        if (!m_rules.comparesByEnds()) return nullptr;
         const ActivePolygon* best = &polygons[m_open[0]];
-        EndDepth             bestLeft = depthAt(best->depth, x0, lineDepth(best->depth, y));
+        EndDepth             bestLeft = depthAt(best->depth, x0, y);
         if (m_open.size() == 1) return bestLeft.depth > m_visible.empty() && isKept(*best, y, x1 - 1) ? best : nullptr;
         for (const std::uint32_t row : m_open) {
-            const EndDepth left = depthAt(polygons[row].depth, x0, lineDepth(polygons[row].depth, y));
+            const EndDepth left = depthAt(polygons[row].depth, x0, y);
             if (left.depth <= bestLeft.depth) continue;
             best     = &polygons[row];
             bestLeft = left;
         }
-        const EndDepth bestRight = depthAt(best->depth, x1 - 1, lineDepth(best->depth, y));
+        if (m_rules.testsIntervalOnce()) return best;
+        const EndDepth bestRight = depthAt(best->depth, x1 - 1, y);
         if (bestLeft.limited || bestRight.limited) return nullptr;
         if (bestLeft.depth <= m_visible.empty() || bestRight.depth <= m_visible.empty()) return nullptr;
         for (const std::uint32_t row : m_open) {
             const ActivePolygon& rival = polygons[row];
             if (&rival == best) continue;
-            const double   line = lineDepth(rival.depth, y);
-            const EndDepth left = depthAt(rival.depth, x0, line), right = depthAt(rival.depth, x1 - 1, line);
+            const EndDepth left = depthAt(rival.depth, x0, y), right = depthAt(rival.depth, x1 - 1, y);
             if (left.limited || right.limited || !leads(bestLeft.depth, left.depth) || !leads(bestRight.depth, right.depth))
                 return nullptr;
         }
@@ -144,7 +150,7 @@ private:
     /// The far test at one end; with the other end it holds all over the run, because depth is affine, limited or not.
     bool isKept(const ActivePolygon& polygon, int y, int x) const
     {
-        return depthAt(polygon.depth, x, lineDepth(polygon.depth, y)).depth > m_visible.empty();
+        return depthAt(polygon.depth, x, y).depth > m_visible.empty();
     }
 
     /// After a comparison pixel by pixel: one event per run of pixels that one polygon won.
@@ -164,6 +170,7 @@ private:
 
     VisibilityBuffer&           m_visible;
     std::vector<std::uint32_t>& m_open;  // rows of the active polygon table, in no order
+    const Rules&                m_rules;
 };
 
 }  // namespace zscope::HWY_NAMESPACE

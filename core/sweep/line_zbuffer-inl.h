@@ -18,9 +18,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
+template <class Rules>
 class LineZBuffer {
 public:
-    explicit LineZBuffer(VisibilityBuffer& visible) : m_visible(visible) {}
+    LineZBuffer(VisibilityBuffer& visible, const Rules& rules) : m_visible(visible), m_rules(rules) {}
 
     template <class Probe>
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
@@ -28,19 +29,20 @@ public:
         m_visible.clearRows(y, y + 1);
         for (const ActiveEdge& edge : active) {
             ActivePolygon& polygon = polygons[edge.polygon()];
-            const int      pixel   = edge.firstPixel();
+            const int      pixel   = edge.firstPixel(m_rules);
             if (polygon.openAt == ActivePolygon::kClosed) {
                 polygon.openAt = pixel;
                 continue;
             }
             fillSpan(polygon.depth, polygon.rank(), y, std::max(polygon.openAt, 0), std::min(pixel, m_visible.width()),
-                     m_visible, probe);
+                     m_visible, m_rules, probe);
             polygon.openAt = ActivePolygon::kClosed;
         }
     }
 
 private:
     VisibilityBuffer& m_visible;
+    const Rules&      m_rules;
 };
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -19,15 +19,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-template <class Resolve, class Probe>
+template <class Resolve, class Rules, class Probe>
 void sweep(const EdgeTable& edges, ActiveEdges& active, ActivePolygons& polygons, Resolve& resolve,
-           const Progress& progress, const Probe& probe)
+           const Progress& progress, const Rules& rules, const Probe& probe)
 {
     active.clear();
     polygons.clear(edges.parts().size());
     for (int y = edges.firstLine(); y < edges.endLine() && !progress.cancelled(); ++y) {
-        active.advanceTo(y, edges, polygons, probe);
-        active.admit(y, edges, polygons, probe);
+        active.advanceTo(y, edges, polygons, rules, probe);
+        active.admit(y, edges, polygons, rules, probe);
         probe(ScanlineReady{y, active.view(), polygons});
         resolve.line(y, active.view(), polygons, probe);
         probe(ScanlineFinished{y});

@@ -46,11 +46,11 @@ struct PlacedTree {
     NodePlace place(const TreeNode& node) const { return {isInstanceTree, instance, tree, node}; }
 };
 
-template <class Consume, class Probe>
+template <class Consume, class Rules, class Probe>
 class FrontToBack {
 public:
     FrontToBack(const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees, const Occlusion& occlusion,
-                StageClock& clock, const Consume& consume, const Probe& probe)
+                StageClock& clock, const Consume& consume, const Rules& rules, const Probe& probe)
         : m_stripe(stripe),
           m_scene(stripe.scene.scene()),
           m_scratch(scratch),
@@ -58,6 +58,7 @@ public:
           m_occlusion(occlusion),
           m_clock(clock),
           m_consume(consume),
+          m_rules(rules),
           m_probe(probe)
     {
     }
@@ -107,7 +108,7 @@ private:
                 if (m_stripe.progress.cancelled()) return;
                 m_clock.lap(Stage::Cull);
                 setUpBatch(BatchPlace{batches, batch, toWorld, m_scene.firstTriangle[id.value]}, id, m_stripe, m_scratch,
-                           m_clock, m_probe);
+                           m_clock, m_rules, m_probe);
                 sortIfLarge(m_scratch.triangles);
                 m_consume(m_scratch.triangles.view());
             }
@@ -134,7 +135,8 @@ private:
         if (m_stripe.progress.cancelled() || judge(placed, node) != Verdict::Entered) return;
         const Tree& tree = placed.tree;
         tree.open(node);
-        const auto children = inOrder(placed, node);
+        auto children = inOrder(placed, node);
+        if (m_rules.visitsFarFirst()) std::reverse(children.nodes.begin(), children.nodes.begin() + children.count);
         m_probe(NodeOpened{placed.place(node), std::span(children.nodes).first(children.count)});
         if (!tree.ownItems(node).empty()) {
             m_probe(NodeDrawn{placed.place(node)});
@@ -150,7 +152,7 @@ private:
         const NodeReach reach = reachOf(node.bounds, placed.toWorld, m_stripe.projection, m_stripe.region());
         if (reach.crossesNear) return tell(placed, node, Verdict::Entered, nullptr);
         if (reach.pixels.isEmpty()) return tell(placed, node, Verdict::Outside, nullptr);
-        const PyramidQuery query = m_occlusion.pyramid->ask(reach.pixels, reach.nearest);
+        const PyramidQuery query = m_occlusion.pyramid->ask(reach.pixels, m_rules.stored(reach.nearest));
         return tell(placed, node, query.hidden ? Verdict::Hidden : Verdict::Entered, &query);
     }
 
@@ -221,6 +223,7 @@ private:
     const Occlusion&  m_occlusion;
     StageClock&       m_clock;
     const Consume&    m_consume;
+    const Rules&      m_rules;
     const Probe&      m_probe;
 };
 

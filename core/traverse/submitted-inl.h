@@ -18,26 +18,26 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 /// Transforms one batch and leaves its screen triangles in `scratch.triangles`.
-template <class Probe>
+template <class Rules, class Probe>
 void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch,
-                StageClock& clock, const Probe& probe)
+                StageClock& clock, const Rules& rules, const Probe& probe)
 {
-    transformBatch(place.mesh, place.batch, place.toWorld, stripe.projection, scratch.vertices);
+    transformBatch(place.mesh, place.batch, place.toWorld, stripe.projection, rules, scratch.vertices);
     probe(BatchTransformed{instance, place.batch.vertexCount});
     clock.lap(Stage::Transform);
 
     scratch.triangles.clear();
     if (scratch.vertices.plain)
-        setUpPlain(place, scratch.vertices, stripe.culling, stripe.region(), scratch.triangles, probe);
+        setUpPlain(place, scratch.vertices, stripe.culling, stripe.region(), rules, scratch.triangles, probe);
     else
-        setUpCarefully(place, stripe.projection, stripe.culling, stripe.region(), scratch.triangles, probe);
+        setUpCarefully(place, stripe.projection, stripe.culling, stripe.region(), rules, scratch.triangles, probe);
     clock.lap(Stage::Setup);
 }
 
 /// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`.
-template <class Consume, class Probe>
+template <class Consume, class Rules, class Probe>
 void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
-                      const Probe& probe)
+                      const Rules& rules, const Probe& probe)
 {
     const Scene& scene = stripe.scene.scene();
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
@@ -60,7 +60,7 @@ void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& 
                 probe(BatchOutside{InstanceId{i}, batch.triangleCount});
                 continue;
             }
-            setUpBatch(BatchPlace{mesh, batch, toWorld, scene.firstTriangle[i]}, InstanceId{i}, stripe, scratch, clock, probe);
+            setUpBatch(BatchPlace{mesh, batch, toWorld, scene.firstTriangle[i]}, InstanceId{i}, stripe, scratch, clock, rules, probe);
             consume(scratch.triangles.view());
         }
     }

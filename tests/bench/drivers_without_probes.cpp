@@ -58,7 +58,7 @@ namespace zscope::HWY_NAMESPACE {
 
 void drawStripeSilently(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock)
 {
-    drawStripe(pipeline, stripe, scratch, clock, bench::StatementsRemoved{});
+    drawStripe(pipeline, stripe, scratch, clock, ExactRules{}, bench::StatementsRemoved{});
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -50,7 +50,7 @@ bool measure(const Subject& subject, const Preset& preset, int pairs)
     const auto       removed = bench::drawStripeWithoutProbes;
     const Camera&    camera = subject.camera;
     VisibilityBuffer first, second;
-    for (VisibilityBuffer* buffer : {&first, &second}) buffer->resize(camera.width, camera.height, emptyDepth(camera.near, camera.far));
+    for (VisibilityBuffer* buffer : {&first, &second}) buffer->resize(camera.width, camera.height, DepthEncoding(DepthFormat::ReversedFloat32, camera.near, camera.far));
     StripeScratch       scratch;  // shared, so that neither has the better place in memory
     std::vector<double> ratios, silentMs, removedMs;
     for (int i = -kWarmUp; i < pairs; ++i) {

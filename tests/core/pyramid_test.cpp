@@ -20,7 +20,7 @@ constexpr float kEmpty = 0.0009765f;
 struct Screen {
     Screen(int width, int height, int first, int end, float outside) : firstRow(first), endRow(end)
     {
-        visible.resize(width, height, kEmpty);
+        visible.resize(width, height, DepthEncoding::withBackground(kEmpty));
         visible.clearRows(0, height);
         for (int y = 0; y < height; ++y)
             if (y < firstRow || y >= endRow) std::fill_n(visible.depthRow(y), width, outside);

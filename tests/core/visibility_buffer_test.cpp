@@ -22,18 +22,18 @@ TEST(VisibilityBuffer, BackgroundIsTheLargestDepthThatTheFarTestDrops)
 {
     for (const double far : {1.5, 2.0, 3.0, 1e3, 1e30, 1e300, kInfinity}) {
         const auto  kept  = static_cast<float>(1.0 / far);
-        const float empty = emptyDepth(1.0, far);
+        const float empty = DepthEncoding(DepthFormat::ReversedFloat32, 1.0, far).empty;
         EXPECT_LT(empty, kept) << far;
         EXPECT_EQ(std::nextafter(empty, 2.0f), kept) << far;
     }
-    EXPECT_LT(emptyDepth(0.1, kInfinity), 0.0f) << "without a far plane even depth 0 is kept";
+    EXPECT_LT(DepthEncoding(DepthFormat::ReversedFloat32, 0.1, kInfinity).empty, 0.0f) << "without a far plane even depth 0 is kept";
 }
 
 TEST(VisibilityBuffer, ClearingRowsLeavesTheOthers)
 {
     VisibilityBuffer buffer;
     for (const int width : {1, 15, 16, 17, 1000}) {
-        buffer.resize(width, 5, -1.0f);
+        buffer.resize(width, 5, DepthEncoding::withBackground(-1.0f));
         buffer.clearRows(0, 5);
         for (int y = 0; y < 5; ++y)
             for (int x = 0; x < width; ++x) buffer.depthRow(y)[x] = 0.5f, buffer.rankRow(y)[x] = 7;
@@ -51,7 +51,7 @@ TEST(VisibilityBuffer, AVectorMayBeReadAtTheLastPixelOfEveryRow)
 {
     for (int width = 1; width < 70; ++width) {
         VisibilityBuffer buffer;
-        buffer.resize(width, 3, 0.0f);
+        buffer.resize(width, 3, DepthEncoding::withBackground(0.0f));
         buffer.clearRows(0, 3);
         for (int y = 0; y < 3; ++y) {
             for (int past = 0; past < kRowPadding; ++past) buffer.rankRow(y)[width - 1 + past] = 99;  // asan watches
@@ -68,7 +68,7 @@ TEST(VisibilityBuffer, AVectorMayBeReadAtTheLastPixelOfEveryRow)
 TEST(VisibilityBuffer, TheLargestIdIsReportedAsItself)
 {
     VisibilityBuffer buffer;
-    buffer.resize(1, 1, 0.0f);
+    buffer.resize(1, 1, DepthEncoding::withBackground(0.0f));
     buffer.rankRow(0)[0] = static_cast<std::uint32_t>(kMaxTriangles);  // rank of the last possible triangle
     EXPECT_EQ(buffer.idAt(0, 0), static_cast<std::int64_t>(kMaxTriangles) - 1);
 }

@@ -1,0 +1,34 @@
+// The fault gallery: defects that published renderers have, each with what causes it and what cures it.
+//
+// Use        `--fault WORD`, or a pipeline's `fault`: one at a time, in a composition in which it can happen
+// Promise    the exact text is the same text: a fault is one rule answered wrongly (core/geometry/rules.h,
+//            core/depth/pyramid.h)
+// Figures    what a fault costs is counted by `verify` against the reference. FarFirst costs no pixel, because the winner is
+//            a maximum that no order changes: its figure is the work done in vain (missed culls)
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/frame/pipeline.h"
+
+namespace zscope {
+
+struct FaultEntry {
+    Fault            fault;
+    std::string_view word;
+    std::string_view title;
+    std::string_view cause;   // one sentence
+    std::string_view cure;    // one sentence
+    std::string_view place;   // what it can happen in
+    std::string_view preset;  // one in which it can
+    bool (*canHappen)(const Pipeline&);
+};
+
+/// All but Fault::None.
+std::span<const FaultEntry> faults();
+const FaultEntry*           findFault(std::string_view word);  // nullptr: no fault has this word
+/// Not of Fault::None.
+const FaultEntry& entryOf(Fault fault);
+
+}  // namespace zscope

@@ -1,0 +1,120 @@
+// The rules of the definition that a renderer can relax or get wrong, one small function each. The algorithms take them as
+// a template parameter, so that there is one text, and the exact one pays for nothing.
+//
+// ExactRules    the definition: every answer is known when the text is compiled
+// ChosenRules   the same with approximations and at most one fault, chosen at run time
+// Source        docs/correctness.md; the faults are described in core/frame/faults.h
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/base/approximation.h"
+#include "core/base/depth_format.h"
+#include "core/base/fault.h"
+#include "core/geometry/projection.h"
+#include "core/scene/view.h"
+
+namespace zscope {
+
+/// First pixel (or line) whose centre, at 256 i + 128 subpixels, is at or beyond `snapped`; limited to +-2^30.
+inline int firstPixelCentreFrom(double snapped)
+{
+    const std::int64_t pixel = (static_cast<std::int64_t>(snapped) + 127) >> 8;
+    return static_cast<int>(std::clamp<std::int64_t>(pixel, -(std::int64_t{1} << 30), std::int64_t{1} << 30));
+}
+
+struct ExactRules {
+    static constexpr bool kExact = true;
+
+    // Vertices
+    static constexpr bool   usesFloat32Vertices() { return false; }
+    static constexpr double snapsPerPixel() { return kSubpixels; }
+    static constexpr bool   dropsAtNear() { return false; }
+    /// True if a part with these corners is left out because it crosses the border of the picture.
+    static constexpr bool dropsCrossing(const ScreenCorner&, const ScreenCorner&, const ScreenCorner&) { return false; }
+
+    // Coverage. Positions in subpixels
+    static int            firstCentreFrom(double snapped) { return firstPixelCentreFrom(snapped); }
+    static int            firstLineOfTriangle(double top) { return firstPixelCentreFrom(top); }
+    static constexpr bool isSkippedAsHorizontal(double, double) { return false; }
+    /// The first pixel right of a crossing whose pixel by the definition is `first`, at x subpixels rounded down.
+    static constexpr int firstPixel(int first, std::int64_t) { return first; }
+    /// What an edge value is lowered by where the edge does not own its points.
+    static constexpr double notOwned() { return 1; }
+    static constexpr bool   accumulatesEdges() { return false; }
+    static constexpr bool   sortsActiveEdges() { return true; }
+    static constexpr bool   testsIntervalOnce() { return false; }
+
+    // Depth
+    static constexpr DepthNumbers depthNumbers() { return DepthNumbers::Float64; }
+    static float                  stored(double depth) { return static_cast<float>(depth); }
+    /// True if stored depths are affine and positive, so that who leads at both ends of a run leads inside it.
+    static constexpr bool comparesByEnds() { return true; }
+
+    // Order
+    static constexpr bool visitsFarFirst() { return false; }
+};
+
+class ChosenRules {
+public:
+    static constexpr bool kExact = false;
+
+    ChosenRules(const Approximation& approximation, Fault fault, const Camera& camera)
+        : m_approximation(approximation),
+          m_fault(fault),
+          m_encoding(approximation.format, camera.near, camera.far),
+          m_width(camera.width * kSubpixels),
+          m_height(camera.height * kSubpixels)
+    {
+    }
+
+    bool   usesFloat32Vertices() const { return m_approximation.vertex == VertexNumbers::Float32; }
+    double snapsPerPixel() const
+    {
+        return m_approximation.snap == SnapBits::Four ? 16 : m_approximation.snap == SnapBits::Twelve ? 4096 : kSubpixels;
+    }
+    bool dropsAtNear() const { return m_approximation.near == NearPlane::Drop || m_fault == Fault::NearRejected; }
+    bool dropsCrossing(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2) const
+    {
+        const auto isOutside = [this](const ScreenCorner& p) { return p.xs < 0 || p.ys < 0 || p.xs > m_width || p.ys > m_height; };
+        return m_fault == Fault::CrossingDropped && (isOutside(p0) || isOutside(p1) || isOutside(p2));
+    }
+
+    int firstCentreFrom(double snapped) const { return firstPixelCentreFrom(std::ceil(snapped)); }
+    int firstLineOfTriangle(double top) const
+    {
+        if (m_fault != Fault::FirstLineRounded) return firstCentreFrom(top);
+        return static_cast<int>(std::clamp(std::floor(top / kSubpixels), -0x1p30, 0x1p30)) + 1;
+    }
+    bool isSkippedAsHorizontal(double xa, double xb) const
+    {
+        return m_fault == Fault::HorizontalByX && std::floor(xa / kSubpixels) == std::floor(xb / kSubpixels);
+    }
+    int    firstPixel(int first, std::int64_t x) const { return m_fault == Fault::XTruncated ? static_cast<int>(x >> 8) : first; }
+    double notOwned() const
+    {
+        if (m_fault == Fault::NoTopLeft) return 0;
+        const double step = kSubpixels / snapsPerPixel();
+        return std::min(1.0, step * step);
+    }
+    bool accumulatesEdges() const { return m_approximation.edges == EdgeSteps::Accumulated; }
+    bool sortsActiveEdges() const { return m_fault != Fault::EdgesUnsorted; }
+    bool testsIntervalOnce() const { return m_fault == Fault::OneTestPerInterval; }
+
+    DepthNumbers         depthNumbers() const { return m_approximation.depth; }
+    const DepthEncoding& encoding() const { return m_encoding; }
+    float                stored(double depth) const { return m_encoding.stored(depth); }
+    bool comparesByEnds() const { return m_encoding.isReversed() && m_approximation.depth == DepthNumbers::Float64; }
+
+    bool visitsFarFirst() const { return m_fault == Fault::FarFirst; }
+
+private:
+    Approximation m_approximation;
+    Fault         m_fault;
+    DepthEncoding m_encoding;
+    double        m_width, m_height;  // of the picture, subpixels
+};
+
+}  // namespace zscope
