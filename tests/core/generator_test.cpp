@@ -209,13 +209,23 @@ TEST(SoccerField, GoodPartOfTheBallsIsInTheDefaultView)
     EXPECT_LT(inside, 600);
 }
 
-TEST(SoccerField, AMillionBallsFitInAGibibyte)
+TEST(SoccerField, AMillionBallsFitInAGibibyteEachInAColourOfItsOwn)
 {
     const auto field = loadScene("builtin:soccer-field?count=1000000", {.memoryLimit = std::uint64_t{1} << 30});
     ASSERT_TRUE(field.ok()) << field.error().text();
     EXPECT_EQ(field->triangleCount(), 3'536'000'000u);
     const std::size_t bytes = field->instances.capacity() * sizeof(Instance) + field->firstTriangle.capacity() * sizeof(std::uint32_t);
     EXPECT_LT(bytes, std::size_t{200} << 20);
+
+    const auto byte = [](float level) { return static_cast<std::size_t>(std::lround(level * 255)); };
+    std::vector<bool> isTaken(std::size_t{1} << 24);
+    std::size_t       colours = 0;
+    for (const Instance& ball : field->instances) {
+        auto taken = isTaken[byte(ball.colour->r) << 16 | byte(ball.colour->g) << 8 | byte(ball.colour->b)];
+        colours += !taken;
+        taken = true;
+    }
+    EXPECT_EQ(colours, 1'000'000u) << "the colour of a ball is its number";
 }
 
 TEST(City, HasAboutHalfAMillionTrianglesAndTheMemoryCheckIsNotBelowThem)

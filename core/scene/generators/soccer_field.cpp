@@ -1,4 +1,4 @@
-// builtin:soccer-field: one ball at random places of a cube, turned at random, each in a colour of its own.
+// builtin:soccer-field: one ball at random places of a cube, turned at random; the colour of a ball is its number.
 //
 // Density    one ball in 64 cubic units, whatever the count; balls may overlap
 // Memory     one mesh and 116 bytes per ball
@@ -39,7 +39,7 @@ Result<Scene> make(const Arguments& arguments)
         Affine      toWorld = random.rotation();
         const dvec3 at      = random.between(-half, half);
         for (int k = 0; k < 3; ++k) toWorld.rows[static_cast<std::size_t>(k)][3] = at[k];
-        scene.instances.push_back({MeshId{0}, toWorld, palette::colourOf(n)});
+        scene.instances.push_back({MeshId{0}, toWorld, palette::colourOfNumber(n)});
         if (n % 65536 == 0) {
             arguments.progress.at(static_cast<double>(n) / static_cast<double>(count), "balls");
             if (arguments.progress.cancelled()) return Error{Trouble::Cancelled, "the field was not wanted any more"};
