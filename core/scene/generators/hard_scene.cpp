@@ -35,11 +35,23 @@ Vertex HardScene::inWorld(const dvec3& position)
     return static_cast<Vertex>(m_mesh->positions.size() - 1);
 }
 
-void HardScene::triangle(Vertex a, Vertex b, Vertex c)
+bool HardScene::polygon(std::span<const Vertex> outline)
 {
-    const auto colour = static_cast<std::uint32_t>(m_mesh->polygonCount() % m_mesh->materials.size());
-    m_mesh->addPolygon(std::array{a, b, c}, MaterialId{colour});
+    const auto face   = m_mesh->polygonCount();
+    const auto colour = static_cast<std::uint32_t>(face % m_mesh->materials.size());
+    if (m_mesh->addPolygon(outline, MaterialId{colour})) return true;
+    m_warnings.push_back({{}, 0, "face " + std::to_string(face) + " has no area or crosses itself; its triangles are a fan from its first corner"});
+    return false;
 }
+
+bool HardScene::polygon(std::span<const Place> outline, double depth)
+{
+    std::vector<Vertex> corners;
+    for (const Place& place : outline) corners.push_back(at(place, depth));
+    return polygon(corners);
+}
+
+void HardScene::triangle(Vertex a, Vertex b, Vertex c) { polygon(std::array{a, b, c}); }
 
 void HardScene::triangle(const Place& a, const Place& b, const Place& c, double depth)
 {
@@ -78,6 +90,7 @@ Scene HardScene::finish(const ViewRequest& view)
     scene.meshes.push_back(std::move(m_mesh));
     scene.instances.push_back({MeshId{0}, Affine{}});
     scene.views.push_back({"default", view});
+    scene.warnings = std::move(m_warnings);
     return scene;
 }
 

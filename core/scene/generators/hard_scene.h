@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/scene/generators/registry.h"
 
@@ -45,6 +46,9 @@ public:
     Vertex inView(const dvec3& position) { return inWorld({position.x, position.y, -position.z}); }
     Vertex inWorld(const dvec3& position);
 
+    /// One face of any number of corners. False: it was mended (core/scene/mesh.h), and the scene holds a warning of it.
+    bool polygon(std::span<const Vertex> outline);
+    bool polygon(std::span<const Place> outline, double depth = kNear);
     void triangle(Vertex a, Vertex b, Vertex c);
     void triangle(const Place& a, const Place& b, const Place& c, double depth = kNear);
     /// The triangles a b c and a c d.
@@ -60,6 +64,7 @@ public:
 
 private:
     std::shared_ptr<Mesh> m_mesh;
+    std::vector<Warning>  m_warnings;
 };
 
 }  // namespace zscope::hard

@@ -28,7 +28,8 @@
     file(hard_c)                     \
     file(hard_d)                     \
     file(hard_e)                     \
-    file(hard_f)
+    file(hard_f)                     \
+    file(hard_g)
 
 namespace zscope {
 
