@@ -13,6 +13,8 @@
 #include "core/io/npy.h"
 #include "core/io/png.h"
 #include "core/lesson/layers.h"
+#include "core/measure/cull_audit.h"
+#include "core/measure/over_render.h"
 
 namespace zscope::cli {
 namespace {
@@ -39,9 +41,66 @@ std::uint64_t coveredPixels(const VisibilityBuffer& visible)
     return covered;
 }
 
-Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& drawn,
-             const std::vector<NamedCount>& counters)
+/// What is found out about a frame afterwards.
+struct Explained {
+    FrameWork                work;
+    std::optional<CullAudit> culls;  // of stream methods
+};
+
+Result<Explained> explain(Renderer& renderer, const DrawRequest& request, const Drawn& drawn)
 {
+    Result<FrameWork> work = renderer.count(request);
+    if (!work) return work.error();
+    Explained explained{*std::move(work), {}};
+    if (canAuditCulls(request.pipeline)) {
+        const auto audit = auditCulls(request, drawn.frame.visible, {});
+        if (!audit) return audit.error();
+        explained.culls = *audit;
+    }
+    return explained;
+}
+
+Json jsonOf(const DepthWork& work)
+{
+    return {{"tree", work.isInstanceTree ? "instances" : "triangles"},
+            {"depth", work.depth},
+            {"nodes_visited", work.nodesVisited},
+            {"nodes_outside", work.nodesOutside},
+            {"nodes_hidden", work.nodesHidden},
+            {"nodes_entered", work.nodesEntered},
+            {"nodes_drawn", work.nodesDrawn},
+            {"triangles_outside", work.trianglesOutside},
+            {"triangles_hidden_by_node", work.trianglesHiddenByNode},
+            {"triangles_hidden", work.trianglesHidden},
+            {"triangles_drawn", work.trianglesDrawn},
+            {"pyramid_queries", work.queries},
+            {"pyramid_cells_read", work.cellsRead}};
+}
+
+Json jsonOf(const OverRender& figures)
+{
+    return {{"triangles_rasterised", figures.trianglesRasterised},
+            {"triangles_visible", figures.trianglesVisible},
+            {"triangles", figures.ofTriangles()},
+            {"fragments_tested", figures.fragmentsTested},
+            {"pixels_covered", figures.pixelsCovered},
+            {"fragments", figures.ofFragments()}};
+}
+
+/// null for a sweep, which never draws a triangle at a time.
+Json missedCullsOf(const std::optional<CullAudit>& culls)
+{
+    if (!culls) return nullptr;
+    return {{"nodes", culls->missedNodes},
+            {"nodes_entered", culls->nodesEntered},
+            {"triangles", culls->missedTriangles},
+            {"triangles_drawn", culls->trianglesDrawn}};
+}
+
+Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& drawn, const Explained& explained)
+{
+    Json hierarchy = Json::array();
+    for (const DepthWork& depth : explained.work.depths) hierarchy.push_back(jsonOf(depth));
     Json stages = Json::array();
     for (const StageTime& stage : drawn.report.stages)
         stages.push_back({{"name", wordOf(stage.stage)}, {"ms", stage.ms}, {"ran", stage.ran}, {"why", stage.why}});
@@ -57,8 +116,11 @@ Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& draw
               {"digest", scene.digest}}},
             {"picture", {{"width", visible.width()}, {"height", visible.height()}, {"covered", coveredPixels(visible)}}},
             {"stages", std::move(stages)},
-            {"counters", jsonOf(counters)},
-            {"bytes", jsonOf(drawn.report.bytes)},
+            {"counters", cli::jsonOf(explained.work.counters)},
+            {"hierarchy", std::move(hierarchy)},
+            {"missed_culls", missedCullsOf(explained.culls)},
+            {"over_render", jsonOf(overRenderOf(explained.work, visible))},
+            {"bytes", cli::jsonOf(drawn.report.bytes)},
             {"frame_ms", drawn.report.frameMs}};
 }
 
@@ -142,9 +204,9 @@ Result<Exit> render(const RenderOptions& options, Session& session)
 
     std::string stats;
     if (options.stats) {
-        const auto counters = renderer.count(request);
-        if (!counters) return counters.error();
-        stats = textOf(statsOf(how->algorithm().name, *scene->scene, drawn, *counters));
+        const auto explained = explain(renderer, request, drawn);
+        if (!explained) return explained.error();
+        stats = textOf(statsOf(how->algorithm().name, *scene->scene, drawn, *explained));
     }
     if (const auto done = write(options, *layer, *scene->scene, drawn, stats, session); !done) return done.error();
     session.print(summaryOf(how->algorithm().name, *scene->scene, drawn));

@@ -47,7 +47,7 @@ std::string tableOf(const std::vector<VerifyRow>& rows)
         table.row({row.algorithm, wordOf(row.claim), std::to_string(row.threads),
                    std::string(wordOf(row.simd)), grouped(f.covered), grouped(f.holes), grouped(f.spills),
                    grouped(f.wrongSurface()), grouped(f.depthBitsDiffer), grouped(f.maxDepthSteps),
-                   grouped(f.lostTriangles), grouped(f.falseCulls),
+                   grouped(f.lostTriangles), grouped(row.falseCulls),
                    verdictOf(row)});
     }
     return table.text();
@@ -69,7 +69,7 @@ Json jsonOf(const std::vector<VerifyRow>& rows)
                         {"depth_bits_differ", f.depthBitsDiffer},
                         {"max_depth_steps", f.maxDepthSteps},
                         {"lost_triangles", f.lostTriangles},
-                        {"false_culls", f.falseCulls}});
+                        {"false_culls", row.falseCulls}});
     }
     return list;
 }

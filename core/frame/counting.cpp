@@ -6,7 +6,7 @@
 
 namespace zscope {
 
-Result<std::vector<NamedCount>> Renderer::count(const DrawRequest& request)
+Result<FrameWork> Renderer::count(const DrawRequest& request)
 {
     const Result<FramePlan> plan = planFrame(request);
     if (!plan) return plan.error();
@@ -18,7 +18,7 @@ Result<std::vector<NamedCount>> Renderer::count(const DrawRequest& request)
         unshaded.shade         = false;
         HWY_STATIC_DISPATCH(runSerially)(unshaded, frame, scratch, Listening(work));
         if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "counting was cancelled"};
-        return work.counts();
+        return work.work();
     } catch (const std::bad_alloc&) {
         return Error{Trouble::Limit, "there is not enough memory to count this frame"};
     }

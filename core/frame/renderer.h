@@ -17,6 +17,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/depth/visibility_buffer.h"
+#include "core/frame/frame_work.h"
 #include "core/frame/pipeline.h"
 #include "core/base/stages.h"
 #include "core/geometry/prepared_scene.h"
@@ -76,7 +77,7 @@ public:
     Result<FrameReport> draw(const DrawRequest& request, Frame& frame);
 
     /// The work of the same frame, counted by a probe in a run of its own: one thread, one lane.
-    Result<std::vector<NamedCount>> count(const DrawRequest& request);
+    Result<FrameWork> count(const DrawRequest& request);
 
 private:
     struct Workspace;

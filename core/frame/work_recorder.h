@@ -1,15 +1,18 @@
 // Counts the work of a frame. Every triangle of the scene ends in exactly one of the counters from
-// triangles_transparent to triangles_drawn, so that triangles_in is their sum. A depth pre-pass is counted apart.
+// triangles_transparent to triangles_drawn, so that triangles_in is their sum. A depth pre-pass is counted apart. What can
+// be said of a node or of the triangles in it is counted again per depth of its tree.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
 #include "core/base/stages.h"
 #include "core/cull/cull_events.h"
 #include "core/frame/frame_events.h"
+#include "core/frame/frame_work.h"
 #include "core/geometry/geometry_events.h"
 #include "core/scan/pixel_events.h"
 #include "core/scene/scene.h"
@@ -22,7 +25,11 @@ class WorkRecorder {
 public:
     explicit WorkRecorder(const Scene& scene) : m_scene(scene) {}
 
-    void observe(const StageStarted& e) { m_inPrepass = e.stage == Stage::Prepass; }
+    void observe(const StageStarted& e)
+    {
+        m_inPrepass = e.stage == Stage::Prepass;
+        m_here      = nullptr;
+    }
 
     void observe(const TransparentLeftOut& e) { add(SetUp::Transparent, e.triangles); }
     void observe(const BatchOutside& e)
@@ -38,8 +45,12 @@ public:
     }
     void observe(const TriangleSetUp& e)
     {
-        if (m_inPrepass) return;
+        if (m_inPrepass) {
+            m_drawnInPrepass += e.fate == SetUp::Drawn;
+            return;
+        }
         add(e.fate, 1);
+        if (m_here) m_here->trianglesDrawn += e.fate == SetUp::Drawn;
         m_clipped += e.cut;
         m_wide += e.wide;
     }
@@ -47,25 +58,45 @@ public:
     void observe(const NodeJudged& e)
     {
         if (m_inPrepass) return;
-        ++m_nodes[static_cast<std::size_t>(e.verdict)];
-        if (e.query) ask(*e.query);
-        if (e.verdict == Verdict::Outside) add(SetUp::Outside, trianglesBelow(e.place));
-        if (e.verdict == Verdict::Hidden) m_hiddenByNode += trianglesBelow(e.place);
+        DepthWork& work = at(e.place);
+        ++work.nodesVisited;
+        if (e.query) ask(*e.query, &work);
+        switch (e.verdict) {
+        case Verdict::Outside: {
+            const std::uint64_t triangles = trianglesBelow(e.place);
+            ++work.nodesOutside;
+            work.trianglesOutside += triangles;
+            add(SetUp::Outside, triangles);
+            break;
+        }
+        case Verdict::Hidden:
+            ++work.nodesHidden;
+            work.trianglesHiddenByNode += trianglesBelow(e.place);
+            break;
+        case Verdict::Entered: ++work.nodesEntered; break;
+        }
+    }
+    void observe(const NodeDrawn& e)
+    {
+        if (m_inPrepass) return;
+        DepthWork& work = at(e.place);
+        ++work.nodesDrawn;
+        m_here = &work;
     }
     /// A triangle is hidden if all its parts are; the parts come one after another.
     void observe(const TriangleHidden& e)
     {
-        ask(e.query);
+        ask(e.query, m_here);
         if (m_lastPart == e.triangle) return;
         m_lastPart = e.triangle;
         m_lastPartHidden = true;
-        ++m_hidden;
+        countHidden(1);
     }
-    void observe(const TrianglePassed& e) { ask(e.query); }
+    void observe(const TrianglePassed& e) { ask(e.query, m_here); }
     void observe(const TriangleReached& e)
     {
         if (m_inPrepass) return;
-        if (m_lastPart == e.triangle.id && m_lastPartHidden) --m_hidden;
+        if (m_lastPart == e.triangle.id && m_lastPartHidden) countHidden(-1);
         m_lastPart       = e.triangle.id;
         m_lastPartHidden = false;
     }
@@ -83,6 +114,14 @@ public:
         m_pixelsWon += e.won;
     }
 
+    FrameWork work() const
+    {
+        FrameWork work{counts(), {}};
+        for (const auto& tree : m_depths) work.depths.insert(work.depths.end(), tree.begin(), tree.end());
+        return work;
+    }
+
+private:
     std::vector<NamedCount> counts() const
     {
         return {{"triangles_in", m_scene.triangleCount()},
@@ -93,7 +132,7 @@ public:
                 {"triangles_degenerate", fate(SetUp::Degenerate)},
                 {"triangles_no_pixel_centre", fate(SetUp::NoPixelCentre)},
                 {"triangles_out_of_range", fate(SetUp::OutOfRange)},
-                {"triangles_hidden_by_node", m_hiddenByNode},
+                {"triangles_hidden_by_node", total(&DepthWork::trianglesHiddenByNode)},
                 {"triangles_hidden", m_hidden},
                 {"triangles_drawn", fate(SetUp::Drawn) - m_hidden},
                 {"triangles_clipped", m_clipped},
@@ -101,31 +140,61 @@ public:
                 {"batches_drawn", m_batches},
                 {"batches_outside", m_batchesOutside},
                 {"vertices_transformed", m_vertices},
-                {"nodes_outside", nodes(Verdict::Outside)},
-                {"nodes_hidden", nodes(Verdict::Hidden)},
-                {"nodes_entered", nodes(Verdict::Entered)},
+                {"nodes_visited", total(&DepthWork::nodesVisited)},
+                {"nodes_outside", total(&DepthWork::nodesOutside)},
+                {"nodes_hidden", total(&DepthWork::nodesHidden)},
+                {"nodes_entered", total(&DepthWork::nodesEntered)},
+                {"nodes_drawn", total(&DepthWork::nodesDrawn)},
                 {"pyramid_queries", m_queries},
                 {"pyramid_cells_read", m_cells},
                 {"edges", m_edges},
                 {"active_edge_lines", m_edgeLines},
                 {"spans", m_spans},
+                {"prepass_triangles_drawn", m_drawnInPrepass},
                 {"prepass_pixels_tested", m_prepassPixels},
                 {"pixels_tested", m_pixelsTested},
                 {"pixels_won", m_pixelsWon}};
     }
 
-private:
     void add(SetUp setUp, std::uint64_t triangles)
     {
         if (!m_inPrepass) m_fates[static_cast<std::size_t>(setUp)] += triangles;
     }
     std::uint64_t fate(SetUp setUp) const { return m_fates[static_cast<std::size_t>(setUp)]; }
-    std::uint64_t nodes(Verdict verdict) const { return m_nodes[static_cast<std::size_t>(verdict)]; }
 
-    void ask(const PyramidQuery& query)
+    /// The list of the place's tree grows to its depth; all depths above have been visited before.
+    DepthWork& at(const NodePlace& place)
     {
+        auto& depths = m_depths[place.isInstanceTree ? 0 : 1];
+        while (depths.size() <= static_cast<std::size_t>(place.node.depth))
+            depths.push_back({.isInstanceTree = place.isInstanceTree, .depth = static_cast<int>(depths.size())});
+        return depths[static_cast<std::size_t>(place.node.depth)];
+    }
+    std::uint64_t total(std::uint64_t DepthWork::*figure) const
+    {
+        std::uint64_t sum = 0;
+        for (const auto& tree : m_depths)
+            for (const DepthWork& work : tree) sum += work.*figure;
+        return sum;
+    }
+
+    /// Also a triangle whose next part turns out to be drawn was counted as drawn at set-up.
+    void countHidden(int triangles)
+    {
+        m_hidden += static_cast<std::uint64_t>(triangles);
+        if (!m_here) return;
+        m_here->trianglesHidden += static_cast<std::uint64_t>(triangles);
+        m_here->trianglesDrawn -= static_cast<std::uint64_t>(triangles);
+    }
+
+    void ask(const PyramidQuery& query, DepthWork* work)
+    {
+        const auto cells = static_cast<std::uint64_t>(query.cells);
         ++m_queries;
-        m_cells += static_cast<std::uint64_t>(query.cells);
+        m_cells += cells;
+        if (!work) return;
+        ++work->queries;
+        work->cellsRead += cells;
     }
 
     std::uint64_t trianglesBelow(const NodePlace& place) const
@@ -140,10 +209,11 @@ private:
     const Scene&                 m_scene;
     bool                         m_inPrepass = false;
     std::array<std::uint64_t, 8> m_fates{};  // by SetUp
-    std::array<std::uint64_t, 3> m_nodes{};  // by Verdict
+    std::array<std::deque<DepthWork>, 2> m_depths;          // instance tree, mesh trees; [depth]
+    DepthWork*                           m_here = nullptr;  // of the node whose triangles are being drawn, if any
     std::optional<TriangleId>    m_lastPart;
     bool                         m_lastPartHidden = false;
-    std::uint64_t m_hiddenByNode = 0, m_hidden = 0, m_queries = 0, m_cells = 0;
+    std::uint64_t m_drawnInPrepass = 0, m_hidden = 0, m_queries = 0, m_cells = 0;
     std::uint64_t m_clipped = 0, m_wide = 0, m_batches = 0, m_batchesOutside = 0, m_vertices = 0;
     std::uint64_t m_edges = 0, m_edgeLines = 0, m_spans = 0, m_prepassPixels = 0, m_pixelsTested = 0, m_pixelsWon = 0;
 };

@@ -1,8 +1,10 @@
 #include "core/measure/verify.h"
 
+#include <algorithm>
 #include <random>
 #include <utility>
 
+#include "core/measure/cull_audit.h"
 #include "core/measure/face_figures.h"
 
 namespace zscope {
@@ -55,6 +57,19 @@ Result<ErrorFigures> figuresOf(const Truth& truth, const VerifyRequest& request,
     return compareByFace(scene, request.camera, request.faceCulling, std::move(pixels), truth.points, test.ids.values(), request.progress);
 }
 
+std::vector<std::int64_t> visibleIds(const Truth& truth)
+{
+    const auto                pixels = truth.picture.ids.values();
+    std::vector<std::int64_t> ids(pixels.begin(), pixels.end());
+    for (const SampleTruth& sample : truth.samples) ids.push_back(sample.id);
+    return ids;
+}
+
+bool skipsMoreThanBatches(const Pipeline& pipeline)
+{
+    return canAuditCulls(pipeline) && (pipeline.order != Order::Submitted || asksTriangles(pipeline.cull));
+}
+
 }  // namespace
 
 std::vector<PixelPosition> randomPixels(const Camera& camera, std::uint64_t count, std::uint64_t seed)
@@ -75,9 +90,10 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
     const auto truth = truthOf(request);
     if (!truth) return truth.error();
 
-    Renderer               renderer;
-    Frame                  frame;
-    std::vector<VerifyRow> rows;
+    const std::vector<std::int64_t> visible = visibleIds(*truth);
+    Renderer                        renderer;
+    Frame                           frame;
+    std::vector<VerifyRow>          rows;
     DrawRequest draw{.scene       = request.scene,
                      .camera      = request.camera,
                      .faceCulling = request.faceCulling,
@@ -88,6 +104,7 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
     const std::size_t total = request.algorithms.size() * request.threads.size() * request.simd.size();
     for (const Preset& algorithm : request.algorithms) {
         draw.pipeline = algorithm.pipeline;
+        std::optional<CullAudit> audit;
         for (const int threads : request.threads) {
             draw.threads = threads;
             for (const Simd simd : request.simd) {
@@ -97,11 +114,18 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                 if (!report) return report.error();
                 auto figures = figuresOf(*truth, request, algorithm.claim, pictureOf(frame.visible));
                 if (!figures) return figures.error();
-                rows.push_back({.algorithm = std::string(algorithm.name),
-                                .claim     = algorithm.claim,
-                                .threads   = report->threads,
-                                .simd      = report->simd,
-                                .figures   = *std::move(figures)});
+                if (!audit && skipsMoreThanBatches(draw.pipeline)) {
+                    const auto audited = auditCulls(draw, frame.visible, visible);
+                    if (!audited) return audited.error();
+                    audit = *audited;
+                }
+                const std::uint64_t falseCulls = std::max(figures->falseCulls, audit ? audit->falseCulls.total() : 0);
+                rows.push_back({.algorithm  = std::string(algorithm.name),
+                                .claim      = algorithm.claim,
+                                .threads    = report->threads,
+                                .simd       = report->simd,
+                                .figures    = *std::move(figures),
+                                .falseCulls = falseCulls});
             }
         }
     }

@@ -2,7 +2,9 @@
 // reference: the library part of `zscope-cli verify`.
 //
 // Promise    the reference is made once; every row compares all pixels, or the same sampled pixels
-// Cost       one brute-force picture (or its samples) and one frame per row
+// Culling    a stream method that skips more than batches outside the view is audited as well, once: its verdicts against
+//            the triangles that the reference shows (core/measure/cull_audit.h)
+// Cost       one brute-force picture (or its samples) and one frame per row, one serial frame per audit
 #pragma once
 
 #include <cstdint>
@@ -38,13 +40,16 @@ struct VerifyRow {
     int          threads = 1;  // as used
     Simd         simd    = Simd::Scalar;
     ErrorFigures figures;         // by face for a method that draws whole faces (core/measure/face_figures.h)
+    /// Of the audit, or those that the picture itself betrays (ErrorFigures::falseCulls) if they are more or nothing was
+    /// audited: threads cull by stripes of their own, and the audited run has one.
+    std::uint64_t falseCulls = 0;
 
     /// An exact method without any difference, or one that covers exactly what it should by face; an approximate one is not
     /// judged, it publishes its figures.
     bool passed() const
     {
         if (claim == Claim::ExactByFace) return figures.wrongCoverage() == 0;
-        return claim == Claim::Approximate || figures.isExact();
+        return claim == Claim::Approximate || (figures.isExact() && falseCulls == 0);
     }
 };
 

@@ -20,7 +20,7 @@ Counters countersOf(const HardCase& hard, const char* preset)
     const auto counts = renderer.count(request);
     Counters   byName;
     EXPECT_TRUE(counts.ok());
-    for (const NamedCount& count : *counts) byName[std::string(count.name)] = count.value;
+    for (const NamedCount& count : counts->counters) byName[std::string(count.name)] = count.value;
     return byName;
 }
 

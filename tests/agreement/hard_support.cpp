@@ -174,7 +174,7 @@ std::map<std::string, std::uint64_t> expectCounters(const HardCase& hard, FaceCu
             continue;
         }
         std::map<std::string, std::uint64_t> named;
-        for (const NamedCount& count : *counts) named[count.name] = count.value;
+        for (const NamedCount& count : counts->counters) named[count.name] = count.value;
         const auto of = [&named](const std::string& fate) {
             const auto found = named.find("triangles_" + fate);
             EXPECT_NE(found, named.end()) << "triangles_" << fate;

@@ -13,7 +13,7 @@
 #include "core/hierarchy/scene_trees.h"
 #include "core/scene/generators/random.h"
 #include "core/scene/load.h"
-#include "tests/agreement/hidden_listener.h"
+#include "tests/agreement/visit_listener.h"
 #include "tests/agreement/soups.h"
 
 namespace zscope::tests {

@@ -12,7 +12,9 @@
 
 #include "core/frame/frame_plan.h"
 #include "core/frame/renderer.h"
+#include "core/hierarchy/tree.h"
 #include "core/measure/reference.h"
+#include "core/scene/load.h"
 #include "tests/agreement/soups.h"
 
 namespace zscope::tests {
@@ -54,10 +56,10 @@ Drawn draw(const DrawRequest& request)
 
 std::map<std::string, std::uint64_t> countsOf(const DrawRequest& request)
 {
-    const Result<std::vector<NamedCount>> counts = Renderer().count(request);
-    EXPECT_TRUE(counts.ok()) << counts.error().text();
+    const Result<FrameWork> work = Renderer().count(request);
+    EXPECT_TRUE(work.ok()) << work.error().text();
     std::map<std::string, std::uint64_t> byName;
-    for (const NamedCount& count : *counts) byName[count.name] = count.value;
+    for (const NamedCount& count : work->counters) byName[count.name] = count.value;
     return byName;
 }
 
@@ -224,6 +226,58 @@ TEST(Renderer, EveryTriangleEndsInExactlyOneCounter)
             }
         }
     }
+}
+
+TEST(Renderer, TheWorkOfEveryDepthOfTheHierarchyAddsUpToTheWorkOfTheFrame)
+{
+    const auto   loaded = loadScene("builtin:soccer-field?count=120");
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    const auto   field  = std::make_shared<const Scene>(*loaded);
+    ViewRequest  view   = field->views.front().view;
+    view.width = 256, view.height = 192;
+    const Camera camera = *makeCamera(view, field->bounds);
+    const Soup   cut    = makeSoup(SoupKind::NearCrossing, 3, 128, 96, 2000);
+    std::uint64_t hiddenBelowTheRoots = 0;
+    for (const Preset& preset : presets()) {
+        for (const DrawRequest& request : {requestFor(field, camera, preset.pipeline), requestFor(cut.scene, cut.camera, preset.pipeline)}) {
+            const Result<FrameWork> work = Renderer().count(request);
+            ASSERT_TRUE(work.ok()) << work.error().text();
+            std::map<std::string, std::uint64_t> counters;
+            for (const NamedCount& count : work->counters) counters[count.name] = count.value;
+            EXPECT_EQ(work->depths.empty(), preset.pipeline.order == Order::Submitted) << preset.name;
+
+            DepthWork sum;
+            for (std::size_t i = 0; i < work->depths.size(); ++i) {
+                const DepthWork& at = work->depths[i];
+                SCOPED_TRACE(std::string(preset.name) + (at.isInstanceTree ? ", instances, depth " : ", meshes, depth ") + std::to_string(at.depth));
+                EXPECT_EQ(at.nodesVisited, at.nodesOutside + at.nodesHidden + at.nodesEntered);
+                EXPECT_LE(at.nodesDrawn, at.nodesEntered);
+                if (at.depth > 0) {
+                    const DepthWork& above = work->depths[i - 1];
+                    EXPECT_EQ(above.depth, at.depth - 1);
+                    EXPECT_LE(at.nodesVisited, TreeNode::kSlots * above.nodesEntered);
+                    hiddenBelowTheRoots += at.nodesHidden;
+                }
+                for (auto figure : {&DepthWork::nodesVisited, &DepthWork::nodesOutside, &DepthWork::nodesHidden, &DepthWork::nodesEntered,
+                                    &DepthWork::nodesDrawn, &DepthWork::trianglesOutside, &DepthWork::trianglesHiddenByNode,
+                                    &DepthWork::trianglesHidden, &DepthWork::trianglesDrawn, &DepthWork::queries, &DepthWork::cellsRead})
+                    sum.*figure += at.*figure;
+            }
+            EXPECT_EQ(sum.nodesVisited, counters["nodes_visited"]) << preset.name;
+            EXPECT_EQ(sum.nodesOutside, counters["nodes_outside"]) << preset.name;
+            EXPECT_EQ(sum.nodesHidden, counters["nodes_hidden"]) << preset.name;
+            EXPECT_EQ(sum.nodesEntered, counters["nodes_entered"]) << preset.name;
+            EXPECT_EQ(sum.nodesDrawn, counters["nodes_drawn"]) << preset.name;
+            EXPECT_EQ(sum.trianglesHiddenByNode, counters["triangles_hidden_by_node"]) << preset.name;
+            EXPECT_EQ(counters["nodes_visited"], counters["nodes_outside"] + counters["nodes_hidden"] + counters["nodes_entered"]) << preset.name;
+            if (work->depths.empty()) continue;
+            EXPECT_EQ(sum.trianglesHidden, counters["triangles_hidden"]) << preset.name;
+            EXPECT_EQ(sum.trianglesDrawn, counters["triangles_drawn"]) << preset.name;
+            EXPECT_EQ(sum.queries, counters["pyramid_queries"]) << preset.name;
+            EXPECT_EQ(sum.cellsRead, counters["pyramid_cells_read"]) << preset.name;
+        }
+    }
+    EXPECT_GT(hiddenBelowTheRoots, 100u);
 }
 
 TEST(Renderer, ATriangleCutByTheNearPlaneIsCountedAsClippedHoweverManyPartsAreLeft)

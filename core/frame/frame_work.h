@@ -1,0 +1,36 @@
+// The work behind a frame: counters over the whole of it, and for hierarchical methods what became of the nodes of each
+// depth of the hierarchy.
+//
+// Two trees  the tree over the instances and, below it, the trees over the triangles of the meshes; depth is counted from
+//            each root, and all mesh trees share one list
+// Sums       visited = outside + hidden + entered at every depth; summed over depths, every figure is the counter of the
+//            same name. A depth pre-pass is counted apart
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/stages.h"
+
+namespace zscope {
+
+struct DepthWork {
+    bool isInstanceTree = false;  // else the trees of the meshes
+    int  depth          = 0;      // 0: a root
+
+    std::uint64_t nodesVisited = 0;
+    std::uint64_t nodesOutside = 0, nodesHidden = 0, nodesEntered = 0;
+    std::uint64_t nodesDrawn   = 0;  // of those entered: have triangles (or instances) of their own
+
+    std::uint64_t trianglesOutside = 0, trianglesHiddenByNode = 0;  // skipped with a node
+    std::uint64_t trianglesHidden = 0, trianglesDrawn = 0;          // in nodes drawn: hidden one by one, or rasterised
+
+    std::uint64_t queries = 0, cellsRead = 0;  // of the pyramid, about nodes and about triangles
+};
+
+struct FrameWork {
+    std::vector<NamedCount> counters;
+    std::vector<DepthWork>  depths;  // the instance tree from its root down, then the mesh trees; empty without a tree
+};
+
+}  // namespace zscope

@@ -1,0 +1,77 @@
+#include "tests/agreement/agreement_support.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "core/measure/verify.h"
+#include "tests/agreement/soups.h"
+
+namespace zscope::tests {
+
+#ifdef ZSCOPE_SANITIZED_TESTS
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
+std::uint64_t shareOf(std::uint64_t whole) { return kSanitized ? std::max<std::uint64_t>(1, whole / 10) : whole; }
+
+std::vector<Simd> targetsTested()
+{
+    if (kSanitized) return {Simd::Scalar, resolved(Simd::Auto)};
+    std::vector<Simd> targets;
+    for (const SimdEntry& entry : simdTargets()) {
+        if (entry.available && entry.target != Simd::Auto) targets.push_back(entry.target);
+    }
+    return targets;
+}
+
+std::vector<Preset> exactPresets()
+{
+    std::vector<Preset> exact;
+    for (const Preset& preset : presets()) {
+        if (preset.claim != Claim::Approximate) exact.push_back(preset);
+    }
+    return exact;
+}
+
+std::uint64_t expectAgreement(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera, FaceCulling culling,
+                              const std::string& what, const Agreement& with)
+{
+    const auto rows = verify({.scene       = scene,
+                              .camera      = camera,
+                              .faceCulling = culling,
+                              .algorithms  = exactPresets(),
+                              .threads     = kSanitized ? std::vector{2} : with.threads,
+                              .simd        = with.targets});
+    if (!rows) {
+        ADD_FAILURE() << what << ": " << rows.error().text();
+        return 0;
+    }
+    for (const VerifyRow& row : *rows) {
+        EXPECT_TRUE(row.passed()) << what << ", culling " << (culling == FaceCulling::Back ? "back" : "none") << ", "
+                                  << row.algorithm << ", " << row.threads << " threads, " << wordOf(row.simd) << ": "
+                                  << row.figures.holes << " holes, " << row.figures.spills << " spills, "
+                                  << row.figures.wrongSurface() << " wrong surfaces, " << row.figures.depthBitsDiffer
+                                  << " depths differ by up to " << row.figures.maxDepthSteps << " steps";
+        EXPECT_EQ(row.falseCulls, 0u) << what << ", " << row.algorithm;
+    }
+    return rows->empty() ? 0 : rows->front().figures.covered;
+}
+
+Camera cameraFor(const Scene& scene, int width, int height)
+{
+    ViewRequest view = scene.views.empty() ? ViewRequest{} : scene.views.front().view;
+    if (view.exact) {
+        width  = view.exact->width;
+        height = view.exact->height;
+    }
+    view.width        = width;
+    view.height       = height;
+    const auto camera = makeCamera(view, scene.bounds);
+    EXPECT_TRUE(camera.ok()) << (camera.ok() ? "" : camera.error().text());
+    return camera.ok() ? *camera : plainCamera(width, height);
+}
+
+}  // namespace zscope::tests

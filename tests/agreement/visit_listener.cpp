@@ -1,0 +1,55 @@
+#define HWY_COMPILE_ONLY_SCALAR
+
+#include "tests/agreement/visit_listener.h"
+
+#include <map>
+#include <utility>
+
+#include "core/frame/serial_run-inl.h"
+
+namespace zscope::tests {
+
+namespace {
+
+class VisitRecorder {
+public:
+    void observe(const NodeJudged& e) { m_when[keyOf(e.place, e.place.node)] = m_count++; }
+    void observe(const NodeOpened& e)
+    {
+        m_opened.push_back({e.place, {e.children.begin(), e.children.end()}, {}});
+    }
+
+    std::vector<OpenedNode> finish()
+    {
+        for (OpenedNode& opened : m_opened)
+            for (const TreeNode* child : opened.children) opened.judgedWhen.push_back(m_when.at(keyOf(opened.place, *child)));
+        return std::move(m_opened);
+    }
+
+private:
+    using Key = std::pair<std::int64_t, const TreeNode*>;
+    static Key keyOf(const NodePlace& place, const TreeNode& node)
+    {
+        return {place.isInstanceTree ? -1 : static_cast<std::int64_t>(place.instance.value), &node};
+    }
+
+    std::uint64_t                m_count = 0;
+    std::map<Key, std::uint64_t> m_when;
+    std::vector<OpenedNode>      m_opened;
+};
+static_assert(observes<VisitRecorder, NodeJudged> && observes<VisitRecorder, NodeOpened>);
+
+}  // namespace
+
+std::vector<OpenedNode> visitOf(const DrawRequest& request)
+{
+    DrawRequest unshaded = request;
+    unshaded.shade       = false;
+    Frame         frame;
+    StripeScratch scratch;
+    VisitRecorder recorder;
+    HWY_STATIC_DISPATCH(runSerially)(unshaded, frame, scratch, Listening(recorder));
+    return recorder.finish();
+}
+
+}  // namespace zscope::tests
