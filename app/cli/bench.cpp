@@ -3,12 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/bench_tables.h"
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-#include "app/cli/table.h"
 #include "app/cli/words.h"
 #include "core/io/file_writer.h"
 #include "core/measure/bench.h"
+#include "core/measure/suites.h"
 
 namespace zscope::cli {
 namespace {
@@ -16,23 +17,53 @@ namespace {
 struct BenchOptions {
     std::vector<std::string>   scenes;
     ViewOptions                view;
-    std::optional<std::string> algorithms, threads, simd, frames, memoryLimit, json, csv;
+    std::optional<std::string> suite, algorithms, threads, simd, frames, memoryLimit, json, csv;
     bool                       noVerify = false;
 };
 
 constexpr std::int64_t kMaxFrames     = 1'000'000;
 constexpr std::size_t  kWarningsShown = 0;  // 'info' is the place for them; here they would part the table
 
+/// The suite that was asked for, or nullptr.
+Result<const Suite*> suiteOf(const BenchOptions& options)
+{
+    if (!options.suite) {
+        if (options.scenes.empty()) return Error{Trouble::Usage, "SCENE is missing: name a scene, or a suite with --suite"};
+        return nullptr;
+    }
+    if (const Suite* suite = findSuite(*options.suite)) return suite;
+    std::vector<std::string> valid;
+    for (const Suite& each : suites()) valid.emplace_back(each.name);
+    return unknownWord("suite", *options.suite, valid);
+}
+
+struct BenchScene {
+    std::string      word;
+    std::string_view view = {};
+};
+
+/// What was said replaces what the suite would have drawn.
+std::vector<BenchScene> scenesOf(const BenchOptions& options, const Suite* suite)
+{
+    std::vector<BenchScene> scenes;
+    for (const std::string& word : options.scenes) scenes.push_back({word});
+    if (scenes.empty())
+        for (const SuiteScene& scene : suite->scenes) scenes.push_back({std::string(scene.word), scene.view});
+    return scenes;
+}
+
 /// Everything of the request that does not depend on the scene.
-Result<BenchRequest> requestOf(const BenchOptions& options, Session& session)
+Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, Session& session)
 {
     BenchRequest request;
     request.verify   = !options.noVerify;
     request.progress = session.progress();
 
-    const auto algorithms = algorithmsOf(options.algorithms.value_or("all"));
+    const std::string byDefault  = suite ? fmt::format("{}", fmt::join(suite->algorithms, ",")) : "all";
+    const auto        algorithms = algorithmsOf(options.algorithms.value_or(byDefault));
     if (!algorithms) return algorithms.error();
     for (const NamedPipeline& each : *algorithms) request.algorithms.push_back({each.name, each.pipeline, each.claim});
+    if (suite) request.threads = {suite->threads};
     if (options.threads) {
         request.threads.clear();
         for (const std::string& word : listOf(*options.threads)) {
@@ -62,49 +93,36 @@ Result<BenchRequest> requestOf(const BenchOptions& options, Session& session)
     return request;
 }
 
-std::string tableOf(const std::vector<BenchRow>& rows)
-{
-    Table table({{"scene", Table::Align::Left}, {"algorithm", Table::Align::Left}, {"threads"},
-                 {"simd", Table::Align::Left}, {"picture", Table::Align::Left}, {"best ms"}, {"median"}, {"q1"}, {"q3"},
-                 {"transform"}, {"setup"}, {"build"}, {"raster"}, {"shade"}});
-    for (const BenchRow& row : rows) {
-        const auto        ms      = [](double value) { return fmt::format("{:.3f}", value); };
-        const auto        stage   = [&](Stage s) { return ms(row.stageMs[static_cast<std::size_t>(s)]); };
-        const std::string picture = !row.wrongPixels        ? "not checked"
-                                    : *row.wrongPixels == 0 ? "verified"
-                                                            : fmt::format("{} wrong", *row.wrongPixels);
-        table.row({row.scene, row.algorithm, std::to_string(row.threads), std::string(wordOf(row.simd)), picture,
-                   ms(row.bestMs), ms(row.medianMs), ms(row.q1Ms), ms(row.q3Ms), stage(Stage::Transform),
-                   stage(Stage::Setup), stage(Stage::Build), stage(Stage::Raster), stage(Stage::Shade)});
-    }
-    return table.text();
-}
-
 Result<Exit> benchScenes(const BenchOptions& options, Session& session)
 {
     const Result<ViewWords> words = options.view.read();
     if (!words) return words.error();
-    Result<BenchRequest> request = requestOf(options, session);
+    const Result<const Suite*> suite = suiteOf(options);
+    if (!suite) return suite.error();
+    Result<BenchRequest> request = requestOf(options, *suite, session);
     if (!request) return request.error();
 
     std::vector<BenchRow> rows;
-    for (const std::string& word : options.scenes) {
+    for (const auto& [word, viewName] : scenesOf(options, *suite)) {
         const auto scene = cli::loadScene(word, session, request->memoryLimit, kWarningsShown);
         if (!scene) return scene.error();
-        const auto view = words->of(**scene);
+        const auto view = words->of(**scene, viewName);
         if (!view) return view.error();
         request->scene       = *scene;
         request->camera      = view->camera;
         request->faceCulling = view->faceCulling;
         Result<std::vector<BenchRow>> measured = bench(*request);
         if (!measured) return measured.error();
-        rows.insert(rows.end(), measured->begin(), measured->end());
+        for (BenchRow& row : *measured) {
+            if (!viewName.empty()) row.scene += fmt::format(" ({})", viewName);
+            rows.push_back(std::move(row));
+        }
     }
     if (options.csv)
         if (const auto done = writeFile(*options.csv, benchToCsv(rows)); !done) return done.error();
     if (options.json)
         if (const auto done = writeFile(*options.json, benchToJson(rows)); !done) return done.error();
-    session.print(tableOf(rows));
+    session.print(*suite ? suiteTableOf(rows) : benchTableOf(rows));
     const auto isWrong = [](const BenchRow& row) { return row.wrongPixels.value_or(0) != 0; };
     return std::ranges::any_of(rows, isWrong) ? Exit::CheckFailed : Exit::Done;
 }
@@ -115,13 +133,14 @@ Command addBench(CLI::App& parent)
 {
     CLI::App* parser  = parent.add_subcommand("bench", "Check algorithms, then time them");
     auto      options = std::make_shared<BenchOptions>();
-    parser->add_option("SCENE", options->scenes, "One or more scenes, as for render")->type_name("")->required();
+    parser->add_option("SCENE", options->scenes, "One or more scenes, as for render; with --suite instead of its own")->type_name("");
     options->view.add(*parser);
     const auto option = [&](const char* name, std::optional<std::string>& value, const char* type, const char* help) {
         parser->add_option(name, value, help)->type_name(type);
     };
-    option("--algorithms", options->algorithms, "NAME[,NAME...]|all", "Which algorithms (default all)");
-    option("--threads", options->threads, "N[,N...]", "Thread counts (default: one per core)");
+    option("--suite", options->suite, "NAME", "A named choice of scenes, algorithms and threads, see 'list suites'");
+    option("--algorithms", options->algorithms, "NAME[,NAME...]|all", "Which algorithms (default all, or the suite's)");
+    option("--threads", options->threads, "N[,N...]", "Thread counts (default: one per core, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");

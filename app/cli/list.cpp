@@ -6,9 +6,11 @@
 #include "app/cli/json.h"
 #include "app/cli/table.h"
 #include "app/cli/words.h"
+#include "core/frame/faults.h"
 #include "core/frame/pipeline.h"
 #include "core/frame/renderer.h"
 #include "core/lesson/layers.h"
+#include "core/measure/suites.h"
 #include "core/scene/load.h"
 
 namespace zscope::cli {
@@ -52,6 +54,14 @@ Json choices()
     return list;
 }
 
+Json faultList()
+{
+    Json list = Json::array();
+    for (const FaultEntry& fault : faults())
+        list.push_back({{"name", fault.word}, {"title", fault.title}, {"algorithm", fault.preset}, {"cause", fault.cause}, {"cure", fault.cure}});
+    return list;
+}
+
 Json scenes()
 {
     Json list = Json::array();
@@ -82,12 +92,25 @@ Json simd()
     return list;
 }
 
+Json suiteList()
+{
+    Json list = Json::array();
+    for (const Suite& suite : suites()) {
+        Json scenes = Json::array();
+        for (const SuiteScene& scene : suite.scenes)
+            scenes.push_back(std::string(scene.word) + (scene.view.empty() ? "" : " (" + std::string(scene.view) + ")"));
+        list.push_back({{"name", suite.name}, {"title", suite.title}, {"algorithms", suite.algorithms}, {"scenes", std::move(scenes)}});
+    }
+    return list;
+}
+
 struct Kind {
     std::string_view word;
     Json (*list)();
 };
 constexpr std::array kKinds{Kind{"algorithms", algorithms}, Kind{"choices", choices}, Kind{"scenes", scenes},
-                            Kind{"layers", layerList},      Kind{"grains", grains},   Kind{"simd", simd}};
+                            Kind{"layers", layerList},      Kind{"grains", grains},   Kind{"simd", simd},
+                            Kind{"suites", suiteList},  Kind{"faults", faultList}};
 
 std::string cellOf(const Json& value)
 {

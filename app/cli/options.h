@@ -51,10 +51,10 @@ struct ViewWords {
         Camera      camera;
         FaceCulling faceCulling = FaceCulling::None;
     };
-    /// The scene's own default view with what was said put over it.
-    ViewRequest requestFor(const Scene& scene) const;
+    /// The scene's own view of that name, or its first, with what was said put over it.
+    ViewRequest requestFor(const Scene& scene, std::string_view viewName = {}) const;
     /// The camera of that, completed from the scene's bounds.
-    Result<View> of(const Scene& scene) const;
+    Result<View> of(const Scene& scene, std::string_view viewName = {}) const;
 };
 
 class ViewOptions {
@@ -95,7 +95,7 @@ public:
 
 private:
     Algorithms                 m_algorithms = Algorithms::One;
-    std::optional<std::string> m_algorithm, m_threads, m_simd, m_memoryLimit;
+    std::optional<std::string> m_algorithm, m_fault, m_threads, m_simd, m_memoryLimit;
     std::vector<std::string>   m_set;
 };
 

@@ -1,6 +1,7 @@
+#include <algorithm>
+
 #include "app/cli/options.h"
 #include "app/cli/words.h"
-
 #include "core/io/read_file.h"
 
 namespace zscope::cli {
@@ -102,10 +103,14 @@ Result<ViewWords> ViewOptions::readParts(ViewWords words) const
     return words;
 }
 
-ViewRequest ViewWords::requestFor(const Scene& scene) const
+ViewRequest ViewWords::requestFor(const Scene& scene, std::string_view viewName) const
 {
     ViewRequest view;
-    if (!scene.views.empty()) view = scene.views.front().view;
+    const auto  named = std::ranges::find(scene.views, viewName, &NamedView::name);
+    if (named != scene.views.end())
+        view = named->view;
+    else if (!scene.views.empty())
+        view = scene.views.front().view;
     // A view said in parts does not mix with ten numbers: it replaces them.
     if (!given.empty() && (view.exact || request.exact)) {
         const std::optional<FaceCulling> sceneCulling = view.faceCulling;
@@ -129,9 +134,9 @@ ViewRequest ViewWords::requestFor(const Scene& scene) const
     return view;
 }
 
-Result<ViewWords::View> ViewWords::of(const Scene& scene) const
+Result<ViewWords::View> ViewWords::of(const Scene& scene, std::string_view viewName) const
 {
-    const ViewRequest    view   = requestFor(scene);
+    const ViewRequest    view   = requestFor(scene, viewName);
     const Result<Camera> camera = makeCamera(view, scene.bounds);
     if (!camera) return camera.error();
     return View{*camera, view.faceCulling.value_or(FaceCulling::None)};

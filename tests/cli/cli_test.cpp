@@ -80,6 +80,7 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         {{"bench", kScene, "--frames", "0"}, "--frames"},
         {{"bench", kScene, "--threads", "1,x"}, "--threads"},
         {{"bench"}, "SCENE"},
+        {{"bench", "--suite", "speed"}, "four-modes, octree-quadtree or soccer-field"},
         {{"list"}, "LIST"},
         {{"list", "colours"}, "algorithms, choices"},
     };
@@ -166,7 +167,7 @@ TEST_F(Cli, HelpDoesNotPromiseWhatDoesNotExist)
     std::string all = run({"--help"}).out;
     for (const char* command : {"render", "info", "export", "verify", "step", "bench", "list"})
         all += run({command, "--help"}).out;
-    for (const char* absent : {"--peers", "--suite", "--experiment", "--fault", "--levels", "--pixel"})
+    for (const char* absent : {"--peers", "--experiment", "--levels", "--pixel"})
         EXPECT_EQ(all.find(absent), std::string::npos) << absent;
     for (const char* absent : {"explain", "compare", "merge"})
         EXPECT_EQ(all.find("\n  " + std::string(absent)), std::string::npos) << absent;
@@ -184,7 +185,7 @@ TEST_F(Cli, ListsAreTheRegistries)
         EXPECT_EQ(algorithms[i]["family"], familyOf(preset.pipeline) == Family::Sweep ? "sweep" : "stream");
         EXPECT_EQ(algorithms[i]["grains"].size(), grainsOf(preset.pipeline).size());
     }
-    for (const char* list : {"algorithms", "choices", "scenes", "layers", "grains", "simd"}) {
+    for (const char* list : {"algorithms", "choices", "scenes", "layers", "grains", "simd", "suites"}) {
         const Answer table = run({"list", list});
         const json   items = json::parse(run({"list", list, "--json"}).out);
         EXPECT_EQ(table.status, 0);

@@ -2,8 +2,11 @@
 // with the promised columns, and nothing at all where something went wrong.
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <set>
 #include <sstream>
+
+#include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
 
@@ -159,6 +162,53 @@ TEST_F(Cli, StatisticsAddUpAndNameEveryStage)
     EXPECT_NEAR(sum, stats["frame_ms"].get<double>(), 1e-6 + 1e-9 * sum);
 }
 
+TEST_F(Cli, StatisticsOfAHierarchyAddUpOverItsDepthsAndTellWhatWasMissed)
+{
+    const std::string field = "builtin:soccer-field?count=60";
+    for (const char* algorithm : {"hzb-octree", "hzb-bvh", "quadtree", "zbuffer"}) {
+        SCOPED_TRACE(algorithm);
+        ASSERT_EQ(run({"render", field, "--size", "320x240", "--algorithm", algorithm, "--stats", path("s.json")}).status, 0);
+        const json stats    = json::parse(contentsOf(path("s.json")));
+        const json counters = stats["counters"];
+        const bool hasTree  = std::string_view(algorithm).starts_with("hzb");
+        EXPECT_EQ(stats["hierarchy"].empty(), !hasTree);
+        std::map<std::string, std::uint64_t> sums;
+        for (const json& depth : stats["hierarchy"]) {
+            for (const auto& [name, value] : depth.items())
+                if (value.is_number() && name != "depth") sums[name] += value.get<std::uint64_t>();
+            EXPECT_EQ(depth["nodes_visited"].get<int>(),
+                      depth["nodes_outside"].get<int>() + depth["nodes_hidden"].get<int>() + depth["nodes_entered"].get<int>());
+        }
+        for (const char* name : {"nodes_visited", "nodes_outside", "nodes_hidden", "nodes_entered", "nodes_drawn", "triangles_hidden_by_node",
+                                 "triangles_hidden", "triangles_drawn", "pyramid_queries", "pyramid_cells_read"}) {
+            if (hasTree) {
+                EXPECT_EQ(sums[name], counters[name].get<std::uint64_t>()) << name;
+            }
+        }
+        const json missed = stats["missed_culls"], over = stats["over_render"];
+        EXPECT_EQ(missed["nodes_entered"], counters["nodes_entered"]);
+        EXPECT_EQ(missed["triangles_drawn"], counters["triangles_drawn"]);
+        EXPECT_LE(missed["nodes"].get<int>(), missed["nodes_entered"].get<int>());
+        EXPECT_LE(missed["triangles"].get<int>(), missed["triangles_drawn"].get<int>() - over["triangles_visible"].get<int>());
+        EXPECT_EQ(over["triangles_rasterised"], counters["triangles_drawn"]);
+        EXPECT_EQ(over["pixels_covered"], stats["picture"]["covered"]);
+        EXPECT_GE(over["triangles"].get<double>(), 1);
+        EXPECT_GE(over["fragments"].get<double>(), 1);
+    }
+    ASSERT_EQ(run({"render", field, "--size", "64x48", "--algorithm", "scanline", "--stats", path("s.json")}).status, 0);
+    EXPECT_TRUE(json::parse(contentsOf(path("s.json")))["missed_culls"].is_null()) << "a sweep draws no triangle at a time";
+}
+
+TEST_F(Cli, AMillionBallsAreDrawnAndVerifiedInLessThanAGibibyte)
+{
+    const std::string field = "builtin:soccer-field?count=1000000";
+    ASSERT_EQ(run({"render", field, "--size", "640x480", "--algorithm", "hzb-octree"}).status, 0);
+    EXPECT_EQ(run({"verify", field, "--size", "640x480", "--algorithm", "hzb-octree,hzb-bvh", "--sample", "40"}).status, 0);
+    rusage children{};
+    ASSERT_EQ(getrusage(RUSAGE_CHILDREN, &children), 0);
+    EXPECT_LT(children.ru_maxrss, 1L << 20) << "KiB, of the largest process";
+}
+
 TEST_F(Cli, PicturesCarryWhatReproducesThem)
 {
     ASSERT_EQ(run({"render", kScene, "--size", "64x48", "--quiet", "-o", path("a.png")}).status, 0);
@@ -216,6 +266,35 @@ TEST_F(Cli, VerifyFindsNoDifferenceAndSaysSoInJson)
         EXPECT_GT(row["covered"].get<int>(), 0);
     }
     EXPECT_EQ(run({"verify", kScene, "--size", "129x65", "--sample", "500"}).status, 0);
+}
+
+TEST_F(Cli, EverySuiteRunsByNameOnItsScenesOrOnOthersAndSetsTimesAgainstTheZBuffer)
+{
+    const json suites = json::parse(run({"list", "suites", "--json"}).out);
+    ASSERT_EQ(suites.size(), 3u);
+    for (const json& suite : suites) {
+        const std::string name = suite["name"];
+        SCOPED_TRACE(name);
+        for (const json& scene : suite["scenes"]) {
+            const std::string word = scene.get<std::string>().substr(0, scene.get<std::string>().find(" ("));
+            EXPECT_EQ(word.rfind("builtin:", 0), 0u) << word << ": what a suite draws is there on every machine";
+        }
+        const Answer answer = run({"bench", "--suite", name, "builtin:soccer-field?count=20", "--size", "96x64", "--frames", "1", "--threads", "1",
+                                   "--json", path("b.json")});
+        ASSERT_EQ(answer.status, 0) << answer.err;
+        const json rows = json::parse(contentsOf(path("b.json")));
+        ASSERT_EQ(rows.size(), suite["algorithms"].size());
+        bool hasBaseline = false;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            EXPECT_EQ(rows[i]["algorithm"], suite["algorithms"][i]);
+            EXPECT_EQ(rows[i]["verified"], true);
+            hasBaseline = hasBaseline || rows[i]["algorithm"] == "zbuffer";
+        }
+        EXPECT_TRUE(hasBaseline);
+        for (const char* column : {"median ms", "/ zbuffer", "raster", "in view", "culled by node", "by triangle", "share", "nodes"})
+            EXPECT_NE(answer.out.find(column), std::string::npos) << column;
+        EXPECT_NE(answer.out.find("  1.00  "), std::string::npos) << "the z-buffer against itself";
+    }
 }
 
 TEST_F(Cli, BenchTablesHaveThePromisedColumns)

@@ -1,0 +1,83 @@
+#include "app/cli/bench_tables.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/cli/table.h"
+#include "core/measure/suites.h"
+
+namespace zscope::cli {
+namespace {
+
+std::string ms(double value) { return fmt::format("{:.3f}", value); }
+
+double msOf(const BenchRow& row, Stage stage) { return row.stageMs[static_cast<std::size_t>(stage)]; }
+
+std::string pictureOf(const BenchRow& row)
+{
+    if (!row.wrongPixels) return "not checked";
+    return *row.wrongPixels == 0 ? "verified" : fmt::format("{} wrong", *row.wrongPixels);
+}
+
+std::uint64_t counted(const BenchRow& row, std::string_view name)
+{
+    const auto found = std::ranges::find(row.counters, name, &NamedCount::name);
+    return found == row.counters.end() ? 0 : found->value;
+}
+
+/// "0.42": how long it took, the baseline being 1. Nothing where the baseline was not run.
+std::string againstBaseline(const BenchRow& row, std::span<const BenchRow> rows)
+{
+    for (const BenchRow& other : rows) {
+        const bool alike = other.scene == row.scene && other.threads == row.threads && other.simd == row.simd;
+        if (alike && other.algorithm == kSuiteBaseline && other.medianMs > 0) return fmt::format("{:.2f}", row.medianMs / other.medianMs);
+    }
+    return "";
+}
+
+std::string shareOf(std::uint64_t part, std::uint64_t whole)
+{
+    return whole == 0 ? "" : fmt::format("{:.1f} %", 100 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+}  // namespace
+
+std::string benchTableOf(std::span<const BenchRow> rows)
+{
+    Table table({{"scene", Table::Align::Left}, {"algorithm", Table::Align::Left}, {"threads"},
+                 {"simd", Table::Align::Left}, {"picture", Table::Align::Left}, {"best ms"}, {"median"}, {"q1"}, {"q3"},
+                 {"transform"}, {"setup"}, {"build"}, {"raster"}, {"shade"}});
+    for (const BenchRow& row : rows)
+        table.row({row.scene, row.algorithm, std::to_string(row.threads), std::string(wordOf(row.simd)), pictureOf(row),
+                   ms(row.bestMs), ms(row.medianMs), ms(row.q1Ms), ms(row.q3Ms), ms(msOf(row, Stage::Transform)),
+                   ms(msOf(row, Stage::Setup)), ms(msOf(row, Stage::Build)), ms(msOf(row, Stage::Raster)),
+                   ms(msOf(row, Stage::Shade))});
+    return table.text();
+}
+
+std::string suiteTableOf(std::span<const BenchRow> rows)
+{
+    std::vector<Stage> stages;
+    for (const Stage stage : kStages)
+        if (std::ranges::any_of(rows, [stage](const BenchRow& row) { return msOf(row, stage) > 0; })) stages.push_back(stage);
+
+    std::vector<Table::Column> columns{{"scene", Table::Align::Left}, {"algorithm", Table::Align::Left}, {"threads"},
+                                       {"picture", Table::Align::Left}, {"median ms"}, {fmt::format("/ {}", kSuiteBaseline)}};
+    for (const Stage stage : stages) columns.push_back({std::string(wordOf(stage))});
+    for (const char* title : {"in view", "culled by node", "by triangle", "share", "nodes"}) columns.push_back({title});
+    Table table(std::move(columns));
+    for (const BenchRow& row : rows) {
+        std::vector<std::string> cells{row.scene, row.algorithm, std::to_string(row.threads), pictureOf(row), ms(row.medianMs),
+                                       againstBaseline(row, rows)};
+        for (const Stage stage : stages) cells.push_back(ms(msOf(row, stage)));
+        const std::uint64_t inView = counted(row, "triangles_in") - counted(row, "triangles_outside") - counted(row, "triangles_transparent");
+        const std::uint64_t byNode = counted(row, "triangles_hidden_by_node"), byTriangle = counted(row, "triangles_hidden");
+        cells.insert(cells.end(), {grouped(inView), grouped(byNode), grouped(byTriangle), shareOf(byNode + byTriangle, inView),
+                                   grouped(counted(row, "nodes_visited"))});
+        table.row(std::move(cells));
+    }
+    return table.text();
+}
+
+}  // namespace zscope::cli

@@ -1,0 +1,18 @@
+// What a benchmark prints: times as they were measured, or what a suite's question wants to see side by side.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/measure/bench.h"
+
+namespace zscope::cli {
+
+/// One line per run: every quantile and the main stages.
+std::string benchTableOf(std::span<const BenchRow> rows);
+
+/// One line per run: the median against that of the z-buffer in the same scene, with the same threads and target; every
+/// stage that took time in any run; what was culled, and of how much: triangles in batches and nodes in view.
+std::string suiteTableOf(std::span<const BenchRow> rows);
+
+}  // namespace zscope::cli
