@@ -2,9 +2,11 @@
 // reference: the library part of `zscope-cli verify`.
 //
 // Promise    the reference is made once; every row compares all pixels, or the same sampled pixels
+// Frames     every row draws two, with a renderer of its own: a first one, and one that may use what the first left behind.
+//            A second picture that differs from the first is judged too, and the worse of the two is the row's
 // Culling    a stream method that skips more than batches outside the view is audited as well, once: its verdicts against
 //            the triangles that the reference shows (core/measure/cull_audit.h)
-// Cost       one brute-force picture (or its samples) and one frame per row, one serial frame per audit
+// Cost       one brute-force picture (or its samples), two frames per row, one serial frame per audit
 #pragma once
 
 #include <cstdint>
