@@ -1,7 +1,10 @@
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "app/cli/options.h"
 #include "app/cli/words.h"
+#include "core/frame/faults.h"
 
 namespace zscope::cli {
 namespace {
@@ -20,6 +23,11 @@ std::string joined(const std::vector<std::string>& words)
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
+void rename(NamedPipeline& algorithm, const Pipeline& changed)
+{
+    algorithm = {nameOf(changed), changed, claimOf(changed)};
+}
+
 /// "axis=choice" put into every pipeline; a pipeline that changes is reported by its new name.
 Result<Done> apply(const std::string& setting, std::vector<NamedPipeline>& algorithms)
 {
@@ -30,12 +38,30 @@ Result<Done> apply(const std::string& setting, std::vector<NamedPipeline>& algor
         const auto changed = withChoice(algorithm.pipeline, setting.substr(0, equals), setting.substr(equals + 1));
         if (!changed) return changed.error();
         if (*changed == algorithm.pipeline) continue;
-        algorithm.pipeline     = *changed;
-        algorithm.name         = nameOf(*changed);
-        const Preset* preset   = findPreset(algorithm.name);
-        algorithm.claim        = preset ? preset->claim : algorithm.claim;
+        rename(algorithm, *changed);
     }
     return Done{};
+}
+
+/// No algorithm was named: the first preset that takes the settings and the fault.
+std::optional<NamedPipeline> firstFitting(const std::vector<std::string>& settings, Fault fault)
+{
+    for (const Preset& preset : presets()) {
+        std::vector<NamedPipeline> one{{std::string(preset.name), preset.pipeline, preset.claim}};
+        for (const std::string& setting : settings)
+            if (!apply(setting, one)) return std::nullopt;
+        Pipeline changed = one.front().pipeline;
+        changed.fault    = fault;
+        rename(one.front(), changed);
+        if (!explainInvalid(changed)) return one.front();
+    }
+    return std::nullopt;
+}
+
+/// Several algorithms were asked for by one word: those that the settings do not fit are left out.
+void keepValid(std::vector<NamedPipeline>& algorithms)
+{
+    std::erase_if(algorithms, [](const NamedPipeline& each) { return explainInvalid(each.pipeline).has_value(); });
 }
 
 }  // namespace
@@ -56,6 +82,7 @@ void HowOptions::add(CLI::App& parser, Algorithms algorithms)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->group("How");
+    parser.add_option("--fault", m_fault, "Make one mistake on purpose, see 'list faults'")->type_name("NAME")->group("How");
     parser.add_option("--threads", m_threads, "Threads to draw with (default: one per core)")
         ->type_name("N")
         ->group("How");
@@ -118,7 +145,13 @@ Result<std::uint64_t> memoryLimitOf(std::string_view word)
 Result<How> HowOptions::read() const
 {
     How  how;
-    const std::string algorithm = m_algorithm.value_or(kDefaultAlgorithm);
+    const FaultEntry* fault = m_fault ? findFault(*m_fault) : nullptr;
+    if (m_fault && !fault) {
+        std::vector<std::string> words;
+        for (const FaultEntry& entry : faults()) words.emplace_back(entry.word);
+        return unknownWord("fault", *m_fault, words);
+    }
+    const std::string algorithm = m_algorithm.value_or(std::string(fault ? fault->preset : kDefaultAlgorithm));
     if (m_algorithms == Algorithms::One && (algorithm == "all" || listOf(algorithm).size() != 1))
         return unknownWord("algorithm", algorithm, presetNames());
     auto algorithms = algorithmsOf(algorithm);
@@ -126,6 +159,19 @@ Result<How> HowOptions::read() const
     how.algorithms = *std::move(algorithms);
     for (const std::string& setting : m_set)
         if (const Result<Done> done = apply(setting, how.algorithms); !done) return done.error();
+    if (fault) {
+        for (NamedPipeline& each : how.algorithms) {
+            Pipeline faulty = each.pipeline;
+            faulty.fault    = fault->fault;
+            rename(each, faulty);
+        }
+    }
+    if (!m_algorithm && !m_set.empty() && explainInvalid(how.algorithm().pipeline)) {
+        if (auto fitting = firstFitting(m_set, fault ? fault->fault : Fault::None)) how.algorithms = {*std::move(fitting)};
+    }
+    const NamedPipeline first = how.algorithm();
+    if (algorithm == "all") keepValid(how.algorithms);
+    if (how.algorithms.empty()) return Error{Trouble::Usage, *explainInvalid(first.pipeline)};
     for (const NamedPipeline& chosen : how.algorithms)
         if (const auto why = explainInvalid(chosen.pipeline)) return Error{Trouble::Usage, *why};
 

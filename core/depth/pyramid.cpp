@@ -13,8 +13,9 @@ int halved(int size) { return (size + 1) / 2; }
 
 }  // namespace
 
-void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow)
+void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault)
 {
+    m_fault    = fault;
     m_visible  = &visible;
     m_firstRow = firstRow;
     m_endRow   = endRow;
@@ -52,6 +53,7 @@ void Pyramid::allTouched()
 
 PyramidQuery Pyramid::ask(const PixelBox& box, float nearest)
 {
+    if (m_fault == Fault::CornersOnly) return askAtCorners(box, nearest);
     const int width = box.x1 - box.x0, height = box.y1 - box.y0;
     const int y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow, x0 = box.x0, x1 = box.x1 - 1;
     const auto   longest = static_cast<unsigned>(std::max(width, height));
@@ -75,8 +77,8 @@ PyramidQuery Pyramid::ask(const PixelBox& box, float nearest)
 bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float nearest)
 {
     ++m_cellsRead;
-    if (nearest < at(level).farthest.at(x, y)) return true;
-    if (at(level).stale.at(x, y) && nearest < refresh(level, x, y)) return true;
+    if (isBehind(nearest, at(level).farthest.at(x, y))) return true;
+    if (at(level).stale.at(x, y) && isBehind(nearest, refresh(level, x, y))) return true;
 
     // Undecided: something in the cell is as far or farther. Is it inside the box?
     if (level == kTileLevel) {
@@ -99,7 +101,7 @@ bool Pyramid::pixelsHide(const PixelBox& box, float nearest) const
     for (int y = box.y0; y < box.y1; ++y) {
         const float* depth = m_visible->depthRow(y);
         for (int x = box.x0; x < box.x1; ++x)
-            if (!(nearest < depth[x])) return false;
+            if (!isBehind(nearest, depth[x])) return false;
     }
     return true;
 }
@@ -113,11 +115,22 @@ float Pyramid::refresh(int level, int x, int y)
     stale = 0;
     if (level == kTileLevel) return value = farthestPixel(x, y);
     const Level& below = at(level - 1);
-    float        least = std::numeric_limits<float>::infinity();
-    for (int childY = 2 * y; childY < std::min(2 * y + 2, below.farthest.height()); ++childY)
-        for (int childX = 2 * x; childX < std::min(2 * x + 2, below.farthest.width()); ++childX)
-            least = std::min(least, refresh(level - 1, childX, childY));
-    return value = least;
+    const int    endX = std::min(2 * x + 2, below.farthest.width()), endY = std::min(2 * y + 2, below.farthest.height());
+    if (m_fault == Fault::OddPadded && (endX - 2 * x < 2 || endY - 2 * y < 2)) return value = std::numeric_limits<float>::infinity();
+    float all = refresh(level - 1, 2 * x, 2 * y);
+    for (int childY = 2 * y; childY < endY; ++childY)
+        for (int childX = 2 * x; childX < endX; ++childX) all = kept(all, refresh(level - 1, childX, childY));
+    return value = all;
+}
+
+/// A fault on purpose: what shows through between the corners is not seen.
+PyramidQuery Pyramid::askAtCorners(const PixelBox& box, float nearest) const
+{
+    PyramidQuery query{box, nearest, 0, std::numeric_limits<float>::infinity(), true, 4};
+    for (const int y : {box.y0, box.y1 - 1})
+        for (const int x : {box.x0, box.x1 - 1}) query.value = std::min(query.value, m_visible->depthRow(y)[x]);
+    query.hidden = isBehind(nearest, query.value);
+    return query;
 }
 
 float Pyramid::farthestPixel(int tileX, int tileY) const
@@ -125,11 +138,12 @@ float Pyramid::farthestPixel(int tileX, int tileY) const
     constexpr int kTile = 1 << kTileLevel;
     const int     x0 = tileX << kTileLevel, x1 = std::min(x0 + kTile, m_visible->width());
     const int     y0 = m_firstRow + (tileY << kTileLevel), y1 = std::min(y0 + kTile, m_endRow);
-    if (x1 - x0 < kTile) {
-        float least = std::numeric_limits<float>::infinity();
+    if (m_fault == Fault::OddPadded && (x1 - x0 < kTile || y1 - y0 < kTile)) return std::numeric_limits<float>::infinity();
+    if (x1 - x0 < kTile || m_fault == Fault::NearestInCells) {
+        float all = m_visible->depthRow(y0)[x0];
         for (int y = y0; y < y1; ++y)
-            for (int x = x0; x < x1; ++x) least = std::min(least, m_visible->depthRow(y)[x]);
-        return least;
+            for (int x = x0; x < x1; ++x) all = kept(all, m_visible->depthRow(y)[x]);
+        return all;
     }
     // Column by column, then across: eight minima side by side, which the compiler keeps in vectors.
     std::array<float, kTile> least;

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/fault.h"
 #include "core/base/grid.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/screen_triangle.h"
@@ -37,7 +38,8 @@ public:
     static constexpr int kTileLevel = 3;  // tiles of 8 x 8 pixels
 
     /// Begins a frame: the region has just been cleared, so every cell is empty and none is stale.
-    void reset(const VisibilityBuffer& visible, int firstRow, int endRow);
+    /// `fault`: which rule of the pyramid is broken on purpose, if any; the promise above is gone then.
+    void reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault = Fault::None);
 
     /// Depths inside `box`, which lies in the region, may have grown.
     void touched(const PixelBox& box);
@@ -60,6 +62,10 @@ private:
         Grid<std::uint8_t> stale;
     };
 
+    PyramidQuery askAtCorners(const PixelBox& box, float nearest) const;
+    bool         isBehind(float nearest, float value) const { return nearest < value || (m_fault == Fault::EqualIsHidden && nearest == value); }
+    float        kept(float a, float b) const { return (m_fault == Fault::NearestInCells) == (a < b) ? b : a; }
+
     Level& at(int level) { return m_levels[static_cast<std::size_t>(level - kTileLevel)]; }
     bool   cellHides(int level, int x, int y, const PixelBox& box, float nearest);
     bool   pixelsHide(const PixelBox& box, float nearest) const;
@@ -71,6 +77,7 @@ private:
     int                     m_endRow   = 0;
     std::vector<Level>      m_levels;  // from kTileLevel up
     int                     m_cellsRead = 0;  // by the query at hand
+    Fault                   m_fault     = Fault::None;
 };
 
 }  // namespace zscope

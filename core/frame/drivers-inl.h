@@ -78,7 +78,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     probe(StageStarted{Stage::Clear});
     stripe.visible.clearRows(stripe.firstRow, stripe.endRow);
     const bool hasPyramid = pipeline.upkeep != Upkeep::None;
-    if (hasPyramid) scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow);
+    if (hasPyramid) scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault);
     clock.lap(Stage::Clear);
     probe(StageFinished{Stage::Clear});
 

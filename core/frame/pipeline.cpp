@@ -118,7 +118,7 @@ Family familyOf(const Pipeline& pipeline)
     return sweeps ? Family::Sweep : Family::Stream;
 }
 
-bool isExact(const Pipeline& pipeline) { return !pipeline.approximation.isAny() && pipeline.fault == Fault::None; }
+Claim claimOf(const Pipeline& pipeline) { return pipeline.usesExactRules() ? Claim::Exact : Claim::Approximate; }
 
 std::vector<Grain> grainsOf(const Pipeline& pipeline)
 {

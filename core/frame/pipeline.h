@@ -40,6 +40,7 @@ struct Pipeline {
     Approximation approximation = {};          // each of its members is an axis
     Fault         fault  = Fault::None; // see core/frame/faults.h
 
+    bool usesExactRules() const { return !approximation.isAny() && fault == Fault::None; }
     friend bool operator==(const Pipeline&, const Pipeline&) = default;
 };
 
@@ -85,8 +86,8 @@ const Preset*           findPreset(std::string_view name);  // nullptr: no prese
 std::string nameOf(const Pipeline& pipeline);
 
 Family             familyOf(const Pipeline& pipeline);
-/// True if nothing in it leaves the definition: its picture is the reference's to the bit.
-bool               isExact(const Pipeline& pipeline);
+/// What it promises of its pictures: nothing but figures as soon as an approximation or a fault is chosen.
+Claim              claimOf(const Pipeline& pipeline);
 std::vector<Grain> grainsOf(const Pipeline& pipeline);  // coarse to fine
 /// Why this composition cannot run, in one sentence; nothing if it can.
 std::optional<std::string> explainInvalid(const Pipeline& pipeline);

@@ -72,7 +72,7 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
     const Camera&           camera = request.camera;
     const Projection        projection(camera);
     const Kernels&          kernels = kernelsOf(plan->simd);
-    const bool              exact   = isExact(request.pipeline);
+    const bool              exact   = request.pipeline.usesExactRules();
     const ChosenRules       rules(request.pipeline.approximation, request.pipeline.fault, camera);
     std::vector<StageMs>    stageMs(static_cast<std::size_t>(plan->threads));
     std::vector<double>     stripeMs(static_cast<std::size_t>(plan->threads));

@@ -35,7 +35,7 @@ void runSerially(const DrawRequest& request, Frame& frame, StripeScratch& scratc
 
     StageClock   clock;
     const Stripe whole{*request.scene, projection, request.faceCulling, frame.visible, 0, camera.height, {.report = {}, .cancel = request.cancel}};
-    if (isExact(request.pipeline))
+    if (request.pipeline.usesExactRules())
         drawStripe(request.pipeline, whole, scratch, clock, ExactRules{}, probe);
     else
         drawStripe(request.pipeline, whole, scratch, clock, ChosenRules(request.pipeline.approximation, request.pipeline.fault, camera), probe);

@@ -53,8 +53,9 @@ struct ExactRules {
     /// True if stored depths are affine and positive, so that who leads at both ends of a run leads inside it.
     static constexpr bool comparesByEnds() { return true; }
 
-    // Order
+    // Nodes
     static constexpr bool visitsFarFirst() { return false; }
+    static constexpr bool truncatesNodeBoxes() { return false; }
 };
 
 class ChosenRules {
@@ -109,6 +110,7 @@ public:
     bool comparesByEnds() const { return m_encoding.isReversed() && m_approximation.depth == DepthNumbers::Float64; }
 
     bool visitsFarFirst() const { return m_fault == Fault::FarFirst; }
+    bool truncatesNodeBoxes() const { return m_fault == Fault::EmptyIsHidden; }
 
 private:
     Approximation m_approximation;

@@ -149,8 +149,9 @@ private:
     {
         if (placed.volume.misses(node.bounds)) return tell(placed, node, Verdict::Outside, nullptr);
         if (!m_occlusion.asksNodes) return tell(placed, node, Verdict::Entered, nullptr);
-        const NodeReach reach = reachOf(node.bounds, placed.toWorld, m_stripe.projection, m_stripe.region());
+        NodeReach reach = reachOf(node.bounds, placed.toWorld, m_stripe.projection, m_stripe.region());
         if (reach.crossesNear) return tell(placed, node, Verdict::Entered, nullptr);
+        if (m_rules.truncatesNodeBoxes()) --reach.pixels.x1, --reach.pixels.y1;
         if (reach.pixels.isEmpty()) return tell(placed, node, Verdict::Outside, nullptr);
         const PyramidQuery query = m_occlusion.pyramid->ask(reach.pixels, m_rules.stored(reach.nearest));
         return tell(placed, node, query.hidden ? Verdict::Hidden : Verdict::Entered, &query);

@@ -1,0 +1,142 @@
+// The fault gallery and the approximations: each shows what it claims to show, and the exact text beside it shows nothing.
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/frame/faults.h"
+#include "core/measure/verify.h"
+#include "core/scene/load.h"
+#include "tests/agreement/agreement_support.h"
+
+namespace zscope::tests {
+namespace {
+
+std::shared_ptr<const PreparedScene> prepared(const std::string& builtin)
+{
+    auto scene = loadScene("builtin:" + builtin);
+    EXPECT_TRUE(scene) << builtin;
+    return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(*std::move(scene)));
+}
+
+/// One picture of an odd size against the reference.
+VerifyRow judge(const std::string& builtin, const Pipeline& pipeline, Simd simd = Simd::Auto)
+{
+    const auto    scene = prepared(builtin);
+    VerifyRequest request;
+    request.scene      = scene;
+    request.camera     = cameraFor(scene->scene(), 333, 217);
+    request.algorithms = {{"judged", {}, pipeline, claimOf(pipeline)}};
+    request.simd       = {simd};
+    const auto rows    = verify(request);
+    EXPECT_TRUE(rows) << builtin;
+    return rows ? rows->front() : VerifyRow{};
+}
+
+/// A scene in which the fault shows.
+std::string sceneFor(Fault fault)
+{
+    switch (fault) {
+    case Fault::OneTestPerInterval: return "hard/F8";
+    case Fault::EqualIsHidden: return "layers?order=back";
+    case Fault::NearRejected: return "wall-and-city";
+    default: return "city";
+    }
+}
+
+TEST(Faults, EachMakesWrongPixelsWhereTheExactTextMakesNone)
+{
+    for (const FaultEntry& entry : faults()) {
+        Pipeline pipeline = findPreset(entry.preset)->pipeline;
+        EXPECT_TRUE(judge(sceneFor(entry.fault), pipeline).figures.isExact()) << entry.word;
+        pipeline.fault      = entry.fault;
+        const VerifyRow row = judge(sceneFor(entry.fault), pipeline);
+        EXPECT_EQ(row.claim, Claim::Approximate) << entry.word;
+        if (entry.fault == Fault::FarFirst) continue;  // see the next test
+        EXPECT_GT(row.figures.wrongPixels(), 0u) << entry.word;
+    }
+}
+
+TEST(Faults, FarFirstCostsNoPixelButTheWorkOfWhatIsHiddenTooLate)
+{
+    Pipeline pipeline = findPreset("hzb-octree")->pipeline;
+    const auto scene  = prepared("million?faces=100000");
+    const auto pixelsTested = [&] {
+        Renderer    renderer;
+        DrawRequest request;
+        request.scene    = scene;
+        request.camera   = cameraFor(scene->scene(), 333, 217);
+        request.pipeline = pipeline;
+        const auto work  = renderer.count(request);
+        EXPECT_TRUE(work);
+        std::uint64_t tested = 0;
+        for (const NamedCount& count : work->counters)
+            if (count.name == "pixels_tested") tested = count.value;
+        return tested;
+    };
+    const std::uint64_t nearFirst = pixelsTested();
+    pipeline.fault                = Fault::FarFirst;
+    EXPECT_GT(pixelsTested(), 2 * nearFirst);
+    EXPECT_TRUE(judge("million?faces=100000", pipeline).figures.isExact());
+}
+
+TEST(Faults, EachIsRefusedWithASentenceWhereItCannotHappen)
+{
+    for (const FaultEntry& entry : faults()) {
+        for (const Preset& preset : presets()) {
+            Pipeline pipeline = preset.pipeline;
+            pipeline.fault    = entry.fault;
+            EXPECT_EQ(explainInvalid(pipeline).has_value(), !entry.canHappen(pipeline)) << preset.name << ' ' << entry.word;
+        }
+    }
+}
+
+/// One approximation put into a preset that takes it, and a scene in which it shows.
+struct Relaxed {
+    const char* axis;
+    const char* choice;
+    const char* preset;
+    const char* scene;
+};
+constexpr Relaxed kRelaxed[] = {
+    {"snap", "4-bits", "zbuffer", "city"},
+    {"snap", "12-bits", "zbuffer", "city"},
+    {"vertices", "float32", "zbuffer", "city"},
+    {"depth-numbers", "float32", "zbuffer", "city"},
+    {"depth-numbers", "accumulated", "edge-walk", "city"},
+    {"depth-format", "float32-standard", "zbuffer", "city"},
+    {"depth-format", "fixed-24", "hzb-octree", "city"},
+    {"depth-format", "fixed-16", "scanline", "city"},
+    {"edges", "accumulated", "edge-walk", "wall-and-city"},
+    {"near", "drop", "interval", "wall-and-city"},
+};
+
+TEST(Approximations, EachPublishesItsErrorWhereTheDefinitionsChoiceHasNone)
+{
+    for (const Relaxed& each : kRelaxed) {
+        const Pipeline exact = findPreset(each.preset)->pipeline;
+        EXPECT_TRUE(judge(each.scene, exact).figures.isExact()) << each.preset;
+        const auto relaxed = withChoice(exact, each.axis, each.choice);
+        ASSERT_TRUE(relaxed);
+        const VerifyRow row = judge(each.scene, *relaxed);
+        EXPECT_GT(row.figures.wrongPixels() + row.figures.depthBitsDiffer, 0u) << each.axis << '=' << each.choice;
+        EXPECT_TRUE(row.passed()) << "an approximation is reported, not failed";
+    }
+}
+
+TEST(Approximations, AreTheSameOnEveryInstructionSet)
+{
+    for (const Relaxed& each : kRelaxed) {
+        const auto relaxed = withChoice(findPreset(each.preset)->pipeline, each.axis, each.choice);
+        ASSERT_TRUE(relaxed);
+        const ErrorFigures scalar = judge(each.scene, *relaxed, Simd::Scalar).figures;
+        for (const Simd simd : targetsTested()) {
+            const ErrorFigures wide = judge(each.scene, *relaxed, simd).figures;
+            EXPECT_EQ(wide.wrongPixels(), scalar.wrongPixels()) << each.axis << '=' << each.choice << ' ' << wordOf(simd);
+            EXPECT_EQ(wide.depthBitsDiffer, scalar.depthBitsDiffer) << each.axis << '=' << each.choice << ' ' << wordOf(simd);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace zscope::tests
