@@ -49,7 +49,8 @@ struct VertexStage {
                     ScreenVertices& out)
     {
         const F64  d64;
-        const auto one = hn::Set(d64, 1), guard = hn::Set(d64, kGuardBand), near = all(p.near);
+        const auto one = hn::Set(d64, 1), guard = hn::Set(d64, kGuardBand);
+        const auto near  = all(p.near);
         const auto snaps = hn::Set(d64, rules.snapsPerPixel());
         auto       worst = hn::Zero(d64);  // becomes 1 in a lane that meets a vertex that is not plain
 

@@ -69,12 +69,13 @@ public:
     /// No pixel of the face is farther than this: float32 of its farthest corner.
     float farthestOf(std::uint32_t face) const
     {
-        const auto [known, isNew] = m_farthest.try_emplace(face, 1.0f);
-        if (isNew)
-            forEachPart(face, [&](const Part& part) {
-                for (const Corner& corner : part.corners()) known->second = std::min(known->second, static_cast<float>(corner.depth));
-            });
-        return known->second;
+        const auto known = m_farthest.find(face);
+        if (known != m_farthest.end()) return known->second;
+        float farthest = 1;
+        forEachPart(face, [&](const Part& part) {
+            for (const Corner& corner : part.corners()) farthest = std::min(farthest, static_cast<float>(corner.depth));
+        });
+        return m_farthest[face] = farthest;
     }
 
 private:
@@ -194,8 +195,9 @@ Result<ErrorFigures> compareByFace(const Scene& scene, const Camera& camera, Fac
     std::set<std::int64_t> missing;  // winners of pixels that are holes
     for (std::size_t i = 0; i < doubtful.size(); ++i) {
         PixelPair&    p       = pixels[doubtful[i]];
-        const auto    here    = std::ranges::equal_range(*covers, i, {}, &Cover::point);
-        const Verdict verdict = judge(p, std::span(here.begin(), here.end()), truth);
+        const auto    first   = std::ranges::lower_bound(*covers, i, {}, &Cover::point);
+        const auto    end     = std::ranges::upper_bound(*covers, i, {}, &Cover::point);
+        const Verdict verdict = judge(p, std::span(first, end), truth);
         holes += verdict == Verdict::Hole;
         spills += verdict == Verdict::Spill;
         if (verdict == Verdict::Hole) missing.insert(p.referenceId);
