@@ -24,8 +24,15 @@ constexpr std::string_view wordOf(Family family)
 constexpr std::string_view titleOf(Grain grain)
 {
     constexpr std::array<std::string_view, kGrains.size()> titles{
-        "The finished frame",         "A stage of the frame is complete", "A node has been decided on",
-        "A triangle has been drawn",  "A line of the sweep",              "A run of pixels of one line",
+        "The finished frame",
+        "A stage of the frame is complete",
+        "A node has been decided on",
+        "A triangle has been drawn",
+        "The pyramid has been asked about a node or a triangle",
+        "A line of the sweep",
+        "The pixels between two neighbouring edges have been decided",
+        "A run of pixels of one line",
+        "A cell of the pyramid has been computed anew",
         "One pixel's depth test"};
     return titles[static_cast<std::size_t>(grain)];
 }

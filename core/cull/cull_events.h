@@ -35,6 +35,20 @@ struct NodeOpened {
     std::span<const TreeNode* const> children;  // valid only during the call
 };
 
+/// The pyramid has been asked about a node or a triangle; what follows from it has not happened yet.
+struct PyramidAsked {
+    static constexpr Grain    grain = Grain::Query;
+    const PyramidQuery&       query;     // valid only during the call, like the next
+    const NodePlace*          node;      // nullptr: it was a triangle
+    TriangleId                triangle;  // of a triangle
+};
+
+/// A cell of the pyramid has been computed anew.
+struct CellUpdated {
+    static constexpr Grain grain = Grain::Update;
+    CellWrite              write;
+};
+
 /// A node's own triangles (or instances) are about to be drawn.
 struct NodeDrawn {
     NodePlace place;

@@ -33,6 +33,17 @@ struct PyramidQuery {
     int      cells   = 0;  // read to decide
 };
 
+/// A cell that has been computed anew, for probes; its value may be the same again.
+struct CellWrite {
+    int   level, x, y;
+    float before, after;
+};
+
+/// Who is told of every cell written; at full speed nobody.
+struct Untold {
+    constexpr void operator()(const CellWrite&) const noexcept {}
+};
+
 class Pyramid {
 public:
     static constexpr int kTileLevel = 3;  // tiles of 8 x 8 pixels
@@ -48,7 +59,10 @@ public:
 
     /// True if nothing at depth `nearest` or farther, inside `box` (not empty, inside the region), could win a pixel.
     bool hides(const PixelBox& box, float nearest) { return ask(box, nearest).hidden; }
-    PyramidQuery ask(const PixelBox& box, float nearest);
+    PyramidQuery ask(const PixelBox& box, float nearest) { return ask(box, nearest, Untold{}); }
+    /// The same, and told(CellWrite) right after each cell that is written on the way. Defined in pyramid_told.h.
+    template <class Told>
+    PyramidQuery ask(const PixelBox& box, float nearest, const Told& told);
 
     int               levels() const { return kTileLevel + static_cast<int>(m_levels.size()); }
     /// Stored values of a level from kTileLevel up, stale ones as they are.
@@ -67,10 +81,14 @@ private:
     float        kept(float a, float b) const { return (m_fault == Fault::NearestInCells) == (a < b) ? b : a; }
 
     Level& at(int level) { return m_levels[static_cast<std::size_t>(level - kTileLevel)]; }
-    bool   cellHides(int level, int x, int y, const PixelBox& box, float nearest);
+    template <class Told>
+    bool cellHides(int level, int x, int y, const PixelBox& box, float nearest, const Told& told);
     bool   pixelsHide(const PixelBox& box, float nearest) const;
-    float  refresh(int level, int x, int y);
-    float  farthestPixel(int tileX, int tileY) const;
+    template <class Told>
+    float refresh(int level, int x, int y, const Told& told);
+    template <class ValueOf>
+    float farthestChild(int level, int x, int y, const ValueOf& valueOf);
+    float farthestPixel(int tileX, int tileY) const;
 
     const VisibilityBuffer* m_visible  = nullptr;
     int                     m_firstRow = 0;
@@ -79,5 +97,7 @@ private:
     int                     m_cellsRead = 0;  // by the query at hand
     Fault                   m_fault     = Fault::None;
 };
+
+extern template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Untold& told);
 
 }  // namespace zscope

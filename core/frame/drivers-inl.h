@@ -46,7 +46,9 @@ struct ScanConvert {
 private:
     bool isHidden(const ScreenTriangle& triangle) const
     {
-        const PyramidQuery query = occlusion.pyramid->ask(triangle.box, rules.stored(triangle.depth.nearest));
+        const PyramidQuery query =
+            occlusion.pyramid->ask(triangle.box, rules.stored(triangle.depth.nearest), tellingOfCells(probe));
+        probe(PyramidAsked{query, nullptr, triangle.id});
         if (query.hidden)
             probe(TriangleHidden{triangle.id, query});
         else

@@ -122,11 +122,16 @@ Claim claimOf(const Pipeline& pipeline) { return pipeline.usesExactRules() ? Cla
 
 std::vector<Grain> grainsOf(const Pipeline& pipeline)
 {
+    if (pipeline.scan == Scan::SweepIntervals)
+        return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Interval, Grain::Span, Grain::Pixel};
     if (familyOf(pipeline) == Family::Sweep) return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Span, Grain::Pixel};
     std::vector<Grain> grains{Grain::Frame, Grain::Stage};
     if (pipeline.order != Order::Submitted) grains.push_back(Grain::Node);
     grains.push_back(Grain::Triangle);
+    const bool hasPyramid = pipeline.upkeep != Upkeep::None;
+    if (hasPyramid) grains.push_back(Grain::Query);
     if (pipeline.scan == Scan::EdgeWalk) grains.push_back(Grain::Span);
+    if (hasPyramid) grains.push_back(Grain::Update);
     grains.push_back(Grain::Pixel);
     return grains;
 }

@@ -111,6 +111,15 @@ void PixelRecorder::observe(const PixelTested& e)
     m_pixel = pixel;
 }
 
+void IntervalRecorder::observe(const IntervalResolved& e)
+{
+    IntervalState interval{e.y, e.x0, e.x1, {}, std::nullopt, e.reason};
+    for (const std::uint32_t row : e.open) interval.open.push_back(e.polygons[row].id);
+    std::ranges::sort(interval.open);
+    if (e.winner) interval.winner = e.winner->id;
+    m_interval = std::move(interval);
+}
+
 void HierarchyRecorder::observe(const StageStarted& e)
 {
     if (e.stage == Stage::Raster) *this = {};
@@ -143,11 +152,10 @@ void HierarchyRecorder::observe(const NodeJudged& e)
                    : e.verdict == Verdict::Hidden ? NodeVerdict::Hidden
                                                   : NodeVerdict::Entered;
     m_state.now  = row.id;
+    if (e.query) return;  // heard when it was asked
     m_state.query.reset();
     m_state.asked.clear();
-    if (!e.query) return;
-    m_state.query = *e.query;
-    m_state.asked = "node";
+    m_state.askedAbout.reset();
 }
 
 void HierarchyRecorder::observe(const NodeOpened& e)
@@ -162,16 +170,13 @@ void HierarchyRecorder::observe(const NodeDrawn& e)
     if (e.place.isInstanceTree) m_instanceNode = row.id;
 }
 
-void HierarchyRecorder::observe(const TriangleHidden& e)
+void HierarchyRecorder::observe(const PyramidAsked& e)
 {
+    if (e.node) m_state.now = rowOf(*e.node).id;
     m_state.query = e.query;
-    m_state.asked = "triangle";
-}
-
-void HierarchyRecorder::observe(const TrianglePassed& e)
-{
-    m_state.query = e.query;
-    m_state.asked = "triangle";
+    m_state.asked = e.node ? "node" : "triangle";
+    m_state.askedAbout.reset();
+    if (!e.node) m_state.askedAbout = e.triangle;
 }
 
 std::optional<HierarchyState> HierarchyRecorder::state(int width, int height, bool hasPyramid) const

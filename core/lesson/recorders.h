@@ -76,7 +76,21 @@ private:
 static_assert(observes<PixelRecorder, SpanFilled> && observes<PixelRecorder, PixelTested> &&
               observes<PixelRecorder, TriangleReached> && observes<PixelRecorder, ScanlineReady>);
 
-/// Keeps the nodes of the hierarchy as they become known and are judged, and the last question to the pyramid.
+/// Keeps the last interval decided; a new line makes it old.
+class IntervalRecorder {
+public:
+    void observe(const IntervalResolved& e);
+    void observe(const ScanlineReady&) { m_interval.reset(); }
+
+    std::optional<IntervalState> state() const { return m_interval; }
+
+private:
+    std::optional<IntervalState> m_interval;
+};
+static_assert(observes<IntervalRecorder, IntervalResolved> && observes<IntervalRecorder, ScanlineReady>);
+
+/// Keeps the nodes of the hierarchy as they become known and are judged, the last question to the pyramid, and the
+/// cell of it that was written last.
 class HierarchyRecorder {
 public:
     /// A pre-pass visits the tree too, but what it met is forgotten when the visit that counts begins.
@@ -84,8 +98,8 @@ public:
     void observe(const NodeJudged& e);
     void observe(const NodeOpened& e);
     void observe(const NodeDrawn& e);
-    void observe(const TriangleHidden& e);
-    void observe(const TrianglePassed& e);
+    void observe(const PyramidAsked& e);
+    void observe(const CellUpdated& e) { m_state.update = e.write; }
 
     /// Nothing if neither a node nor the pyramid has been met. The levels are those of a picture of the given size.
     std::optional<HierarchyState> state(int width, int height, bool hasPyramid) const;
@@ -100,20 +114,25 @@ private:
 };
 static_assert(observes<HierarchyRecorder, StageStarted> && observes<HierarchyRecorder, NodeJudged> &&
               observes<HierarchyRecorder, NodeOpened> && observes<HierarchyRecorder, NodeDrawn> &&
-              observes<HierarchyRecorder, TriangleHidden> && observes<HierarchyRecorder, TrianglePassed>);
+              observes<HierarchyRecorder, PyramidAsked> && observes<HierarchyRecorder, CellUpdated>);
 
 /// Keeps which stage the run is in, and what the last step was.
 class MomentRecorder {
 public:
-    enum class Moment { None, StageOver, NodeOver, TriangleOver, LineReady, LineOver, SpanOver, PixelOver, FrameOver };
+    enum class Moment {
+        None, StageOver, NodeOver, TriangleOver, QueryOver, LineReady, LineOver, IntervalOver, SpanOver, UpdateOver, PixelOver, FrameOver
+    };
 
     void observe(const StageStarted& e) { m_stage = e.stage; }
     void observe(const StageFinished& e) { m_stage = e.stage, m_moment = Moment::StageOver; }
     void observe(const NodeJudged&) { m_moment = Moment::NodeOver; }
     void observe(const TriangleFinished&) { m_moment = Moment::TriangleOver; }
+    void observe(const PyramidAsked&) { m_moment = Moment::QueryOver; }
     void observe(const ScanlineReady&) { m_moment = Moment::LineReady; }
     void observe(const ScanlineFinished&) { m_moment = Moment::LineOver; }
+    void observe(const IntervalResolved&) { m_moment = Moment::IntervalOver; }
     void observe(const SpanFilled&) { m_moment = Moment::SpanOver; }
+    void observe(const CellUpdated&) { m_moment = Moment::UpdateOver; }
     void observe(const PixelTested&) { m_moment = Moment::PixelOver; }
     void observe(const FrameFinished&) { m_moment = Moment::FrameOver; }
 

@@ -98,10 +98,11 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         SweepRecorder    sweep;
         TriangleRecorder triangle;
         PixelRecorder    pixel;
+        IntervalRecorder interval;
         HierarchyRecorder hierarchy;
         MomentRecorder   moment;
         StopAt           stop(grain, step.value);
-        runUntilStopped(m_request, state.frame, scratch, Listening(sweep, hierarchy, triangle, pixel, moment, stop));
+        runUntilStopped(m_request, state.frame, scratch, Listening(sweep, interval, hierarchy, triangle, pixel, moment, stop));
         if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
         if (state.frame.colour.height() == 0) HWY_STATIC_DISPATCH(shadeWhole)(m_request, state.frame);
 
@@ -115,6 +116,7 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.hierarchy = hierarchy.state(m_request.camera.width, m_request.camera.height, m_request.pipeline.upkeep != Upkeep::None);
         state.triangle  = triangle.state();
         state.span      = pixel.span();
+        state.interval  = interval.state();
         if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = pixel.pixel();
         state.sentence  = sentenceFor(state, m_request.pipeline, moment.moment(), m_request.scene->scene().triangleCount());
         return state;

@@ -106,6 +106,51 @@ std::string nodeOver(const HierarchyState& hierarchy)
     return name + size + (q.hidden ? " hidden, and skipped with all that is in it." : " not hidden, so it is entered.");
 }
 
+std::string queryOver(const HierarchyState& hierarchy)
+{
+    const PyramidQuery& q    = *hierarchy.query;
+    const NodeRow*      node = hierarchy.askedAbout ? nullptr : &hierarchy.nodes[static_cast<std::size_t>(hierarchy.now)];
+    const std::string   who  = !node ? fmt::format("triangle {}", grouped(hierarchy.askedAbout->value))
+                               : node->instance ? fmt::format("node {} of instance {}", node->path, grouped(node->instance->value))
+                                                : fmt::format("node {} of the instances", node->path);
+    const std::string asked = fmt::format("Is {} hidden? It reaches {} x {} pixels and is at most {:.7g} near; level {} of the pyramid holds {:.7g} as the farthest there:",
+                                          who, q.box.x1 - q.box.x0, q.box.y1 - q.box.y0, q.nearest, q.level, q.value);
+    if (!q.hidden) return asked + " not hidden, because a pixel was found that is not nearer, after " + counted(q.cells, "cell.", "cells.");
+    if (q.nearest < q.value) return asked + " hidden, because everything there is strictly nearer, by " + counted(q.cells, "cell.", "cells.");
+    return asked + " that does not decide, but the finer cells and pixels inside its rectangle do, after " +
+           counted(q.cells, "cell", "cells") + ": all are strictly nearer, so it is hidden.";
+}
+
+std::string updateOver(const CellWrite& cell)
+{
+    const std::string from = cell.level == Pyramid::kTileLevel ? "its pixels" : fmt::format("its children on level {}", cell.level - 1);
+    const std::string what = fmt::format("Cell ({}, {}) of level {} is the farthest of {} again:", cell.x, cell.y, cell.level, from);
+    if (cell.before == cell.after) return what + fmt::format(" {:.7g} as before, so it changes nothing above.", cell.after);
+    return what + fmt::format(" {:.7g} instead of {:.7g}.", cell.after, cell.before);
+}
+
+std::string intervalOver(const IntervalState& interval)
+{
+    const std::string pixels = interval.x1 - interval.x0 == 1 ? fmt::format("pixel {}", interval.x0)
+                                                              : fmt::format("pixels {} to {}", interval.x0, interval.x1 - 1);
+    const std::string where = fmt::format("Line {}, {} between neighbouring edges: {}", interval.y, pixels,
+                                          counted(interval.open.size(), "polygon is open", "polygons are open"));
+    const std::string winner = interval.winner ? grouped(interval.winner->value) : "";
+    switch (interval.reason) {
+    case IntervalReason::Alone: return where + fmt::format(", triangle {}, so all of it is its own without a test.", winner);
+    case IntervalReason::Leads:
+        return where + fmt::format("; triangle {} leads all others by more than 2 float32 steps at both ends, so it leads everywhere between and wins them all.", winner);
+    case IntervalReason::TestedOnce: return where + fmt::format("; triangle {} is nearest at the left end and, by a fault, gets them all.", winner);
+    case IntervalReason::BeyondFar: return where + "; the nearest reaches beyond the far plane, so they are compared pixel by pixel.";
+    case IntervalReason::DepthLimited:
+        return where + "; a depth is limited to its triangle's corners there, so the ends do not speak for the rest: compared pixel by pixel.";
+    case IntervalReason::NoClearLead:
+        return where + "; none leads by more than 2 float32 steps at both ends, as where they cross or touch: compared pixel by pixel.";
+    case IntervalReason::NotByEnds: return where + "; depths are not stored as they are found, so the ends do not speak for the rest: compared pixel by pixel.";
+    }
+    return where;
+}
+
 std::string pixelOver(const PixelState& p)
 {
     const std::string who = fmt::format("Pixel ({}, {}): triangle {}, depth {:.7g},", p.x, p.y, grouped(p.triangle.value), p.depth);
@@ -138,6 +183,9 @@ std::string sentenceFor(const StepState& state, const Pipeline& pipeline, Moment
     case Moment::TriangleOver:
         return fmt::format("Triangle {} is drawn: it is nearest so far at {}.", grouped(state.triangle->triangle.value),
                            counted(state.triangle->pixelsWon, "pixel", "pixels"));
+    case Moment::QueryOver: return queryOver(*state.hierarchy);
+    case Moment::UpdateOver: return updateOver(*state.hierarchy->update);
+    case Moment::IntervalOver: return intervalOver(*state.interval);
     case Moment::LineReady: return lineReady(*state.sweep);
     case Moment::LineOver: return lineOver(*state.sweep);
     case Moment::SpanOver: return spanOver(state, pipeline);

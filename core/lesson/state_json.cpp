@@ -58,6 +58,30 @@ void addSweep(Json& json, const SweepState& sweep)
     json["left"]            = listOf(sweep.left);
 }
 
+std::string_view wordOf(IntervalReason reason)
+{
+    switch (reason) {
+    case IntervalReason::Alone: return "alone";
+    case IntervalReason::Leads: return "leads";
+    case IntervalReason::TestedOnce: return "tested-once";
+    case IntervalReason::BeyondFar: return "beyond-far";
+    case IntervalReason::DepthLimited: return "depth-limited";
+    case IntervalReason::NoClearLead: return "no-clear-lead";
+    case IntervalReason::NotByEnds: return "not-by-ends";
+    }
+    return {};
+}
+
+Json toJson(const IntervalState& interval)
+{
+    Json open = Json::array();
+    for (const TriangleId polygon : interval.open) open.push_back(polygon.value);
+    Json json{{"line", interval.y}, {"x0", interval.x0}, {"x1", interval.x1}, {"open", std::move(open)}};
+    json["winner"] = interval.winner ? Json(interval.winner->value) : Json(nullptr);
+    json["reason"] = wordOf(interval.reason);
+    return json;
+}
+
 void addHierarchy(Json& json, const HierarchyState& hierarchy)
 {
     json["nodes"] = listOf(hierarchy.nodes);
@@ -65,9 +89,14 @@ void addHierarchy(Json& json, const HierarchyState& hierarchy)
     json["query"] = nullptr;
     if (hierarchy.query) {
         const PyramidQuery& q = *hierarchy.query;
-        json["query"] = {{"asked", hierarchy.asked}, {"rectangle", {q.box.x0, q.box.y0, q.box.x1, q.box.y1}}, {"level", q.level},
-                         {"value", q.value}, {"node_depth", q.nearest}, {"verdict", q.hidden ? "hidden" : "entered"}};
+        json["query"] = {{"asked", hierarchy.asked},
+                         {"triangle", hierarchy.askedAbout ? Json(hierarchy.askedAbout->value) : Json(nullptr)},
+                         {"rectangle", {q.box.x0, q.box.y0, q.box.x1, q.box.y1}}, {"level", q.level},
+                         {"value", q.value}, {"node_depth", q.nearest}, {"cells_read", q.cells}, {"verdict", q.hidden ? "hidden" : "entered"}};
     }
+    json["update"] = nullptr;
+    if (const auto& cell = hierarchy.update)
+        json["update"] = {{"level", cell->level}, {"x", cell->x}, {"y", cell->y}, {"before", cell->before}, {"after", cell->after}};
     json["pyramid"] = {{"levels", hierarchy.levels}};
 }
 
@@ -81,6 +110,7 @@ std::string stateToJson(const StepState& state)
     if (state.sweep) addSweep(json, *state.sweep);
     if (state.hierarchy) addHierarchy(json, *state.hierarchy);
     if (state.triangle) json["triangle"] = toJson(*state.triangle);
+    if (state.interval) json["interval"] = toJson(*state.interval);
     if (state.span) json["span"] = toJson(*state.span);
     if (state.pixel) json["pixel"] = toJson(*state.pixel);
     return json.dump(1) + "\n";

@@ -15,6 +15,7 @@
 #include "core/probe/grain.h"
 #include "core/scan/pixel_events.h"
 #include "core/scene/mesh.h"
+#include "core/sweep/sweep_events.h"
 
 namespace zscope {
 
@@ -48,6 +49,14 @@ struct SweepState {
     std::vector<EdgeRow>    entered;         // since the previous line
     std::vector<EdgeRow>    left;            // since the previous line
     std::vector<int>        edgesStarting;   // per line of the picture: how many edges its edge-table bucket holds
+};
+
+/// The pixels between two neighbouring active edges, as the interval method decided them.
+struct IntervalState {
+    int                       y = 0, x0 = 0, x1 = 0;  // [x0, x1)
+    std::vector<TriangleId>   open;                   // polygons open there, ascending
+    std::optional<TriangleId> winner;                 // of the whole; nothing: compared pixel by pixel
+    IntervalReason            reason = IntervalReason::Alone;
 };
 
 /// One pixel's depth test.
@@ -91,9 +100,11 @@ struct NodeRow {
 /// The hierarchy as far as the run has come.
 struct HierarchyState {
     std::vector<NodeRow>        nodes;
-    int                         now = -1;     // id of the node judged last
+    int                         now = -1;     // id of the node judged last, or being asked about
     std::optional<PyramidQuery> query;        // what the pyramid was asked last
     std::string                 asked;        // "node" or "triangle"
+    std::optional<TriangleId>   askedAbout;   // of a triangle
+    std::optional<CellWrite>    update;       // the cell of the pyramid that was written last
     std::vector<std::array<int, 2>> levels;   // width and height of each level of the pyramid; empty: there is none
 };
 
@@ -111,6 +122,7 @@ struct StepState {
     std::optional<TriangleState> triangle;  // stream methods, once a triangle was reached
     std::optional<PixelState>    pixel;     // if the last event was a pixel
     std::optional<SpanRow>       span;      // the last span filled
+    std::optional<IntervalState> interval;  // interval method only: the last interval of the line
     Frame                        frame;     // as the run left it, shaded
 };
 

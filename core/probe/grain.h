@@ -8,15 +8,15 @@
 
 namespace zscope {
 
-enum class Grain { Frame, Stage, Node, Triangle, Line, Span, Pixel };  // coarse to fine
+enum class Grain { Frame, Stage, Node, Triangle, Query, Line, Interval, Span, Update, Pixel };  // coarse to fine
 
-inline constexpr std::array kGrains{Grain::Frame, Grain::Stage, Grain::Node, Grain::Triangle,
-                                    Grain::Line,  Grain::Span,  Grain::Pixel};
+inline constexpr std::array kGrains{Grain::Frame, Grain::Stage,    Grain::Node, Grain::Triangle, Grain::Query,
+                                    Grain::Line,  Grain::Interval, Grain::Span, Grain::Update,   Grain::Pixel};
 
 constexpr std::string_view wordOf(Grain grain)
 {
-    constexpr std::array<std::string_view, kGrains.size()> words{"frame", "stage", "node", "triangle",
-                                                                 "line",  "span",  "pixel"};
+    constexpr std::array<std::string_view, kGrains.size()> words{"frame", "stage",    "node", "triangle", "query",
+                                                                 "line",  "interval", "span", "update",   "pixel"};
     return words[static_cast<std::size_t>(grain)];
 }
 

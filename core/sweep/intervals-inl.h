@@ -111,40 +111,52 @@ private:
     template <class Probe>
     void resolve(int y, int x0, int x1, const ActivePolygons& polygons, const Probe& probe)
     {
-        if (const ActivePolygon* nearest = leader(y, x0, x1, polygons)) {
+        const Leader leader = leaderOf(y, x0, x1, polygons);
+        if (const ActivePolygon* nearest = leader.polygon) {
             storeSpan(nearest->depth, nearest->rank(), y, x0, x1, m_visible, m_rules);
             probe(SpanFilled{y, x0, x1, nearest->id});
-            return;
+        } else {
+            for (const std::uint32_t row : m_open)
+                testSpan(polygons[row].depth, polygons[row].rank(), y, x0, x1, m_visible, m_rules, probe);
+            tellRuns(y, x0, x1, probe);
         }
-        for (const std::uint32_t row : m_open) testSpan(polygons[row].depth, polygons[row].rank(), y, x0, x1, m_visible, m_rules, probe);
-        tellRuns(y, x0, x1, probe);
+        probe(IntervalResolved{y, x0, x1, m_open, polygons, leader.polygon, leader.reason});
     }
 
-    /// The polygon that leads all other open ones all over [x0, x1), or nullptr if none does for certain.
-    const ActivePolygon* leader(int y, int x0, int x1, const ActivePolygons& polygons) const
+    struct Leader {
+        const ActivePolygon* polygon;  // nullptr: none leads for certain
+        IntervalReason       reason;
+    };
+
+    /// The polygon that leads all other open ones all over [x0, x1), if one does for certain.
+    Leader leaderOf(int y, int x0, int x1, const ActivePolygons& polygons) const
     {
-        if (!m_rules.comparesByEnds()) return nullptr;
+        if (!m_rules.comparesByEnds()) return {nullptr, IntervalReason::NotByEnds};
         const ActivePolygon* best = &polygons[m_open[0]];
         EndDepth             bestLeft = depthAt(best->depth, x0, y);
-        if (m_open.size() == 1) return bestLeft.depth > m_visible.empty() && isKept(*best, y, x1 - 1) ? best : nullptr;
+        if (m_open.size() == 1) {
+            const bool kept = bestLeft.depth > m_visible.empty() && isKept(*best, y, x1 - 1);
+            return kept ? Leader{best, IntervalReason::Alone} : Leader{nullptr, IntervalReason::BeyondFar};
+        }
         for (const std::uint32_t row : m_open) {
             const EndDepth left = depthAt(polygons[row].depth, x0, y);
             if (left.depth <= bestLeft.depth) continue;
             best     = &polygons[row];
             bestLeft = left;
         }
-        if (m_rules.testsIntervalOnce()) return best;
+        if (m_rules.testsIntervalOnce()) return {best, IntervalReason::TestedOnce};
         const EndDepth bestRight = depthAt(best->depth, x1 - 1, y);
-        if (bestLeft.limited || bestRight.limited) return nullptr;
-        if (bestLeft.depth <= m_visible.empty() || bestRight.depth <= m_visible.empty()) return nullptr;
+        if (bestLeft.limited || bestRight.limited) return {nullptr, IntervalReason::DepthLimited};
+        if (bestLeft.depth <= m_visible.empty() || bestRight.depth <= m_visible.empty()) return {nullptr, IntervalReason::BeyondFar};
         for (const std::uint32_t row : m_open) {
             const ActivePolygon& rival = polygons[row];
             if (&rival == best) continue;
             const EndDepth left = depthAt(rival.depth, x0, y), right = depthAt(rival.depth, x1 - 1, y);
-            if (left.limited || right.limited || !leads(bestLeft.depth, left.depth) || !leads(bestRight.depth, right.depth))
-                return nullptr;
+            if (left.limited || right.limited) return {nullptr, IntervalReason::DepthLimited};
+            if (!leads(bestLeft.depth, left.depth) || !leads(bestRight.depth, right.depth))
+                return {nullptr, IntervalReason::NoClearLead};
         }
-        return best;
+        return {best, IntervalReason::Leads};
     }
 
     /// The far test at one end; with the other end it holds all over the run, because depth is affine, limited or not.

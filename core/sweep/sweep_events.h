@@ -35,6 +35,27 @@ struct ScanlineReady {
     const ActivePolygons&       polygons;
 };
 
+/// Why an interval went to one polygon as a whole, or could not.
+enum class IntervalReason {
+    Alone,         // to the only polygon that is open
+    Leads,         // to the one that leads all others at both ends by more than the rounding can hide
+    TestedOnce,    // to the nearest at the left end (a fault)
+    BeyondFar,     // to nobody as a whole: part of the nearest lies beyond far
+    DepthLimited,  // the depth of one is limited to its corners', so it is not affine
+    NoClearLead,   // nobody leads at both ends: they cross, touch or are equally near
+    NotByEnds,     // depths as they are stored are not affine (an approximation)
+};
+
+/// The pixels [x0, x1) between two neighbouring active edges of line y are decided; never empty.
+struct IntervalResolved {
+    static constexpr Grain         grain = Grain::Interval;
+    int                            y, x0, x1;
+    std::span<const std::uint32_t> open;  // rows of the active polygon table; valid only during the call, like the next
+    const ActivePolygons&          polygons;
+    const ActivePolygon*           winner;  // nullptr: the open polygons were compared pixel by pixel
+    IntervalReason                 reason;
+};
+
 /// Line y is drawn; the active edge table still stands at it.
 struct ScanlineFinished {
     static constexpr Grain grain = Grain::Line;

@@ -44,6 +44,8 @@ std::string contentsOf(const StepState& state)
     timeless.event     = state.event;
     timeless.stage     = state.stage;
     timeless.sweep     = state.sweep;
+    timeless.hierarchy = state.hierarchy;
+    timeless.interval  = state.interval;
     timeless.triangle  = state.triangle;
     timeless.pixel     = state.pixel;
     timeless.span      = state.span;

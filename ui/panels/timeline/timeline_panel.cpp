@@ -29,8 +29,11 @@ QString grainText(Grain grain)
     case Grain::Stage: return TimelinePanel::tr("stage");
     case Grain::Node: return TimelinePanel::tr("node");
     case Grain::Triangle: return TimelinePanel::tr("triangle");
+    case Grain::Query: return TimelinePanel::tr("query");
     case Grain::Line: return TimelinePanel::tr("line");
+    case Grain::Interval: return TimelinePanel::tr("interval");
     case Grain::Span: return TimelinePanel::tr("span");
+    case Grain::Update: return TimelinePanel::tr("update");
     case Grain::Pixel: return TimelinePanel::tr("pixel");
     }
     return {};

@@ -1,0 +1,93 @@
+// The pyramid's questions and its upkeep, each told cell by cell to whoever wants to hear: one text for full speed, which
+// tells nobody, and for stepping.
+//
+// Told       called with a CellWrite right after the cell holds its new value; it may throw to end the run there
+// Full speed pyramid.cpp instantiates this once for Untold; only runs that are listened to include it
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "core/depth/pyramid.h"
+
+namespace zscope {
+
+template <class Told>
+PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Told& told)
+{
+    if (m_fault == Fault::CornersOnly) return askAtCorners(box, nearest);
+    const int width = box.x1 - box.x0, height = box.y1 - box.y0;
+    const int y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow, x0 = box.x0, x1 = box.x1 - 1;
+    const auto   longest = static_cast<unsigned>(std::max(width, height));
+    PyramidQuery query{box, nearest, static_cast<int>(std::bit_width(longest)) - 1, 0, true, 0};
+    int&         level = query.level;
+    if ((x1 >> level) - (x0 >> level) > 1 || (y1 >> level) - (y0 >> level) > 1) ++level;
+    level = std::clamp(level, kTileLevel, levels() - 1);
+
+    m_cellsRead = 0;
+    query.value = std::numeric_limits<float>::infinity();
+    for (int y = y0 >> level; y <= y1 >> level; ++y) {
+        for (int x = x0 >> level; x <= x1 >> level; ++x) {
+            query.hidden = query.hidden && cellHides(level, x, y, box, nearest, told);
+            query.value  = std::min(query.value, at(level).farthest.at(x, y));
+        }
+    }
+    query.cells = m_cellsRead;
+    return query;
+}
+
+template <class Told>
+bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float nearest, const Told& told)
+{
+    ++m_cellsRead;
+    if (isBehind(nearest, at(level).farthest.at(x, y))) return true;
+    if (at(level).stale.at(x, y) && isBehind(nearest, refresh(level, x, y, told))) return true;
+
+    // Undecided: something in the cell is as far or farther. Is it inside the box?
+    if (level == kTileLevel) {
+        const int left = x << level, top = m_firstRow + (y << level);
+        return pixelsHide({std::max(box.x0, left), std::max(box.y0, top), std::min(box.x1, left + (1 << level)),
+                           std::min(box.y1, top + (1 << level))},
+                          nearest);
+    }
+    const int below = level - 1;
+    const int x0 = std::max(2 * x, box.x0 >> below), x1 = std::min(2 * x + 1, (box.x1 - 1) >> below);
+    const int y0 = std::max(2 * y, (box.y0 - m_firstRow) >> below), y1 = std::min(2 * y + 1, (box.y1 - 1 - m_firstRow) >> below);
+    for (int childY = y0; childY <= y1; ++childY)
+        for (int childX = x0; childX <= x1; ++childX)
+            if (!cellHides(below, childX, childY, box, nearest, told)) return false;
+    return true;
+}
+
+/// Brings a stale cell, and what it is computed from, up to date.
+template <class Told>
+float Pyramid::refresh(int level, int x, int y, const Told& told)
+{
+    Level&        here  = at(level);
+    std::uint8_t& stale = here.stale.at(x, y);
+    float&        value = here.farthest.at(x, y);
+    if (!stale) return value;
+    const float before = value;
+    value = level == kTileLevel ? farthestPixel(x, y) : farthestChild(level, x, y, [&](int childX, int childY) {
+        return refresh(level - 1, childX, childY, told);
+    });
+    stale = 0;
+    told(CellWrite{level, x, y, before, value});
+    return value;
+}
+
+/// Of the children of a cell above the tiles; `valueOf(childX, childY)` is what a child holds.
+template <class ValueOf>
+float Pyramid::farthestChild(int level, int x, int y, const ValueOf& valueOf)
+{
+    const Level& below = at(level - 1);
+    const int    endX = std::min(2 * x + 2, below.farthest.width()), endY = std::min(2 * y + 2, below.farthest.height());
+    if (m_fault == Fault::OddPadded && (endX - 2 * x < 2 || endY - 2 * y < 2)) return std::numeric_limits<float>::infinity();
+    float all = valueOf(2 * x, 2 * y);
+    for (int childY = 2 * y; childY < endY; ++childY)
+        for (int childX = 2 * x; childX < endX; ++childX) all = kept(all, valueOf(childX, childY));
+    return all;
+}
+
+}  // namespace zscope

@@ -1,0 +1,176 @@
+// The steps of a method's own structures: questions to the pyramid, cells of it written, intervals of a line decided. Each
+// is held against the pixels of the very state it comes with.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "tests/replay/replay_support.h"
+
+namespace zscope::tests {
+namespace {
+
+std::vector<SeenScene> seenScenes()
+{
+    return {soupScene(SoupKind::Loose, 41, 37, 29, 24), soupScene(SoupKind::NearCrossing, 42, 20, 35, 12),
+            soupScene(SoupKind::Coplanar, 43, 33, 18, 16), builtinScene("cubes", 31, 22)};
+}
+
+/// Runs `check(state)` for every step of `grain` that is an event of that very grain; how many there were.
+template <class Check>
+int forEveryEvent(const SeenScene& seen, const Preset& preset, Grain grain, const Check& check)
+{
+    SCOPED_TRACE(seen.what + ", " + std::string(preset.name));
+    Replay     replay(seen.request(preset.pipeline));
+    const auto count = replay.count(grain);
+    EXPECT_TRUE(count.ok());
+    if (!count) return 0;
+    int events = 0;
+    for (std::uint64_t k = 0; k < *count && !testing::Test::HasFatalFailure(); ++k) {
+        const auto state = replay.at(grain, StepIndex{k});
+        EXPECT_TRUE(state.ok());
+        if (state->event != grain) continue;
+        ++events;
+        check(*state);
+    }
+    return events;
+}
+
+bool has(const Preset& preset, Grain grain)
+{
+    const auto grains = grainsOf(preset.pipeline);
+    return std::ranges::find(grains, grain) != grains.end();
+}
+
+float farthestIn(const VisibilityBuffer& visible, const PixelBox& box)
+{
+    float farthest = 2;
+    for (int y = box.y0; y < std::min(box.y1, visible.height()); ++y)
+        for (int x = box.x0; x < std::min(box.x1, visible.width()); ++x) farthest = std::min(farthest, visible.depthRow(y)[x]);
+    return farthest;
+}
+
+std::uint64_t counterOf(const SeenScene& seen, const Preset& preset, std::string_view name)
+{
+    Renderer   renderer;
+    const auto work = renderer.count(seen.request(preset.pipeline));
+    EXPECT_TRUE(work.ok());
+    for (const NamedCount& count : work->counters)
+        if (count.name == name) return count.value;
+    ADD_FAILURE() << "there is no counter " << name;
+    return 0;
+}
+
+TEST(StructureSteps, MethodsWithAPyramidStepThroughQueriesAndUpdatesAndTheIntervalMethodThroughIntervals)
+{
+    for (const Preset& preset : presets()) {
+        const bool hasPyramid = preset.pipeline.upkeep != Upkeep::None;
+        EXPECT_EQ(has(preset, Grain::Query), hasPyramid) << preset.name;
+        EXPECT_EQ(has(preset, Grain::Update), hasPyramid) << preset.name;
+        EXPECT_EQ(has(preset, Grain::Interval), preset.pipeline.scan == Scan::SweepIntervals) << preset.name;
+    }
+}
+
+TEST(StructureSteps, EveryQuestionIsAStepWhoseVerdictIsThatOfEachPixelOfItsRectangle)
+{
+    std::map<std::string, int> nodes;  // asked about, per preset
+    for (const SeenScene& seen : seenScenes()) {
+        for (const Preset& preset : presets()) {
+            if (!has(preset, Grain::Query) || preset.claim != Claim::Exact) continue;
+            std::map<std::string, int> asked;
+            const int events = forEveryEvent(seen, preset, Grain::Query, [&](const StepState& state) {
+                ASSERT_TRUE(state.hierarchy && state.hierarchy->query);
+                const HierarchyState& hierarchy = *state.hierarchy;
+                const PyramidQuery&   query     = *hierarchy.query;
+                ++asked[hierarchy.asked];
+                EXPECT_EQ(hierarchy.askedAbout.has_value(), hierarchy.asked == "triangle");
+                EXPECT_EQ(query.hidden, query.nearest < farthestIn(state.frame.visible, query.box)) << state.sentence;
+                EXPECT_EQ(state.sentence.find("not hidden, because") == std::string::npos, query.hidden) << state.sentence;
+                if (hierarchy.asked == "triangle") {
+                    EXPECT_NE(state.sentence.find("triangle " + std::to_string(hierarchy.askedAbout->value)), std::string::npos);
+                    return;
+                }
+                ASSERT_GE(hierarchy.now, 0);
+                EXPECT_EQ(hierarchy.nodes[static_cast<std::size_t>(hierarchy.now)].verdict, NodeVerdict::Waiting)
+                    << "nothing has followed from the answer yet";
+            });
+            EXPECT_EQ(static_cast<std::uint64_t>(events), counterOf(seen, preset, "pyramid_queries")) << preset.name;
+            EXPECT_EQ(asked["triangle"] > 0, asksTriangles(preset.pipeline.cull)) << preset.name;
+            nodes[std::string(preset.name)] += asked["node"];
+        }
+    }
+    for (const Preset& preset : presets())
+        EXPECT_EQ(nodes[std::string(preset.name)] > 0, asksNodes(preset.pipeline.cull)) << preset.name;
+}
+
+TEST(StructureSteps, EveryUpdateLeavesTheFarthestDepthOfTheCellAndFollowsTheOneBefore)
+{
+    std::set<int> levels;
+    for (const SeenScene& seen : seenScenes()) {
+        for (const Preset& preset : presets()) {
+            if (!has(preset, Grain::Update) || preset.claim != Claim::Exact) continue;
+            std::map<std::tuple<int, int, int>, float> held;
+            const int events = forEveryEvent(seen, preset, Grain::Update, [&](const StepState& state) {
+                ASSERT_TRUE(state.hierarchy && state.hierarchy->update);
+                const CellWrite&        cell    = *state.hierarchy->update;
+                const VisibilityBuffer& visible = state.frame.visible;
+                levels.insert(cell.level);
+                const int size = 1 << cell.level;
+                EXPECT_EQ(cell.after, farthestIn(visible, {cell.x * size, cell.y * size, (cell.x + 1) * size, (cell.y + 1) * size}));
+                const auto [known, isNew] = held.try_emplace({cell.level, cell.x, cell.y}, visible.empty());
+                EXPECT_EQ(cell.before, known->second) << state.sentence;
+                EXPECT_GE(cell.after, cell.before) << "depths only grow";
+                known->second = cell.after;
+                EXPECT_NE(state.sentence.find("of level " + std::to_string(cell.level)), std::string::npos) << state.sentence;
+                EXPECT_EQ(state.sentence.find("as before") != std::string::npos, cell.before == cell.after) << state.sentence;
+            });
+            EXPECT_GT(events, 0) << preset.name;
+        }
+    }
+    EXPECT_GT(levels.size(), 2u) << "tiles alone are no pyramid";
+}
+
+TEST(StructureSteps, EveryIntervalGivesItsPixelsToItsWinnerOrToTheNearestOfThoseOpen)
+{
+    std::set<IntervalReason> reasons;
+    for (const SeenScene& seen : seenScenes()) {
+        for (const Preset& preset : presets()) {
+            if (!has(preset, Grain::Interval) || preset.claim != Claim::Exact) continue;
+            Picture decided;  // by the intervals so far
+            decided.ids.reset(seen.camera.width, seen.camera.height, -1);
+            const int events = forEveryEvent(seen, preset, Grain::Interval, [&](const StepState& state) {
+                ASSERT_TRUE(state.interval.has_value());
+                const IntervalState& interval = *state.interval;
+                reasons.insert(interval.reason);
+                ASSERT_LT(interval.x0, interval.x1);
+                EXPECT_EQ(interval.winner.has_value(), interval.reason == IntervalReason::Alone || interval.reason == IntervalReason::Leads);
+                for (int x = interval.x0; x < interval.x1; ++x) {
+                    const std::int64_t id = state.frame.visible.idAt(x, interval.y);
+                    EXPECT_EQ(decided.ids.at(x, interval.y), -1) << "intervals do not overlap";
+                    decided.ids.at(x, interval.y) = id;
+                    if (interval.winner) {
+                        EXPECT_EQ(id, interval.winner->value);
+                    }
+                    if (id >= 0) {
+                        EXPECT_TRUE(std::ranges::binary_search(interval.open, TriangleId{static_cast<std::uint32_t>(id)}));
+                    }
+                }
+                EXPECT_EQ(state.sentence.find("pixel by pixel") == std::string::npos, interval.winner.has_value()) << state.sentence;
+                EXPECT_NE(state.sentence.find("Line " + std::to_string(interval.y)), std::string::npos) << state.sentence;
+            });
+            EXPECT_GT(events, 10) << preset.name;
+            Renderer renderer;
+            Frame    frame;
+            ASSERT_TRUE(renderer.draw(seen.request(preset.pipeline), frame).ok());
+            EXPECT_EQ(decided.ids, pictureOf(frame.visible).ids) << "between the intervals is nothing but background";
+        }
+    }
+    for (const IntervalReason reason : {IntervalReason::Alone, IntervalReason::Leads, IntervalReason::NoClearLead})
+        EXPECT_TRUE(reasons.contains(reason)) << static_cast<int>(reason);
+}
+
+}  // namespace
+}  // namespace zscope::tests
