@@ -101,6 +101,9 @@ Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& draw
 {
     Json hierarchy = Json::array();
     for (const DepthWork& depth : explained.work.depths) hierarchy.push_back(jsonOf(depth));
+    Json pyramid = Json::array();
+    for (const LevelWork& level : explained.work.levels)
+        pyramid.push_back({{"level", level.level}, {"cells_written", level.cellsWritten}, {"cells_changed", level.cellsChanged}});
     Json stages = Json::array();
     for (const StageTime& stage : drawn.report.stages)
         stages.push_back({{"name", wordOf(stage.stage)}, {"ms", stage.ms}, {"ran", stage.ran}, {"why", stage.why}});
@@ -118,6 +121,7 @@ Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& draw
             {"stages", std::move(stages)},
             {"counters", cli::jsonOf(explained.work.counters)},
             {"hierarchy", std::move(hierarchy)},
+            {"pyramid", std::move(pyramid)},
             {"missed_culls", missedCullsOf(explained.culls)},
             {"over_render", jsonOf(overRenderOf(explained.work, visible))},
             {"bytes", cli::jsonOf(drawn.report.bytes)},

@@ -33,9 +33,10 @@ void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, F
 
 void Pyramid::touched(const PixelBox& box)
 {
-    const int top = kTileLevel + static_cast<int>(m_levels.size()) - 1;
-    for (int y = (box.y0 - m_firstRow) >> kTileLevel; y <= (box.y1 - 1 - m_firstRow) >> kTileLevel; ++y) {
-        for (int x = box.x0 >> kTileLevel; x <= (box.x1 - 1) >> kTileLevel; ++x) {
+    const int      top   = levels() - 1;
+    const PixelBox tiles = tilesUnder(box);
+    for (int y = tiles.y0; y < tiles.y1; ++y) {
+        for (int x = tiles.x0; x < tiles.x1; ++x) {
             for (int level = kTileLevel, up = 0; level <= top; ++level, ++up) {
                 std::uint8_t& stale = at(level).stale.at(x >> up, y >> up);
                 if (stale) break;  // then all its ancestors are
@@ -43,6 +44,12 @@ void Pyramid::touched(const PixelBox& box)
             }
         }
     }
+}
+
+PixelBox Pyramid::tilesUnder(const PixelBox& box) const
+{
+    return {box.x0 >> kTileLevel, (box.y0 - m_firstRow) >> kTileLevel, ((box.x1 - 1) >> kTileLevel) + 1,
+            ((box.y1 - 1 - m_firstRow) >> kTileLevel) + 1};
 }
 
 void Pyramid::allTouched()
@@ -99,11 +106,13 @@ GridView<const float> Pyramid::stored(int level) const
     return m_levels[static_cast<std::size_t>(level - kTileLevel)].farthest.view();
 }
 
+template void         Pyramid::push(const PixelBox& box, const Untold& told);
+template void         Pyramid::pushFrom(const PixelBox& box, PushOrder order, const Untold& told);
 template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Untold& told);
 
 std::size_t Pyramid::bytes() const
 {
-    std::size_t total = 0;
+    std::size_t total = m_changed.capacity() * sizeof(m_changed[0]);
     for (const Level& level : m_levels) total += level.farthest.values().size_bytes() + level.stale.values().size_bytes();
     return total;
 }

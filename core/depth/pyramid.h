@@ -6,13 +6,16 @@
 // Levels     1 and 2 are not stored: a cell of them is at most 16 pixels, which are read instead. From kTileLevel up
 //            each level is half the one below, rounded up, to a single cell
 // Upkeep     touched() marks the tiles under a box and their ancestors as stale, and stops where they already are; a
-//            stale cell is recomputed when a query meets it and its old value could not answer
+//            stale cell is recomputed when a query meets it and its old value could not answer. Or push(): the tiles are
+//            recomputed at once, and from each of them its ancestors, up to the first that does not change
 // Promise    a cell is never nearer than the true farthest depth of its pixels: depths only grow, so an old value is
 //            too far at worst. hides() may say no of a hidden box, never yes of one that could win a pixel
-// Cost       query: at most 2 x 2 cells of one level, more only where undecided; touched(): constant for small boxes
+// Cost       query: at most 2 x 2 cells of one level, more only where undecided; touched(): constant for small boxes;
+//            push(): 64 pixels per tile and 4 cells per level that changes
 // Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993; docs/correctness.md, rules 1 to 3
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -44,6 +47,11 @@ struct Untold {
     constexpr void operator()(const CellWrite&) const noexcept {}
 };
 
+/// From which side of a box its tiles are taken.
+struct PushOrder {
+    bool fromRight = false, fromBottom = false;
+};
+
 class Pyramid {
 public:
     static constexpr int kTileLevel = 3;  // tiles of 8 x 8 pixels
@@ -54,6 +62,12 @@ public:
 
     /// Depths inside `box`, which lies in the region, may have grown.
     void touched(const PixelBox& box);
+    /// The same, and every cell is brought up to date: after each tile its ancestors, as far as they change.
+    template <class Told>
+    void push(const PixelBox& box, const Told& told);
+    /// The same, but all tiles first, so that the first way up from a group of tiles finds what the others would bring.
+    template <class Told>
+    void pushFrom(const PixelBox& box, PushOrder order, const Told& told);
     /// All depths may have grown.
     void allTouched();
 
@@ -86,6 +100,11 @@ private:
     bool   pixelsHide(const PixelBox& box, float nearest) const;
     template <class Told>
     float refresh(int level, int x, int y, const Told& told);
+    template <class Told>
+    bool pushTile(int x, int y, const Told& told);
+    template <class Told>
+    void pushUp(int tileX, int tileY, const Told& told);
+    PixelBox tilesUnder(const PixelBox& box) const;
     template <class ValueOf>
     float farthestChild(int level, int x, int y, const ValueOf& valueOf);
     float farthestPixel(int tileX, int tileY) const;
@@ -94,10 +113,13 @@ private:
     int                     m_firstRow = 0;
     int                     m_endRow   = 0;
     std::vector<Level>      m_levels;  // from kTileLevel up
+    std::vector<std::array<int, 2>> m_changed;      // tiles that the triangle at hand has changed
     int                     m_cellsRead = 0;  // by the query at hand
     Fault                   m_fault     = Fault::None;
 };
 
+extern template void         Pyramid::push(const PixelBox& box, const Untold& told);
+extern template void         Pyramid::pushFrom(const PixelBox& box, PushOrder order, const Untold& told);
 extern template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Untold& told);
 
 }  // namespace zscope

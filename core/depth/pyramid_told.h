@@ -77,6 +77,56 @@ float Pyramid::refresh(int level, int x, int y, const Told& told)
     return value;
 }
 
+/// Whether the tile changed.
+template <class Told>
+bool Pyramid::pushTile(int x, int y, const Told& told)
+{
+    float&      value  = at(kTileLevel).farthest.at(x, y);
+    const float before = value;
+    value              = farthestPixel(x, y);
+    told(CellWrite{kTileLevel, x, y, before, value});
+    return value != before;
+}
+
+/// From a tile that has changed upwards, to the first ancestor that does not.
+template <class Told>
+void Pyramid::pushUp(int tileX, int tileY, const Told& told)
+{
+    for (int level = kTileLevel + 1, up = 1; level < levels(); ++level, ++up) {
+        const int   x = tileX >> up, y = tileY >> up;
+        float&      value  = at(level).farthest.at(x, y);
+        const float before = value;
+        value = farthestChild(level, x, y, [&](int childX, int childY) { return at(level - 1).farthest.at(childX, childY); });
+        told(CellWrite{level, x, y, before, value});
+        if (value == before) return;
+    }
+}
+
+template <class Told>
+void Pyramid::push(const PixelBox& box, const Told& told)
+{
+    const PixelBox tiles = tilesUnder(box);
+    for (int y = tiles.y0; y < tiles.y1; ++y)
+        for (int x = tiles.x0; x < tiles.x1; ++x)
+            if (pushTile(x, y, told)) pushUp(x, y, told);
+}
+
+template <class Told>
+void Pyramid::pushFrom(const PixelBox& box, PushOrder order, const Told& told)
+{
+    const PixelBox tiles = tilesUnder(box);
+    m_changed.clear();
+    const int width = tiles.x1 - tiles.x0, height = tiles.y1 - tiles.y0;
+    for (int row = 0; row < height; ++row) {
+        const int y = order.fromBottom ? tiles.y1 - 1 - row : tiles.y0 + row;
+        for (int column = 0; column < width; ++column) {
+            const int x = order.fromRight ? tiles.x1 - 1 - column : tiles.x0 + column;
+            if (pushTile(x, y, told)) m_changed.push_back({x, y});
+        }
+    }
+    for (const auto& [x, y] : m_changed) pushUp(x, y, told);
+}
+
 /// Of the children of a cell above the tiles; `valueOf(childX, childY)` is what a child holds.
 template <class ValueOf>
 float Pyramid::farthestChild(int level, int x, int y, const ValueOf& valueOf)

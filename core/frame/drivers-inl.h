@@ -37,7 +37,7 @@ struct ScanConvert {
             if (occlusion.asksTriangles && isHidden(triangle)) continue;
             probe(TriangleReached{triangle});
             Scan::template fill<kKeep>(triangle, visible, rules, probe);
-            if (occlusion.keepsFresh) occlusion.pyramid->touched(triangle.box);
+            keepTrue(occlusion, triangle, probe);
             probe(TriangleFinished{triangle.id});
         }
         clock.lap(Stage::Raster);
@@ -73,6 +73,18 @@ void drawPass(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scr
     FrontToBack(stripe, scratch, trees, occlusion, clock, convert, rules, probe).visitScene();
 }
 
+inline AfterDrawing afterDrawing(const Pipeline& pipeline)
+{
+    switch (pipeline.upkeep) {
+    case Upkeep::None:
+    case Upkeep::AfterPrepass: return AfterDrawing::Nothing;
+    case Upkeep::OnQuery: return AfterDrawing::MarkStale;
+    case Upkeep::Pushed: return AfterDrawing::Push;
+    case Upkeep::PushedFarthest: return AfterDrawing::PushFromFarthest;
+    }
+    return AfterDrawing::Nothing;
+}
+
 template <class Scan, class Rules, class Probe>
 void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
                 const Probe& probe)
@@ -101,7 +113,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     const Occlusion occlusion{.pyramid       = hasPyramid ? &scratch.pyramid : nullptr,
                               .asksNodes     = asksNodes(pipeline.cull),
                               .asksTriangles = asksTriangles(pipeline.cull),
-                              .keepsFresh    = hasPyramid && !hasPrepass};
+                              .afterDrawing  = afterDrawing(pipeline)};
     if (hasPrepass)
         drawPass<Scan, Keep::Equal>(pipeline, stripe, scratch, occlusion, clock, rules, probe);
     else

@@ -61,8 +61,12 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
                                                   : StageReason{false, "no hierarchy is visited"};
     case Stage::Raster: return {true, sweeps ? "the sweep, line by line" : "the pixels of every triangle"};
     case Stage::Upkeep:
-        return pipeline.upkeep == Upkeep::None ? StageReason{false, "there is no pyramid to keep"}
-                                               : StageReason{true, "stale cells, when a query meets them: counted with cull and raster"};
+        switch (pipeline.upkeep) {
+        case Upkeep::None: return {false, "there is no pyramid to keep"};
+        case Upkeep::Pushed:
+        case Upkeep::PushedFarthest: return {true, "after each triangle, upwards as far as cells change: counted with raster"};
+        default: return {true, "stale cells, when a query meets them: counted with cull and raster"};
+        }
     case Stage::Shade: return {request.shade, request.shade ? "each pixel once, from its triangle" : "no colours were asked for"};
     case Stage::Other: return {true, "sizing buffers, starting threads, waiting for the slowest; on a first frame also the colours"};
     }

@@ -5,6 +5,8 @@
 //            each root, and all mesh trees share one list
 // Sums       visited = outside + hidden + entered at every depth; summed over depths, every figure is the counter of the
 //            same name. A depth pre-pass is counted apart
+// Pyramid    updates = cells written on the level of tiles; pyramid_writes and pyramid_levels_updated are the cells written
+//            and changed on all levels. An upkeep that pushes writes, on every level above, the cells changed below it
 #pragma once
 
 #include <cstdint>
@@ -28,8 +30,16 @@ struct DepthWork {
     std::uint64_t queries = 0, cellsRead = 0;  // of the pyramid, about nodes and about triangles
 };
 
+/// What the upkeep of one level of the pyramid took.
+struct LevelWork {
+    int           level = 0;
+    std::uint64_t cellsWritten = 0;  // computed anew
+    std::uint64_t cellsChanged = 0;  // of those: have another value than before
+};
+
 struct FrameWork {
     std::vector<NamedCount> counters;
+    std::vector<LevelWork>  levels;  // of the pyramid, those that were written, tiles first
     std::vector<DepthWork>  depths;  // the instance tree from its root down, then the mesh trees; empty without a tree
 };
 

@@ -170,7 +170,8 @@ std::optional<std::string> explainInvalid(const Pipeline& pipeline)
     if (!asks && pipeline.upkeep != Upkeep::None) return "Nobody would ask the pyramid: choose a cull by nodes or triangles, or upkeep=none";
     if (asksNodes(pipeline.cull) && pipeline.order == Order::Submitted) return "Culling nodes needs a hierarchy: choose order=octree or order=bvh";
     if (pipeline.upkeep == Upkeep::AfterPrepass && pipeline.depth != DepthMoment::Prepass) return "There is no pre-pass to build the pyramid after: choose depth=prepass or upkeep=on-query";
-    if (pipeline.upkeep == Upkeep::OnQuery && pipeline.depth == DepthMoment::Prepass) return "After a pre-pass depths no longer change: choose upkeep=after-prepass";
+    const bool followsWrites = pipeline.upkeep != Upkeep::None && pipeline.upkeep != Upkeep::AfterPrepass;
+    if (followsWrites && pipeline.depth == DepthMoment::Prepass) return "After a pre-pass depths no longer change: choose upkeep=after-prepass";
     return std::nullopt;
 }
 

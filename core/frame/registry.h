@@ -26,6 +26,8 @@ inline constexpr std::array kUpkeepChoices{
     ChoiceEntry{"none", "There is no pyramid"},
     ChoiceEntry{"on-query", "A stale cell is recomputed when a query meets it"},
     ChoiceEntry{"after-prepass", "Built once, after a depth pre-pass"},
+    ChoiceEntry{"pushed", "Pushed to the ancestors per write, tile by tile, with early stop"},
+    ChoiceEntry{"pushed-farthest", "Pushed to the ancestors once all tiles are right, from the triangle's farthest corner on"},
 };
 
 inline constexpr std::array kDepthChoices{

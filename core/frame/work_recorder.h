@@ -101,6 +101,14 @@ public:
         m_lastPartHidden = false;
     }
 
+    void observe(const CellUpdated& e)
+    {
+        const auto above = static_cast<std::size_t>(e.write.level - Pyramid::kTileLevel);
+        while (m_levels.size() <= above) m_levels.push_back({.level = Pyramid::kTileLevel + static_cast<int>(m_levels.size())});
+        ++m_levels[above].cellsWritten;
+        m_levels[above].cellsChanged += e.write.after != e.write.before;
+    }
+
     void observe(const EdgeTableReady& e) { m_edges += e.table.edgeCount(); }
     void observe(const ScanlineReady& e) { m_edgeLines += e.active.size(); }
     void observe(const SpanFilled&) { ++m_spans; }
@@ -116,7 +124,7 @@ public:
 
     FrameWork work() const
     {
-        FrameWork work{counts(), {}};
+        FrameWork work{counts(), m_levels, {}};
         for (const auto& tree : m_depths) work.depths.insert(work.depths.end(), tree.begin(), tree.end());
         return work;
     }
@@ -147,6 +155,9 @@ private:
                 {"nodes_drawn", total(&DepthWork::nodesDrawn)},
                 {"pyramid_queries", m_queries},
                 {"pyramid_cells_read", m_cells},
+                {"updates", m_levels.empty() ? 0 : m_levels.front().cellsWritten},
+                {"pyramid_writes", total(&LevelWork::cellsWritten)},
+                {"pyramid_levels_updated", total(&LevelWork::cellsChanged)},
                 {"edges", m_edges},
                 {"active_edge_lines", m_edgeLines},
                 {"spans", m_spans},
@@ -175,6 +186,13 @@ private:
         std::uint64_t sum = 0;
         for (const auto& tree : m_depths)
             for (const DepthWork& work : tree) sum += work.*figure;
+        return sum;
+    }
+
+    std::uint64_t total(std::uint64_t LevelWork::*figure) const
+    {
+        std::uint64_t sum = 0;
+        for (const LevelWork& work : m_levels) sum += work.*figure;
         return sum;
     }
 
@@ -209,6 +227,7 @@ private:
     const Scene&                 m_scene;
     bool                         m_inPrepass = false;
     std::array<std::uint64_t, 8> m_fates{};  // by SetUp
+    std::vector<LevelWork>               m_levels;          // of the pyramid, from the tiles up
     std::array<std::deque<DepthWork>, 2> m_depths;          // instance tree, mesh trees; [depth]
     DepthWork*                           m_here = nullptr;  // of the node whose triangles are being drawn, if any
     std::optional<TriangleId>    m_lastPart;

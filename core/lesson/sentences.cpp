@@ -121,12 +121,16 @@ std::string queryOver(const HierarchyState& hierarchy)
            counted(q.cells, "cell", "cells") + ": all are strictly nearer, so it is hidden.";
 }
 
-std::string updateOver(const CellWrite& cell)
+std::string updateOver(const CellWrite& cell, Upkeep upkeep)
 {
-    const std::string from = cell.level == Pyramid::kTileLevel ? "its pixels" : fmt::format("its children on level {}", cell.level - 1);
-    const std::string what = fmt::format("Cell ({}, {}) of level {} is the farthest of {} again:", cell.x, cell.y, cell.level, from);
-    if (cell.before == cell.after) return what + fmt::format(" {:.7g} as before, so it changes nothing above.", cell.after);
-    return what + fmt::format(" {:.7g} instead of {:.7g}.", cell.after, cell.before);
+    const bool        pushed = upkeep == Upkeep::Pushed || upkeep == Upkeep::PushedFarthest;
+    const bool        isTile = cell.level == Pyramid::kTileLevel;
+    const std::string why    = !pushed ? "because a question met it stale" : isTile ? "because pixels of it were drawn" : "because a cell below it has changed";
+    const std::string from = isTile ? "its pixels" : fmt::format("its children on level {}", cell.level - 1);
+    const std::string what = fmt::format("Cell ({}, {}) of level {} becomes the farthest of {} again, {}:", cell.x, cell.y, cell.level, from, why);
+    if (cell.before == cell.after)
+        return what + fmt::format(" {:.7g} as before, so {}.", cell.after, pushed ? "the way up ends here" : "it changes nothing above");
+    return what + fmt::format(" {:.7g} instead of {:.7g}{}.", cell.after, cell.before, pushed ? ", so the level above is next" : "");
 }
 
 std::string intervalOver(const IntervalState& interval)
@@ -184,7 +188,7 @@ std::string sentenceFor(const StepState& state, const Pipeline& pipeline, Moment
         return fmt::format("Triangle {} is drawn: it is nearest so far at {}.", grouped(state.triangle->triangle.value),
                            counted(state.triangle->pixelsWon, "pixel", "pixels"));
     case Moment::QueryOver: return queryOver(*state.hierarchy);
-    case Moment::UpdateOver: return updateOver(*state.hierarchy->update);
+    case Moment::UpdateOver: return updateOver(*state.hierarchy->update, pipeline.upkeep);
     case Moment::IntervalOver: return intervalOver(*state.interval);
     case Moment::LineReady: return lineReady(*state.sweep);
     case Moment::LineOver: return lineOver(*state.sweep);

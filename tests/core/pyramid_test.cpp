@@ -1,10 +1,11 @@
 // What the pyramid promises, against every pixel asked one by one: hidden exactly when each pixel of the box is strictly
 // nearer. Hard cases D1 to D7 and D9 of docs/correctness.md.
-#include "core/depth/pyramid.h"
+#include "core/depth/pyramid_told.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -238,6 +239,47 @@ TEST(Pyramid, D7ABoxAsWideAsThePictureIsAnsweredThoughOnePixelDecides)
             }
         }
     }
+}
+
+/// D9: far to near, so that every write changes something.
+TEST(Pyramid, PushingKeepsEveryCellTheMinimumOfItsPixelsAndStopsAtTheFirstLevelThatDoesNotChange)
+{
+    for (const auto& [width, height] : kSizes)
+        for (const bool fromFarthest : {false, true}) {
+            SCOPED_TRACE(testing::Message() << width << 'x' << height << (fromFarthest ? ", from the farthest corner" : ""));
+            const int first = height > 10 ? 3 : 0;
+            Random    random(static_cast<std::uint64_t>(width * 8192 + height));
+            Screen    screen(width, height, first, height, 0.0f);
+            const int steps = width > 500 ? 12 : 60;
+            for (int i = 0; i < steps; ++i) {
+                const PixelBox box   = screen.anyBox(random);
+                const auto     depth = static_cast<float>(i + 1) / static_cast<float>(steps);
+                for (int y = box.y0; y < box.y1; ++y) std::fill_n(screen.visible.depthRow(y) + box.x0, box.x1 - box.x0, depth);
+                std::vector<CellWrite> writes;
+                const auto             told = [&writes](const CellWrite& write) { writes.push_back(write); };
+                if (fromFarthest)
+                    screen.pyramid.pushFrom(box, {.fromRight = random.below(2) == 0, .fromBottom = random.below(2) == 0}, told);
+                else
+                    screen.pyramid.push(box, told);
+                for (std::size_t w = 0; w + 1 < writes.size(); ++w) {
+                    if (writes[w + 1].level == Pyramid::kTileLevel) continue;
+                    if (writes[w + 1].level != writes[w].level + 1) {  // the first step up from a tile written before
+                        EXPECT_TRUE(fromFarthest && writes[w + 1].level == Pyramid::kTileLevel + 1);
+                        continue;
+                    }
+                    if (writes[w].level == Pyramid::kTileLevel && fromFarthest) continue;
+                    EXPECT_NE(writes[w].before, writes[w].after) << "only a cell that changed is followed by the one above";
+                    EXPECT_EQ(writes[w + 1].x, writes[w].x / 2);
+                    EXPECT_EQ(writes[w + 1].y, writes[w].y / 2);
+                }
+                for (int level = Pyramid::kTileLevel; level < screen.pyramid.levels(); ++level) {
+                    const auto stored = screen.pyramid.stored(level);
+                    for (int y = 0; y < stored.height; ++y)
+                        for (int x = 0; x < stored.width; ++x)
+                            ASSERT_EQ(stored.at(x, y), screen.farthest(screen.cell(level, x, y))) << level << ": " << x << ' ' << y;
+                }
+            }
+        }
 }
 
 TEST(Pyramid, BackgroundHidesOnlyWhatTheFarTestDrops)
