@@ -19,6 +19,7 @@ struct Occlusion {
     Pyramid* pyramid       = nullptr;  // nullptr: there is none, and the rest is false
     bool     asksNodes     = false;    // is this node hidden?
     bool     asksTriangles = false;    // is this triangle hidden?
+    bool     asksByShape   = false;    // of a triangle only what it covers, not its whole box
     AfterDrawing afterDrawing = AfterDrawing::Nothing;
 };
 

@@ -57,14 +57,11 @@ void Pyramid::allTouched()
     for (Level& level : m_levels) std::ranges::fill(level.stale.values(), std::uint8_t{1});
 }
 
-bool Pyramid::pixelsHide(const PixelBox& box, float nearest) const
+/// The pixels of a cell that lie in the box.
+PixelBox Pyramid::pixelsOf(int level, int x, int y, const PixelBox& box) const
 {
-    for (int y = box.y0; y < box.y1; ++y) {
-        const float* depth = m_visible->depthRow(y);
-        for (int x = box.x0; x < box.x1; ++x)
-            if (!isBehind(nearest, depth[x])) return false;
-    }
-    return true;
+    const int left = x << level, top = m_firstRow + (y << level), side = 1 << level;
+    return {std::max(box.x0, left), std::max(box.y0, top), std::min(box.x1, left + side), std::min(box.y1, top + side)};
 }
 
 /// A fault on purpose: what shows through between the corners is not seen.
@@ -108,7 +105,8 @@ GridView<const float> Pyramid::stored(int level) const
 
 template void         Pyramid::push(const PixelBox& box, const Untold& told);
 template void         Pyramid::pushFrom(const PixelBox& box, PushOrder order, const Untold& told);
-template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Untold& told);
+template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const WholeBox& shape, const Untold& told);
+template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const TriangleCover& shape, const Untold& told);
 
 std::size_t Pyramid::bytes() const
 {

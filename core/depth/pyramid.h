@@ -21,6 +21,7 @@
 
 #include "core/base/fault.h"
 #include "core/base/grid.h"
+#include "core/depth/triangle_cover.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/screen_triangle.h"
 
@@ -31,7 +32,7 @@ struct PyramidQuery {
     PixelBox box;
     float    nearest = 0;  // the nearest depth anything inside the box could have
     int      level   = 0;  // where it began: floor(log2(longer side)), or one more if that takes three cells a side
-    float    value   = 0;  // the farthest depth found on that level
+    float    value   = 0;  // the farthest depth found on that level, in the cells that were asked; 0 if none was
     bool     hidden  = false;
     int      cells   = 0;  // read to decide
 };
@@ -73,10 +74,11 @@ public:
 
     /// True if nothing at depth `nearest` or farther, inside `box` (not empty, inside the region), could win a pixel.
     bool hides(const PixelBox& box, float nearest) { return ask(box, nearest).hidden; }
-    PyramidQuery ask(const PixelBox& box, float nearest) { return ask(box, nearest, Untold{}); }
-    /// The same, and told(CellWrite) right after each cell that is written on the way. Defined in pyramid_told.h.
-    template <class Told>
-    PyramidQuery ask(const PixelBox& box, float nearest, const Told& told);
+    PyramidQuery ask(const PixelBox& box, float nearest) { return ask(box, nearest, WholeBox{}, Untold{}); }
+    /// The same of a shape inside the box (TriangleCover): only cells that it overlaps are asked, and of pixels those that it
+    /// covers. told(CellWrite) is called right after each cell that is written on the way. Defined in pyramid_told.h.
+    template <class Shape, class Told>
+    PyramidQuery ask(const PixelBox& box, float nearest, const Shape& shape, const Told& told);
 
     int               levels() const { return kTileLevel + static_cast<int>(m_levels.size()); }
     /// Stored values of a level from kTileLevel up, stale ones as they are.
@@ -95,9 +97,11 @@ private:
     float        kept(float a, float b) const { return (m_fault == Fault::NearestInCells) == (a < b) ? b : a; }
 
     Level& at(int level) { return m_levels[static_cast<std::size_t>(level - kTileLevel)]; }
-    template <class Told>
-    bool cellHides(int level, int x, int y, const PixelBox& box, float nearest, const Told& told);
-    bool   pixelsHide(const PixelBox& box, float nearest) const;
+    PixelBox pixelsOf(int level, int x, int y, const PixelBox& box) const;
+    template <class Shape, class Told>
+    bool cellHides(int level, int x, int y, const PixelBox& box, float nearest, const Shape& shape, const Told& told);
+    template <class Shape>
+    bool pixelsHide(const PixelBox& box, float nearest, const Shape& shape) const;
     template <class Told>
     float refresh(int level, int x, int y, const Told& told);
     template <class Told>
@@ -120,6 +124,7 @@ private:
 
 extern template void         Pyramid::push(const PixelBox& box, const Untold& told);
 extern template void         Pyramid::pushFrom(const PixelBox& box, PushOrder order, const Untold& told);
-extern template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Untold& told);
+extern template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const WholeBox& shape, const Untold& told);
+extern template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const TriangleCover& shape, const Untold& told);
 
 }  // namespace zscope

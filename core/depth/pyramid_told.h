@@ -13,8 +13,8 @@
 
 namespace zscope {
 
-template <class Told>
-PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Told& told)
+template <class Shape, class Told>
+PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Shape& shape, const Told& told)
 {
     if (m_fault == Fault::CornersOnly) return askAtCorners(box, nearest);
     const int width = box.x1 - box.x0, height = box.y1 - box.y0;
@@ -29,34 +29,44 @@ PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Told& told)
     query.value = std::numeric_limits<float>::infinity();
     for (int y = y0 >> level; y <= y1 >> level; ++y) {
         for (int x = x0 >> level; x <= x1 >> level; ++x) {
-            query.hidden = query.hidden && cellHides(level, x, y, box, nearest, told);
+            if (!shape.overlaps(pixelsOf(level, x, y, box))) continue;
+            query.hidden = query.hidden && cellHides(level, x, y, box, nearest, shape, told);
             query.value  = std::min(query.value, at(level).farthest.at(x, y));
         }
     }
     query.cells = m_cellsRead;
+    if (query.cells == 0) query.value = 0;
     return query;
 }
 
-template <class Told>
-bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float nearest, const Told& told)
+/// Of a cell that the shape overlaps.
+template <class Shape, class Told>
+bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float nearest, const Shape& shape, const Told& told)
 {
     ++m_cellsRead;
     if (isBehind(nearest, at(level).farthest.at(x, y))) return true;
     if (at(level).stale.at(x, y) && isBehind(nearest, refresh(level, x, y, told))) return true;
 
-    // Undecided: something in the cell is as far or farther. Is it inside the box?
-    if (level == kTileLevel) {
-        const int left = x << level, top = m_firstRow + (y << level);
-        return pixelsHide({std::max(box.x0, left), std::max(box.y0, top), std::min(box.x1, left + (1 << level)),
-                           std::min(box.y1, top + (1 << level))},
-                          nearest);
-    }
+    // Undecided: something in the cell is as far or farther. Is it inside the shape?
+    if (level == kTileLevel) return pixelsHide(pixelsOf(level, x, y, box), nearest, shape);
     const int below = level - 1;
     const int x0 = std::max(2 * x, box.x0 >> below), x1 = std::min(2 * x + 1, (box.x1 - 1) >> below);
     const int y0 = std::max(2 * y, (box.y0 - m_firstRow) >> below), y1 = std::min(2 * y + 1, (box.y1 - 1 - m_firstRow) >> below);
     for (int childY = y0; childY <= y1; ++childY)
         for (int childX = x0; childX <= x1; ++childX)
-            if (!cellHides(below, childX, childY, box, nearest, told)) return false;
+            if (shape.overlaps(pixelsOf(below, childX, childY, box)) && !cellHides(below, childX, childY, box, nearest, shape, told))
+                return false;
+    return true;
+}
+
+template <class Shape>
+bool Pyramid::pixelsHide(const PixelBox& box, float nearest, const Shape& shape) const
+{
+    for (int y = box.y0; y < box.y1; ++y) {
+        const float* depth = m_visible->depthRow(y);
+        for (int x = box.x0; x < box.x1; ++x)
+            if (!isBehind(nearest, depth[x]) && shape.covers(x, y)) return false;
+    }
     return true;
 }
 

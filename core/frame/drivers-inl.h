@@ -44,10 +44,16 @@ struct ScanConvert {
     }
 
 private:
+    template <class Shape>
+    PyramidQuery ask(const ScreenTriangle& triangle, const Shape& shape) const
+    {
+        return occlusion.pyramid->ask(triangle.box, rules.stored(triangle.depth.nearest), shape, tellingOfCells(probe));
+    }
+
     bool isHidden(const ScreenTriangle& triangle) const
     {
-        const PyramidQuery query =
-            occlusion.pyramid->ask(triangle.box, rules.stored(triangle.depth.nearest), tellingOfCells(probe));
+        const PyramidQuery query = occlusion.asksByShape ? ask(triangle, TriangleCover(triangle, rules.notOwned()))
+                                                         : ask(triangle, WholeBox{});
         probe(PyramidAsked{query, nullptr, triangle.id});
         if (query.hidden)
             probe(TriangleHidden{triangle.id, query});
@@ -113,6 +119,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     const Occlusion occlusion{.pyramid       = hasPyramid ? &scratch.pyramid : nullptr,
                               .asksNodes     = asksNodes(pipeline.cull),
                               .asksTriangles = asksTriangles(pipeline.cull),
+                              .asksByShape   = pipeline.query == TriangleQuery::Triangle,
                               .afterDrawing  = afterDrawing(pipeline)};
     if (hasPrepass)
         drawPass<Scan, Keep::Equal>(pipeline, stripe, scratch, occlusion, clock, rules, probe);

@@ -27,6 +27,7 @@ std::span<const AxisEntry> axes()
         AxisEntry{"order", "In which order the scene is visited", kOrderChoices},
         AxisEntry{"cull", "What is skipped before it becomes pixels", kCullChoices},
         AxisEntry{"upkeep", "How the pyramid is kept true to the depth buffer", kUpkeepChoices},
+        AxisEntry{"query", "What of a triangle the pyramid is asked about", kQueryChoices},
         AxisEntry{"scan", "How triangles become pixels", kScanChoices},
         AxisEntry{"depth", "When depth is decided", kDepthChoices},
         AxisEntry{"snap", "How finely corners are snapped", kSnapChoices},
@@ -48,6 +49,7 @@ bool withAxis(Pipe& pipeline, std::string_view axis, const Use& use)
     if (axis == "order") return use(pipeline.order), true;
     if (axis == "cull") return use(pipeline.cull), true;
     if (axis == "upkeep") return use(pipeline.upkeep), true;
+    if (axis == "query") return use(pipeline.query), true;
     if (axis == "scan") return use(pipeline.scan), true;
     if (axis == "depth") return use(pipeline.depth), true;
     if (axis == "snap") return use(pipeline.approximation.snap), true;
@@ -160,6 +162,8 @@ std::optional<std::string> explainInvalid(const Pipeline& pipeline)
 {
     if (auto misfit = explainMisfit(pipeline)) return misfit;
     const bool asks = asksNodes(pipeline.cull) || asksTriangles(pipeline.cull);
+    if (pipeline.query == TriangleQuery::Triangle && !asksTriangles(pipeline.cull))
+        return "Nobody asks the pyramid about triangles: choose cull=triangles or cull=nodes-triangles, or query=box";
     if (familyOf(pipeline) == Family::Sweep) {
         if (pipeline.order != Order::Submitted) return "A sweep sorts the scene by lines itself: choose order=submitted";
         if (asks || pipeline.upkeep != Upkeep::None) return "A sweep keeps no depth buffer to build a pyramid on: choose cull=frustum and upkeep=none";

@@ -23,6 +23,8 @@ enum class Order { Submitted, Octree, Bvh };
 enum class Cull { Frustum, Nodes, Triangles, NodesAndTriangles };
 /// How the pyramid is kept true to the depth buffer.
 enum class Upkeep { None, OnQuery, AfterPrepass, Pushed, PushedFarthest };
+/// What a triangle is to the pyramid when it is asked about.
+enum class TriangleQuery { Box, Triangle };
 /// How triangles become pixels.
 enum class Scan { HalfSpace, EdgeWalk, SweepZLine, SweepIntervals };
 /// When depth is decided.
@@ -35,6 +37,7 @@ struct Pipeline {
     Order         order  = Order::Submitted;
     Cull          cull   = Cull::Frustum;
     Upkeep        upkeep = Upkeep::None;
+    TriangleQuery query  = TriangleQuery::Box;
     Scan          scan   = Scan::HalfSpace;
     DepthMoment   depth  = DepthMoment::AtOnce;
     Approximation approximation = {};          // each of its members is an axis

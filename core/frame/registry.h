@@ -30,6 +30,11 @@ inline constexpr std::array kUpkeepChoices{
     ChoiceEntry{"pushed-farthest", "Pushed to the ancestors once all tiles are right, from the triangle's farthest corner on"},
 };
 
+inline constexpr std::array kQueryChoices{
+    ChoiceEntry{"box", "A triangle is asked about by its rectangle"},
+    ChoiceEntry{"triangle", "Only cells that the triangle itself overlaps are asked, and pixels that it covers"},
+};
+
 inline constexpr std::array kDepthChoices{
     ChoiceEntry{"at-once", "Every fragment is tested against the winner so far"},
     ChoiceEntry{"prepass", "Depth first; then only fragments of equal depth count"},

@@ -115,6 +115,7 @@ std::string queryOver(const HierarchyState& hierarchy)
                                                 : fmt::format("node {} of the instances", node->path);
     const std::string asked = fmt::format("Is {} hidden? It reaches {} x {} pixels and is at most {:.7g} near; level {} of the pyramid holds {:.7g} as the farthest there:",
                                           who, q.box.x1 - q.box.x0, q.box.y1 - q.box.y0, q.nearest, q.level, q.value);
+    if (q.cells == 0) return asked + " nothing is read, because it covers no pixel's centre; so it is hidden.";
     if (!q.hidden) return asked + " not hidden, because a pixel was found that is not nearer, after " + counted(q.cells, "cell.", "cells.");
     if (q.nearest < q.value) return asked + " hidden, because everything there is strictly nearer, by " + counted(q.cells, "cell.", "cells.");
     return asked + " that does not decide, but the finer cells and pixels inside its rectangle do, after " +

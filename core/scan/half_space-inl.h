@@ -1,7 +1,6 @@
 // Scan conversion by half-spaces: a pixel is inside a triangle if it lies on the inner side of all three edges.
 //
-// Edge value E(P) = dx (Py - Ya) - dy (Px - Xa) for the edge from a to b; positive inside, and zero belongs to
-//            left and top edges only. Values are integers below 2^53, so float64 lanes hold them exactly
+// Edges      values are integers below 2^53 (core/geometry/half_plane.h), so float64 lanes hold them exactly
 // Tiles      the triangle's box is cut into columns one vector wide and tiles of kTileLines lines; a tile
 //            wholly on the outer side of one edge is skipped
 // Wide       triangles beyond the guard band are handed to EdgeWalk, whose 128-bit edges find the same pixels
@@ -16,6 +15,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/geometry/half_plane.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/edge_walk-inl.h"
 
@@ -32,10 +32,8 @@ struct HalfSpace {
             EdgeWalk::fill<kKeep>(triangle, visible, rules, probe);
             return;
         }
-        const PixelBox&             box = triangle.box;
-        const double                notOwned = rules.notOwned();
-        const std::array<HalfPlane, 3> planes{halfPlane(triangle, 0, 1, notOwned), halfPlane(triangle, 1, 2, notOwned),
-                                              halfPlane(triangle, 2, 0, notOwned)};
+        const PixelBox&                box    = triangle.box;
+        const std::array<HalfPlane, 3> planes = halfPlanesOf(triangle, rules.notOwned());
         const DepthTest<kKeep, Rules> test(triangle.depth, triangle.rank(), visible.empty(), rules);
         const bool oneTile = box.x1 - box.x0 <= laneCount() && box.y1 - box.y0 <= kTileLines;
 
@@ -43,38 +41,14 @@ struct HalfSpace {
             const Vec64 column = test.column(x, box.x0);
             for (int y = box.y0; y < box.y1; y += kTileLines) {
                 const int end = std::min(y + kTileLines, box.y1);
-                if (!oneTile && isOutside(planes, x - box.x0, y - box.y0)) continue;
+                const int right = x - box.x0, down = y - box.y0;
+                if (!oneTile && areOutside(planes, right, down, right + laneCount() - 1, down + kTileLines - 1)) continue;
                 fillTile(triangle, planes, test, column, x, y, end, visible, rules, probe);
             }
         }
     }
 
 private:
-    /// Edge values at the centre of the box's first pixel and how they change from pixel to pixel. The value is
-    /// lowered by one for edges that do not own their points, so that "inside" is "not negative" for every edge.
-    struct HalfPlane {
-        double origin, perPixel, perLine;
-
-        double at(int right, int down) const { return origin + right * perPixel + down * perLine; }
-    };
-
-    static HalfPlane halfPlane(const ScreenTriangle& t, std::size_t a, std::size_t b, double notOwned)
-    {
-        const double dx = t.x[b] - t.x[a], dy = t.y[b] - t.y[a];
-        const double px = t.box.x0 * kSubpixels + 128, py = t.box.y0 * kSubpixels + 128;
-        const bool   isLeftOrTop = dy < 0 || (dy == 0 && dx > 0);
-        return {dx * (py - t.y[a]) - dy * (px - t.x[a]) - (isLeftOrTop ? 0 : notOwned), -dy * kSubpixels, dx * kSubpixels};
-    }
-
-    /// True if some edge has the whole tile at (right, down) on its outer side, judged at the tile's innermost corner.
-    static bool isOutside(const std::array<HalfPlane, 3>& planes, int right, int down)
-    {
-        const int lastRight = right + laneCount() - 1, lastDown = down + kTileLines - 1;
-        for (const HalfPlane& plane : planes)
-            if (plane.at(plane.perPixel > 0 ? lastRight : right, plane.perLine > 0 ? lastDown : down) < 0) return true;
-        return false;
-    }
-
     /// Lines [y, end) of the column of pixels x, x + 1, ...
     template <Keep kKeep, class Rules, class Probe>
     static void fillTile(const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes,

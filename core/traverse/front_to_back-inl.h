@@ -154,7 +154,7 @@ private:
         if (m_rules.truncatesNodeBoxes()) --reach.pixels.x1, --reach.pixels.y1;
         if (reach.pixels.isEmpty()) return tell(placed, node, Verdict::Outside, nullptr);
         const PyramidQuery query =
-            m_occlusion.pyramid->ask(reach.pixels, m_rules.stored(reach.nearest), tellingOfCells(m_probe));
+            m_occlusion.pyramid->ask(reach.pixels, m_rules.stored(reach.nearest), WholeBox{}, tellingOfCells(m_probe));
         if constexpr (Probe::listens) {
             const NodePlace asked = placed.place(node);
             m_probe(PyramidAsked{query, &asked, {}});

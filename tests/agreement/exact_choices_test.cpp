@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/measure/cull_audit.h"
 #include "core/measure/verify.h"
 #include "core/scene/load.h"
 #include "tests/agreement/agreement_support.h"
@@ -22,7 +23,7 @@ struct Choice {
     const char* axis;
     const char* word;
 };
-constexpr Choice kChoices[] = {{"upkeep", "pushed"}, {"upkeep", "pushed-farthest"}};
+constexpr Choice kChoices[] = {{"upkeep", "pushed"}, {"upkeep", "pushed-farthest"}, {"query", "triangle"}};
 
 Pipeline with(const char* preset, const Choice& choice)
 {
@@ -173,6 +174,50 @@ TEST(Upkeep, BeginningAtTheFarthestCornerChangesFewerAncestors)
         return counted.counters.at("pyramid_levels_updated") - counted.work.levels.front().cellsChanged;
     };
     EXPECT_LT(aboveTiles("pushed-farthest"), aboveTiles("pushed"));
+}
+
+/// Triangles hidden one by one, and those drawn although a perfect test of their box would have hidden them.
+struct Culled {
+    std::uint64_t hidden, missed;
+};
+
+Culled culledOn(const std::string& word, const Pipeline& pipeline)
+{
+    auto loaded = loadScene("builtin:" + word);
+    EXPECT_TRUE(loaded.ok());
+    const auto  scene = std::make_shared<const Scene>(*std::move(loaded));
+    DrawRequest request;
+    request.scene    = std::make_shared<const PreparedScene>(scene);
+    request.camera   = cameraFor(*scene, 241, 163);
+    request.pipeline = pipeline;
+    request.threads  = 1;
+    Renderer renderer;
+    Frame    frame;
+    EXPECT_TRUE(renderer.draw(request, frame).ok());
+    const Picture picture = pictureOf(frame.visible);
+    const auto    audit   = auditCulls(request, frame.visible, picture.ids.values());
+    EXPECT_TRUE(audit.ok());
+    EXPECT_EQ(audit->falseCulls.total(), 0u) << word;
+    return {audit->trianglesHidden, audit->missedTriangles};
+}
+
+TEST(TriangleQuery, HidesMoreThanTheBoxDoesAndMissesLess)
+{
+    for (const char* word : {"city?blocks=3", "soccer-field?count=40"}) {
+        const Culled box      = culledOn(word, findPreset("hzb-octree")->pipeline);
+        const Culled triangle = culledOn(word, with("hzb-octree", {"query", "triangle"}));
+        EXPECT_GT(triangle.hidden, box.hidden) << word;
+        EXPECT_LT(triangle.missed, box.missed) << word;
+    }
+}
+
+TEST(TriangleQuery, IsRefusedWhereNobodyAsksAboutTriangles)
+{
+    for (const Preset& preset : presets()) {
+        Pipeline pipeline = preset.pipeline;
+        pipeline.query    = TriangleQuery::Triangle;
+        EXPECT_EQ(explainInvalid(pipeline).has_value(), !asksTriangles(pipeline.cull)) << preset.name;
+    }
 }
 
 }  // namespace

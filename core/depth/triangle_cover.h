@@ -1,0 +1,43 @@
+// Which pixels of its box a triangle covers, asked of rectangles or one by one, without a scan.
+//
+// Promise    covers() is the coverage of the definition. overlaps() says no only of a rectangle without a covered centre, and
+//            yes only if the triangle meets the rectangle of its centres, in a corner, across an edge or as a whole
+// Wide       of a triangle beyond the guard band nothing is known: it counts as covering its box
+// Source     docs/correctness.md, Coverage
+#pragma once
+
+#include "core/geometry/half_plane.h"
+
+namespace zscope {
+
+class TriangleCover {
+public:
+    /// `notOwned` as of the rules: what an edge value is lowered by where the edge does not own its points.
+    TriangleCover(const ScreenTriangle& triangle, double notOwned)
+        : m_planes(halfPlanesOf(triangle, notOwned)), m_x0(triangle.box.x0), m_y0(triangle.box.y0), m_wide(triangle.wide)
+    {
+    }
+
+    /// `pixels` is not empty and inside the triangle's box.
+    bool overlaps(const PixelBox& pixels) const
+    {
+        return m_wide || !areOutside(m_planes, pixels.x0 - m_x0, pixels.y0 - m_y0, pixels.x1 - 1 - m_x0, pixels.y1 - 1 - m_y0);
+    }
+    bool covers(int x, int y) const
+    {
+        return m_wide || !areOutside(m_planes, x - m_x0, y - m_y0, x - m_x0, y - m_y0);
+    }
+
+private:
+    std::array<HalfPlane, 3> m_planes;
+    int                      m_x0, m_y0;
+    bool                     m_wide;
+};
+
+/// The shape that is its box.
+struct WholeBox {
+    static constexpr bool overlaps(const PixelBox&) { return true; }
+    static constexpr bool covers(int, int) { return true; }
+};
+
+}  // namespace zscope
