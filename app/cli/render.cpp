@@ -69,10 +69,12 @@ Json jsonOf(const DepthWork& work)
             {"nodes_hidden", work.nodesHidden},
             {"nodes_entered", work.nodesEntered},
             {"nodes_drawn", work.nodesDrawn},
+            {"nodes_dropped", work.nodesDropped},
             {"triangles_outside", work.trianglesOutside},
             {"triangles_hidden_by_node", work.trianglesHiddenByNode},
             {"triangles_hidden", work.trianglesHidden},
             {"triangles_drawn", work.trianglesDrawn},
+            {"triangles_dropped_with_node", work.trianglesDropped},
             {"pyramid_queries", work.queries},
             {"pyramid_cells_read", work.cellsRead}};
 }

@@ -20,6 +20,11 @@ enum class EdgeSteps { Exact, Accumulated };
 /// What happens to a triangle that crosses the near plane.
 enum class NearPlane { Clip, Drop };
 
+/// How far down the pyramid a question goes.
+enum class CellDescent { Descend, OneLevel };
+/// What becomes of a node whose whole rectangle on the screen has fewer pixels.
+enum class SmallNodes { Keep, DropBelow4, DropBelow16 };
+
 struct Approximation {
     SnapBits      snap   = SnapBits::Eight;
     VertexNumbers vertex = VertexNumbers::Float64;
@@ -27,6 +32,8 @@ struct Approximation {
     DepthFormat   format = DepthFormat::ReversedFloat32;
     EdgeSteps     edges  = EdgeSteps::Exact;
     NearPlane     near   = NearPlane::Clip;
+    CellDescent   cells  = CellDescent::Descend;
+    SmallNodes    small  = SmallNodes::Keep;
 
     bool isAny() const { return *this != Approximation{}; }
     friend bool operator==(const Approximation&, const Approximation&) = default;

@@ -11,7 +11,7 @@
 
 namespace zscope {
 
-enum class Verdict { Outside, Hidden, Entered };
+enum class Verdict { Outside, Hidden, Entered, Small };  // Small: dropped, as an approximation
 
 /// Which node of which tree: the tree over the instances, or the mesh tree of one instance.
 struct NodePlace {

@@ -21,6 +21,7 @@ struct NodeReach {
     PixelBox pixels;           // inside the region; empty: no pixel centre can be covered
     float    nearest = 1;      // no depth inside the box is larger
     bool     crossesNear = false;
+    double   area    = 0;      // of the whole rectangle, in the region or not, pixels
 };
 
 inline NodeReach reachOf(const Bounds& box, const Affine& toWorld, const Projection& p, const PixelBox& region)
@@ -38,7 +39,7 @@ inline NodeReach reachOf(const Bounds& box, const Affine& toWorld, const Project
                          std::abs(p.eye[static_cast<int>(row)]);
         }
         const double error = kSlack * magnitude, z = v.z - error;
-        if (!(z >= p.near)) return {region, 1, true};
+        if (!(z >= p.near)) return {region, 1, true, 0};
         const double slip = pixelsPerSlope * (error + error * std::max(std::abs(v.x), std::abs(v.y)) / z) / z + 1 / kSubpixels;
         const double x = p.centreX + v.x / v.z * pixelsPerSlope, y = p.centreY - v.y / v.z * pixelsPerSlope;
         const double wide = kSlack * (std::abs(x) + std::abs(y)) + slip;
@@ -50,6 +51,7 @@ inline NodeReach reachOf(const Bounds& box, const Affine& toWorld, const Project
     NodeReach  reach;
     reach.pixels  = {std::max(region.x0, pixelFrom(x0)), std::max(region.y0, pixelFrom(y0)),
                      std::min(region.x1, pixelFrom(x1)), std::min(region.y1, pixelFrom(y1))};
+    reach.area    = (x1 - x0) * (y1 - y0);
     reach.nearest = std::nextafter(static_cast<float>(p.near / nearestZ), 2.0f);
     return reach;
 }

@@ -13,6 +13,7 @@ enum class AfterDrawing {
     MarkStale,         // queries bring cells up to date
     Push,              // tiles and their ancestors at once, tile by tile
     PushFromFarthest,  // all tiles first, then their ancestors from the triangle's farthest corner on
+    Cover,             // two depths and a mask per tile
 };
 
 struct Occlusion {
@@ -44,9 +45,28 @@ inline PushOrder fromFarthestCorner(const ScreenTriangle& triangle)
             .fromBottom = triangle.y[farthest] > 0.5 * kSubpixels * (triangle.box.y0 + triangle.box.y1)};
 }
 
+/// A depth that no fragment of a plane is beyond, over `pixels`: that of the corner where the plane is farthest. Each rounding
+/// of a fragment's depth keeps order, so the corner's own arithmetic bounds all others'.
+template <class Rules>
+float farthestOver(const DepthPlane& plane, const PixelBox& pixels, const Rules& rules)
+{
+    if (rules.depthNumbers() != DepthNumbers::Float64) return rules.stored(plane.farthest);
+    const double x = plane.a < 0 ? pixels.x1 - 0.5 : pixels.x0 + 0.5, y = plane.b < 0 ? pixels.y1 - 0.5 : pixels.y0 + 0.5;
+    const double z = plane.a * x + (plane.b * y + plane.c);
+    return rules.stored(z > plane.farthest ? std::min(z, double{plane.nearest}) : double{plane.farthest});
+}
+
+/// Asks by the rules.
+template <class Shape, class Rules, class Probe>
+PyramidQuery askPyramid(Pyramid& pyramid, const PixelBox& box, double nearest, const Shape& shape, const Rules& rules, const Probe& probe)
+{
+    if (rules.asksOneLevel()) return pyramid.askOneLevel(box, rules.stored(nearest), tellingOfCells(probe));
+    return pyramid.ask(box, rules.stored(nearest), shape, tellingOfCells(probe));
+}
+
 /// Lets the pyramid know that a triangle's pixels have been drawn.
-template <class Probe>
-void keepTrue(const Occlusion& occlusion, const ScreenTriangle& triangle, const Probe& probe)
+template <class Rules, class Probe>
+void keepTrue(const Occlusion& occlusion, const ScreenTriangle& triangle, const Rules& rules, const Probe& probe)
 {
     switch (occlusion.afterDrawing) {
     case AfterDrawing::Nothing: return;
@@ -54,6 +74,11 @@ void keepTrue(const Occlusion& occlusion, const ScreenTriangle& triangle, const 
     case AfterDrawing::Push: return occlusion.pyramid->push(triangle.box, tellingOfCells(probe));
     case AfterDrawing::PushFromFarthest:
         return occlusion.pyramid->pushFrom(triangle.box, fromFarthestCorner(triangle), tellingOfCells(probe));
+    case AfterDrawing::Cover:
+        if (triangle.wide) return;  // what it covers is not known here
+        return occlusion.pyramid->cover(
+            triangle.box, TriangleCover(triangle, rules.notOwned()),
+            [&](const PixelBox& pixels) { return farthestOver(triangle.depth, pixels, rules); }, tellingOfCells(probe));
     }
 }
 

@@ -12,7 +12,7 @@ int halved(int size) { return (size + 1) / 2; }
 
 }  // namespace
 
-void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault)
+void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault, bool masked)
 {
     m_fault    = fault;
     m_visible  = &visible;
@@ -29,20 +29,23 @@ void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, F
         if (width <= 1 && height <= 1) break;
     }
     m_levels.resize(count);
+    m_isMasked = masked;
+    if (masked) m_layers.reset(m_levels[0].farthest.width(), m_levels[0].farthest.height());
 }
 
 void Pyramid::touched(const PixelBox& box)
 {
-    const int      top   = levels() - 1;
     const PixelBox tiles = tilesUnder(box);
-    for (int y = tiles.y0; y < tiles.y1; ++y) {
-        for (int x = tiles.x0; x < tiles.x1; ++x) {
-            for (int level = kTileLevel, up = 0; level <= top; ++level, ++up) {
-                std::uint8_t& stale = at(level).stale.at(x >> up, y >> up);
-                if (stale) break;  // then all its ancestors are
-                stale = 1;
-            }
-        }
+    for (int y = tiles.y0; y < tiles.y1; ++y)
+        for (int x = tiles.x0; x < tiles.x1; ++x) markStaleFrom(kTileLevel, x, y);
+}
+
+void Pyramid::markStaleFrom(int level, int tileX, int tileY)
+{
+    for (int up = level - kTileLevel; level < levels(); ++level, ++up) {
+        std::uint8_t& stale = at(level).stale.at(tileX >> up, tileY >> up);
+        if (stale) return;  // then all its ancestors are
+        stale = 1;
     }
 }
 
@@ -110,7 +113,7 @@ template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Tri
 
 std::size_t Pyramid::bytes() const
 {
-    std::size_t total = m_changed.capacity() * sizeof(m_changed[0]);
+    std::size_t total = m_layers.bytes() + m_changed.capacity() * sizeof(m_changed[0]);
     for (const Level& level : m_levels) total += level.farthest.values().size_bytes() + level.stale.values().size_bytes();
     return total;
 }

@@ -7,7 +7,8 @@
 //            each level is half the one below, rounded up, to a single cell
 // Upkeep     touched() marks the tiles under a box and their ancestors as stale, and stops where they already are; a
 //            stale cell is recomputed when a query meets it and its old value could not answer. Or push(): the tiles are
-//            recomputed at once, and from each of them its ancestors, up to the first that does not change
+//            recomputed at once, and from each of them its ancestors, up to the first that does not change. Or, if the
+//            pyramid was reset as masked, cover(): tiles know two depths and a mask, and no pixel is ever read
 // Promise    a cell is never nearer than the true farthest depth of its pixels: depths only grow, so an old value is
 //            too far at worst. hides() may say no of a hidden box, never yes of one that could win a pixel
 // Cost       query: at most 2 x 2 cells of one level, more only where undecided; touched(): constant for small boxes;
@@ -21,6 +22,7 @@
 
 #include "core/base/fault.h"
 #include "core/base/grid.h"
+#include "core/depth/masked_layers.h"
 #include "core/depth/triangle_cover.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/screen_triangle.h"
@@ -59,7 +61,7 @@ public:
 
     /// Begins a frame: the region has just been cleared, so every cell is empty and none is stale.
     /// `fault`: which rule of the pyramid is broken on purpose, if any; the promise above is gone then.
-    void reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault = Fault::None);
+    void reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault = Fault::None, bool masked = false);
 
     /// Depths inside `box`, which lies in the region, may have grown.
     void touched(const PixelBox& box);
@@ -69,6 +71,10 @@ public:
     /// The same, but all tiles first, so that the first way up from a group of tiles finds what the others would bring.
     template <class Told>
     void pushFrom(const PixelBox& box, PushOrder order, const Told& told);
+    /// A triangle has been drawn over the pixels of `box` that `shape` covers; farthestOver(PixelBox) is a depth that it is not
+    /// beyond in there. For a masked pyramid, in place of the others.
+    template <class Shape, class FarthestOver, class Told>
+    void cover(const PixelBox& box, const Shape& shape, const FarthestOver& farthestOver, const Told& told);
     /// All depths may have grown.
     void allTouched();
 
@@ -79,6 +85,10 @@ public:
     /// covers. told(CellWrite) is called right after each cell that is written on the way. Defined in pyramid_told.h.
     template <class Shape, class Told>
     PyramidQuery ask(const PixelBox& box, float nearest, const Shape& shape, const Told& told);
+
+    /// A cruder answer from one level: no descent, and only the cells under the corners of the box, which may be too few.
+    template <class Told>
+    PyramidQuery askOneLevel(const PixelBox& box, float nearest, const Told& told);
 
     int               levels() const { return kTileLevel + static_cast<int>(m_levels.size()); }
     /// Stored values of a level from kTileLevel up, stale ones as they are.
@@ -104,6 +114,9 @@ private:
     bool pixelsHide(const PixelBox& box, float nearest, const Shape& shape) const;
     template <class Told>
     float refresh(int level, int x, int y, const Told& told);
+    template <class Shape>
+    std::uint64_t maskOf(const PixelBox& pixels, const Shape& shape) const;
+    void markStaleFrom(int level, int tileX, int tileY);
     template <class Told>
     bool pushTile(int x, int y, const Told& told);
     template <class Told>
@@ -120,6 +133,8 @@ private:
     std::vector<std::array<int, 2>> m_changed;      // tiles that the triangle at hand has changed
     int                     m_cellsRead = 0;  // by the query at hand
     Fault                   m_fault     = Fault::None;
+    bool                    m_isMasked  = false;
+    MaskedLayers            m_layers;  // of the tiles, if masked
 };
 
 extern template void         Pyramid::push(const PixelBox& box, const Untold& told);

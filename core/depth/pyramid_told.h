@@ -48,6 +48,7 @@ bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float near
     if (at(level).stale.at(x, y) && isBehind(nearest, refresh(level, x, y, told))) return true;
 
     // Undecided: something in the cell is as far or farther. Is it inside the shape?
+    if (level == kTileLevel && m_isMasked) return false;  // its pixels are nobody's to read
     if (level == kTileLevel) return pixelsHide(pixelsOf(level, x, y, box), nearest, shape);
     const int below = level - 1;
     const int x0 = std::max(2 * x, box.x0 >> below), x1 = std::min(2 * x + 1, (box.x1 - 1) >> below);
@@ -85,6 +86,54 @@ float Pyramid::refresh(int level, int x, int y, const Told& told)
     stale = 0;
     told(CellWrite{level, x, y, before, value});
     return value;
+}
+
+template <class Told>
+PyramidQuery Pyramid::askOneLevel(const PixelBox& box, float nearest, const Told& told)
+{
+    const auto   longest = static_cast<unsigned>(std::max(box.x1 - box.x0, box.y1 - box.y0));
+    PyramidQuery query{box, nearest, static_cast<int>(std::bit_width(longest)) - 1, std::numeric_limits<float>::infinity(), false, 0};
+    query.level  = std::clamp(query.level, kTileLevel, levels() - 1);
+    const int x0 = box.x0 >> query.level, x1 = (box.x1 - 1) >> query.level;
+    const int y0 = (box.y0 - m_firstRow) >> query.level, y1 = (box.y1 - 1 - m_firstRow) >> query.level;
+    for (int y = y0; y <= y1; y += std::max(1, y1 - y0))
+        for (int x = x0; x <= x1; x += std::max(1, x1 - x0)) {
+            query.value = std::min(query.value, refresh(query.level, x, y, told));
+            ++query.cells;
+        }
+    query.hidden = isBehind(nearest, query.value);
+    return query;
+}
+
+/// The pixels of a tile, which lie in `pixels`, that the shape covers: bit 8 y + x.
+template <class Shape>
+std::uint64_t Pyramid::maskOf(const PixelBox& pixels, const Shape& shape) const
+{
+    constexpr int kTile = 1 << kTileLevel;
+    std::uint64_t mask  = 0;
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+        for (int x = pixels.x0; x < pixels.x1; ++x)
+            mask |= std::uint64_t{shape.covers(x, y)} << (kTile * ((y - m_firstRow) % kTile) + x % kTile);
+    return mask;
+}
+
+template <class Shape, class FarthestOver, class Told>
+void Pyramid::cover(const PixelBox& box, const Shape& shape, const FarthestOver& farthestOver, const Told& told)
+{
+    const PixelBox tiles = tilesUnder(box), region{0, m_firstRow, m_visible->width(), m_endRow};
+    for (int y = tiles.y0; y < tiles.y1; ++y)
+        for (int x = tiles.x0; x < tiles.x1; ++x) {
+            const PixelBox touched = pixelsOf(kTileLevel, x, y, box);
+            if (!shape.overlaps(touched)) continue;
+            float&     value     = at(kTileLevel).farthest.at(x, y);
+            const auto reference = m_layers.cover(x, y, maskOf(touched, shape), maskOf(pixelsOf(kTileLevel, x, y, region), WholeBox{}),
+                                                  farthestOver(touched), value);
+            if (!reference) continue;
+            const float before = value;
+            value              = *reference;
+            markStaleFrom(kTileLevel + 1, x, y);
+            told(CellWrite{kTileLevel, x, y, before, value});
+        }
 }
 
 /// Whether the tile changed.

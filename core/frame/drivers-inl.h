@@ -37,7 +37,7 @@ struct ScanConvert {
             if (occlusion.asksTriangles && isHidden(triangle)) continue;
             probe(TriangleReached{triangle});
             Scan::template fill<kKeep>(triangle, visible, rules, probe);
-            keepTrue(occlusion, triangle, probe);
+            keepTrue(occlusion, triangle, rules, probe);
             probe(TriangleFinished{triangle.id});
         }
         clock.lap(Stage::Raster);
@@ -47,7 +47,7 @@ private:
     template <class Shape>
     PyramidQuery ask(const ScreenTriangle& triangle, const Shape& shape) const
     {
-        return occlusion.pyramid->ask(triangle.box, rules.stored(triangle.depth.nearest), shape, tellingOfCells(probe));
+        return askPyramid(*occlusion.pyramid, triangle.box, triangle.depth.nearest, shape, rules, probe);
     }
 
     bool isHidden(const ScreenTriangle& triangle) const
@@ -87,6 +87,7 @@ inline AfterDrawing afterDrawing(const Pipeline& pipeline)
     case Upkeep::OnQuery: return AfterDrawing::MarkStale;
     case Upkeep::Pushed: return AfterDrawing::Push;
     case Upkeep::PushedFarthest: return AfterDrawing::PushFromFarthest;
+    case Upkeep::Masked: return AfterDrawing::Cover;
     }
     return AfterDrawing::Nothing;
 }
@@ -98,7 +99,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     probe(StageStarted{Stage::Clear});
     stripe.visible.clearRows(stripe.firstRow, stripe.endRow);
     const bool hasPyramid = pipeline.upkeep != Upkeep::None;
-    if (hasPyramid) scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault);
+    if (hasPyramid) scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault, pipeline.upkeep == Upkeep::Masked);
     clock.lap(Stage::Clear);
     probe(StageFinished{Stage::Clear});
 

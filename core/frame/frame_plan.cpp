@@ -65,6 +65,7 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
         case Upkeep::None: return {false, "there is no pyramid to keep"};
         case Upkeep::Pushed:
         case Upkeep::PushedFarthest: return {true, "after each triangle, upwards as far as cells change: counted with raster"};
+        case Upkeep::Masked: return {true, "two layers per tile after each triangle, cells above them when a query meets them: counted with raster and cull"};
         default: return {true, "stale cells, when a query meets them: counted with cull and raster"};
         }
     case Stage::Shade: return {request.shade, request.shade ? "each pixel once, from its triangle" : "no colours were asked for"};

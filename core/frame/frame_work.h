@@ -3,7 +3,7 @@
 //
 // Two trees  the tree over the instances and, below it, the trees over the triangles of the meshes; depth is counted from
 //            each root, and all mesh trees share one list
-// Sums       visited = outside + hidden + entered at every depth; summed over depths, every figure is the counter of the
+// Sums       visited = outside + hidden + entered + dropped at every depth; summed over depths, every figure is the counter of the
 //            same name. A depth pre-pass is counted apart
 // Pyramid    updates = cells written on the level of tiles; pyramid_writes and pyramid_levels_updated are the cells written
 //            and changed on all levels. An upkeep that pushes writes, on every level above, the cells changed below it
@@ -23,6 +23,7 @@ struct DepthWork {
     std::uint64_t nodesVisited = 0;
     std::uint64_t nodesOutside = 0, nodesHidden = 0, nodesEntered = 0;
     std::uint64_t nodesDrawn   = 0;  // of those entered: have triangles (or instances) of their own
+    std::uint64_t nodesDropped = 0, trianglesDropped = 0;  // too small on the screen: an approximation
 
     std::uint64_t trianglesOutside = 0, trianglesHiddenByNode = 0;  // skipped with a node
     std::uint64_t trianglesHidden = 0, trianglesDrawn = 0;          // in nodes drawn: hidden one by one, or rasterised

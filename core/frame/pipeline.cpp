@@ -36,6 +36,8 @@ std::span<const AxisEntry> axes()
         AxisEntry{"depth-format", "How a depth is stored", kDepthFormatChoices},
         AxisEntry{"edges", "How edges move from line to line", kEdgeChoices},
         AxisEntry{"near", "What happens at the near plane", kNearChoices},
+        AxisEntry{"cells", "How far down the pyramid is asked", kCellChoices},
+        AxisEntry{"small-nodes", "What becomes of nodes that are small on the screen", kSmallNodeChoices},
     };
     return kAxes;
 }
@@ -58,6 +60,8 @@ bool withAxis(Pipe& pipeline, std::string_view axis, const Use& use)
     if (axis == "depth-format") return use(pipeline.approximation.format), true;
     if (axis == "edges") return use(pipeline.approximation.edges), true;
     if (axis == "near") return use(pipeline.approximation.near), true;
+    if (axis == "cells") return use(pipeline.approximation.cells), true;
+    if (axis == "small-nodes") return use(pipeline.approximation.small), true;
     return false;
 }
 
@@ -151,6 +155,13 @@ std::optional<std::string> explainMisfit(const Pipeline& pipeline)
         return "Half-spaces have no span to carry a depth along: choose scan=edge-walk or a sweep";
     if (approximation.edges == EdgeSteps::Accumulated && pipeline.scan != Scan::EdgeWalk)
         return "Only the edge walk can step by float32: choose scan=edge-walk";
+    if (approximation.cells == CellDescent::OneLevel) {
+        if (!asksNodes(pipeline.cull) && !asksTriangles(pipeline.cull))
+            return "Nobody asks the pyramid: choose a cull by nodes or triangles, or cells=descend";
+        if (pipeline.query == TriangleQuery::Triangle) return "One level is asked by rectangles: choose query=box or cells=descend";
+    }
+    if (approximation.small != SmallNodes::Keep && pipeline.order == Order::Submitted)
+        return "Only a hierarchy has nodes that could be small: choose order=octree or order=bvh, or small-nodes=keep";
     if (pipeline.fault == Fault::None || entryOf(pipeline.fault).canHappen(pipeline)) return std::nullopt;
     return "The fault '" + std::string(entryOf(pipeline.fault).word) + "' cannot happen here: it is one of " +
            std::string(entryOf(pipeline.fault).place) + ", as in " + std::string(entryOf(pipeline.fault).preset);

@@ -22,7 +22,7 @@ enum class Order { Submitted, Octree, Bvh };
 /// What is skipped before it becomes pixels; everything outside the frustum always is.
 enum class Cull { Frustum, Nodes, Triangles, NodesAndTriangles };
 /// How the pyramid is kept true to the depth buffer.
-enum class Upkeep { None, OnQuery, AfterPrepass, Pushed, PushedFarthest };
+enum class Upkeep { None, OnQuery, AfterPrepass, Pushed, PushedFarthest, Masked };
 /// What a triangle is to the pyramid when it is asked about.
 enum class TriangleQuery { Box, Triangle };
 /// How triangles become pixels.

@@ -28,6 +28,7 @@ inline constexpr std::array kUpkeepChoices{
     ChoiceEntry{"after-prepass", "Built once, after a depth pre-pass"},
     ChoiceEntry{"pushed", "Pushed to the ancestors per write, tile by tile, with early stop"},
     ChoiceEntry{"pushed-farthest", "Pushed to the ancestors once all tiles are right, from the triangle's farthest corner on"},
+    ChoiceEntry{"masked", "Two depths and a mask per tile, updated by coverage; it forgets, so it misses culls and makes no false ones"},
 };
 
 inline constexpr std::array kQueryChoices{
@@ -81,6 +82,17 @@ inline constexpr std::array kEdgeChoices{
 inline constexpr std::array kNearChoices{
     ChoiceEntry{"clip", "Triangles are cut at the near plane"},
     ChoiceEntry{"drop", "Triangles that cross the near plane are left out"},
+};
+
+inline constexpr std::array kCellChoices{
+    ChoiceEntry{"descend", "The pyramid is asked down to the pixels where it is undecided"},
+    ChoiceEntry{"one-level", "Only the cells under a rectangle's corners on one coarse level: a third cell between them goes unseen"},
+};
+
+inline constexpr std::array kSmallNodeChoices{
+    ChoiceEntry{"keep", "Nodes are visited however small they are on the screen"},
+    ChoiceEntry{"drop-below-4", "Nodes whose rectangle has fewer than 4 pixels are left out"},
+    ChoiceEntry{"drop-below-16", "Nodes whose rectangle has fewer than 16 pixels are left out"},
 };
 
 }  // namespace zscope

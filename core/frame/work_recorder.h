@@ -74,6 +74,10 @@ public:
             work.trianglesHiddenByNode += trianglesBelow(e.place);
             break;
         case Verdict::Entered: ++work.nodesEntered; break;
+        case Verdict::Small:
+            ++work.nodesDropped;
+            work.trianglesDropped += trianglesBelow(e.place);
+            break;
         }
     }
     void observe(const NodeDrawn& e)
@@ -142,6 +146,7 @@ private:
                 {"triangles_out_of_range", fate(SetUp::OutOfRange)},
                 {"triangles_hidden_by_node", total(&DepthWork::trianglesHiddenByNode)},
                 {"triangles_hidden", m_hidden},
+                {"triangles_dropped_with_node", total(&DepthWork::trianglesDropped)},
                 {"triangles_drawn", fate(SetUp::Drawn) - m_hidden},
                 {"triangles_clipped", m_clipped},
                 {"triangles_wide", m_wide},
@@ -153,6 +158,7 @@ private:
                 {"nodes_hidden", total(&DepthWork::nodesHidden)},
                 {"nodes_entered", total(&DepthWork::nodesEntered)},
                 {"nodes_drawn", total(&DepthWork::nodesDrawn)},
+                {"nodes_dropped", total(&DepthWork::nodesDropped)},
                 {"pyramid_queries", m_queries},
                 {"pyramid_cells_read", m_cells},
                 {"updates", m_levels.empty() ? 0 : m_levels.front().cellsWritten},

@@ -53,7 +53,10 @@ struct ExactRules {
     /// True if stored depths are affine and positive, so that who leads at both ends of a run leads inside it.
     static constexpr bool comparesByEnds() { return true; }
 
-    // Nodes
+    // Nodes and the pyramid
+    static constexpr bool asksOneLevel() { return false; }
+    /// Nodes whose whole rectangle has fewer pixels are dropped.
+    static constexpr double smallestNode() { return 0; }
     static constexpr bool visitsFarFirst() { return false; }
     static constexpr bool truncatesNodeBoxes() { return false; }
 };
@@ -109,6 +112,11 @@ public:
     float                stored(double depth) const { return m_encoding.stored(depth); }
     bool comparesByEnds() const { return m_encoding.isReversed() && m_approximation.depth == DepthNumbers::Float64; }
 
+    bool   asksOneLevel() const { return m_approximation.cells == CellDescent::OneLevel; }
+    double smallestNode() const
+    {
+        return m_approximation.small == SmallNodes::DropBelow4 ? 4 : m_approximation.small == SmallNodes::DropBelow16 ? 16 : 0;
+    }
     bool visitsFarFirst() const { return m_fault == Fault::FarFirst; }
     bool truncatesNodeBoxes() const { return m_fault == Fault::EmptyIsHidden; }
 

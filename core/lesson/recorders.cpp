@@ -150,6 +150,7 @@ void HierarchyRecorder::observe(const NodeJudged& e)
     NodeRow& row = rowOf(e.place);
     row.verdict  = e.verdict == Verdict::Outside  ? NodeVerdict::Outside
                    : e.verdict == Verdict::Hidden ? NodeVerdict::Hidden
+                   : e.verdict == Verdict::Small  ? NodeVerdict::Small
                                                   : NodeVerdict::Entered;
     m_state.now  = row.id;
     if (e.query) return;  // heard when it was asked

@@ -99,6 +99,7 @@ std::string nodeOver(const HierarchyState& hierarchy)
     const std::string name = node.instance ? fmt::format("Node {} of instance {}", node.path, grouped(node.instance->value))
                                            : fmt::format("Node {} of the instances", node.path);
     if (node.verdict == NodeVerdict::Outside) return name + " lies outside the view: nothing in it is looked at.";
+    if (node.verdict == NodeVerdict::Small) return name + " has fewer pixels on the screen than this approximation keeps: it is left out.";
     if (!hierarchy.query) return name + " is entered: it may be in view, and nobody can say that it is hidden.";
     const PyramidQuery& q = *hierarchy.query;
     const std::string size = fmt::format(" covers {} x {} pixels, so level {} of the pyramid is asked: farthest there {:.7g}, node at most {:.7g}:",
@@ -106,7 +107,7 @@ std::string nodeOver(const HierarchyState& hierarchy)
     return name + size + (q.hidden ? " hidden, and skipped with all that is in it." : " not hidden, so it is entered.");
 }
 
-std::string queryOver(const HierarchyState& hierarchy)
+std::string queryOver(const HierarchyState& hierarchy, const Pipeline& pipeline)
 {
     const PyramidQuery& q    = *hierarchy.query;
     const NodeRow*      node = hierarchy.askedAbout ? nullptr : &hierarchy.nodes[static_cast<std::size_t>(hierarchy.now)];
@@ -116,6 +117,11 @@ std::string queryOver(const HierarchyState& hierarchy)
     const std::string asked = fmt::format("Is {} hidden? It reaches {} x {} pixels and is at most {:.7g} near; level {} of the pyramid holds {:.7g} as the farthest there:",
                                           who, q.box.x1 - q.box.x0, q.box.y1 - q.box.y0, q.nearest, q.level, q.value);
     if (q.cells == 0) return asked + " nothing is read, because it covers no pixel's centre; so it is hidden.";
+    const bool oneLevel = pipeline.approximation.cells == CellDescent::OneLevel;
+    if (!q.hidden && (oneLevel || pipeline.upkeep == Upkeep::Masked))
+        return asked + (oneLevel ? " that is not nearer, and no finer level is asked; not hidden, after "
+                                 : " not hidden, because a tile's two depths do not vouch for it, and its pixels are not read, after ") +
+               counted(static_cast<std::uint64_t>(q.cells), "cell.", "cells.");
     if (!q.hidden) return asked + " not hidden, because a pixel was found that is not nearer, after " + counted(q.cells, "cell.", "cells.");
     if (q.nearest < q.value) return asked + " hidden, because everything there is strictly nearer, by " + counted(q.cells, "cell.", "cells.");
     return asked + " that does not decide, but the finer cells and pixels inside its rectangle do, after " +
@@ -126,6 +132,9 @@ std::string updateOver(const CellWrite& cell, Upkeep upkeep)
 {
     const bool        pushed = upkeep == Upkeep::Pushed || upkeep == Upkeep::PushedFarthest;
     const bool        isTile = cell.level == Pyramid::kTileLevel;
+    if (isTile && upkeep == Upkeep::Masked)
+        return fmt::format("Tile ({}, {}): the working layer's mask is full, so its depth {:.7g} becomes that of the whole tile instead of {:.7g}.",
+                           cell.x, cell.y, cell.after, cell.before);
     const std::string why    = !pushed ? "because a question met it stale" : isTile ? "because pixels of it were drawn" : "because a cell below it has changed";
     const std::string from = isTile ? "its pixels" : fmt::format("its children on level {}", cell.level - 1);
     const std::string what = fmt::format("Cell ({}, {}) of level {} becomes the farthest of {} again, {}:", cell.x, cell.y, cell.level, from, why);
@@ -188,7 +197,7 @@ std::string sentenceFor(const StepState& state, const Pipeline& pipeline, Moment
     case Moment::TriangleOver:
         return fmt::format("Triangle {} is drawn: it is nearest so far at {}.", grouped(state.triangle->triangle.value),
                            counted(state.triangle->pixelsWon, "pixel", "pixels"));
-    case Moment::QueryOver: return queryOver(*state.hierarchy);
+    case Moment::QueryOver: return queryOver(*state.hierarchy, pipeline);
     case Moment::UpdateOver: return updateOver(*state.hierarchy->update, pipeline.upkeep);
     case Moment::IntervalOver: return intervalOver(*state.interval);
     case Moment::LineReady: return lineReady(*state.sweep);

@@ -78,11 +78,11 @@ struct TriangleState {
     std::uint64_t                        pixelsWon = 0;
 };
 
-enum class NodeVerdict { Waiting, Outside, Hidden, Entered, Drawn };
+enum class NodeVerdict { Waiting, Outside, Hidden, Entered, Drawn, Small };
 
 constexpr std::string_view wordOf(NodeVerdict verdict)
 {
-    constexpr std::array<std::string_view, 5> words{"waiting", "outside", "hidden", "entered", "drawn"};
+    constexpr std::array<std::string_view, 6> words{"waiting", "outside", "hidden", "entered", "drawn", "small"};
     return words[static_cast<std::size_t>(verdict)];
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// The triangles of the true picture, and what has become of each in the run so far.
 class VisibleTriangles {
 public:
-    enum class Fate : std::uint8_t { Unseen, NodeOutside, NodeHidden, TriangleHidden, Dropped, Drawn };
+    enum class Fate : std::uint8_t { Unseen, NodeOutside, NodeHidden, NodeSmall, TriangleHidden, Dropped, Drawn };
 
     explicit VisibleTriangles(std::span<const std::int64_t> ids)
     {
@@ -49,6 +49,7 @@ public:
         return {.byBatch       = with(Fate::Unseen),
                 .byNodeOutside = with(Fate::NodeOutside),
                 .byNodeHidden  = with(Fate::NodeHidden),
+                .byNodeSmall   = with(Fate::NodeSmall),
                 .byTriangle    = with(Fate::TriangleHidden)};
     }
 
@@ -83,6 +84,7 @@ public:
             ++m_audit.nodesHidden;
             sayBelow(e.place, VisibleTriangles::Fate::NodeHidden);
             break;
+        case Verdict::Small: sayBelow(e.place, VisibleTriangles::Fate::NodeSmall); break;
         case Verdict::Entered:
             ++m_audit.nodesEntered;
             m_audit.missedNodes += isBehind(e.place);

@@ -1,7 +1,7 @@
 // What culling left out of a frame and what it let through, judged against the finished depth of the same frame.
 //
 // False cull   a triangle that owns a pixel of the true picture and was left out by a test: with a batch or a node outside
-//              the view, with a node called hidden, or called hidden itself. 0 for every method called conservative.
+//              the view, with a node called hidden or dropped as too small, or called hidden itself. 0 for every method called conservative.
 //              What geometry drops (no area, behind the near plane) is no cull, and neither is a triangle that is left
 //              out in one place and drawn in another
 // Missed cull  a node that was entered, or a triangle that was drawn, although a perfect test of the same box and nearest
@@ -23,9 +23,9 @@ namespace zscope {
 
 /// Triangles that own a pixel of the true picture and were left out, by what left them out.
 struct FalseCulls {
-    std::uint64_t byBatch = 0, byNodeOutside = 0, byNodeHidden = 0, byTriangle = 0;
+    std::uint64_t byBatch = 0, byNodeOutside = 0, byNodeHidden = 0, byNodeSmall = 0, byTriangle = 0;
 
-    std::uint64_t total() const { return byBatch + byNodeOutside + byNodeHidden + byTriangle; }
+    std::uint64_t total() const { return byBatch + byNodeOutside + byNodeHidden + byNodeSmall + byTriangle; }
 };
 
 struct CullAudit {

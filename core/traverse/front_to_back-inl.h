@@ -148,13 +148,16 @@ private:
     Verdict judge(const PlacedTree& placed, const TreeNode& node)
     {
         if (placed.volume.misses(node.bounds)) return tell(placed, node, Verdict::Outside, nullptr);
-        if (!m_occlusion.asksNodes) return tell(placed, node, Verdict::Entered, nullptr);
+        const double smallest = m_rules.smallestNode();
+        if (!m_occlusion.asksNodes && smallest == 0) return tell(placed, node, Verdict::Entered, nullptr);
         NodeReach reach = reachOf(node.bounds, placed.toWorld, m_stripe.projection, m_stripe.region());
         if (reach.crossesNear) return tell(placed, node, Verdict::Entered, nullptr);
+        if (reach.area < smallest) return tell(placed, node, Verdict::Small, nullptr);
+        if (!m_occlusion.asksNodes) return tell(placed, node, Verdict::Entered, nullptr);
         if (m_rules.truncatesNodeBoxes()) --reach.pixels.x1, --reach.pixels.y1;
         if (reach.pixels.isEmpty()) return tell(placed, node, Verdict::Outside, nullptr);
         const PyramidQuery query =
-            m_occlusion.pyramid->ask(reach.pixels, m_rules.stored(reach.nearest), WholeBox{}, tellingOfCells(m_probe));
+            askPyramid(*m_occlusion.pyramid, reach.pixels, reach.nearest, WholeBox{}, m_rules, m_probe);
         if constexpr (Probe::listens) {
             const NodePlace asked = placed.place(node);
             m_probe(PyramidAsked{query, &asked, {}});

@@ -23,7 +23,7 @@ struct Choice {
     const char* axis;
     const char* word;
 };
-constexpr Choice kChoices[] = {{"upkeep", "pushed"}, {"upkeep", "pushed-farthest"}, {"query", "triangle"}};
+constexpr Choice kChoices[] = {{"upkeep", "pushed"}, {"upkeep", "pushed-farthest"}, {"query", "triangle"}, {"upkeep", "masked"}};
 
 Pipeline with(const char* preset, const Choice& choice)
 {
@@ -208,6 +208,17 @@ TEST(TriangleQuery, HidesMoreThanTheBoxDoesAndMissesLess)
         const Culled triangle = culledOn(word, with("hzb-octree", {"query", "triangle"}));
         EXPECT_GT(triangle.hidden, box.hidden) << word;
         EXPECT_LT(triangle.missed, box.missed) << word;
+    }
+}
+
+TEST(Upkeep, MaskedForgetsAndSoMissesCullsButMakesNoFalseOnes)
+{
+    for (const char* word : {"wall-and-city?blocks=3", "soccer-field?count=40"}) {
+        const Culled kept   = culledOn(word, findPreset("quadtree")->pipeline);
+        const Culled masked = culledOn(word, with("quadtree", {"upkeep", "masked"}));
+        EXPECT_GT(masked.hidden, 0u) << word;
+        EXPECT_LT(masked.hidden, kept.hidden) << word;
+        EXPECT_GT(masked.missed, kept.missed) << word;
     }
 }
 

@@ -1,6 +1,8 @@
 // The fault gallery and the approximations: each shows what it claims to show, and the exact text beside it shows nothing.
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +30,8 @@ VerifyRow judge(const std::string& builtin, const Pipeline& pipeline, Simd simd 
     request.camera     = cameraFor(scene->scene(), 333, 217);
     request.algorithms = {{"judged", {}, pipeline, claimOf(pipeline)}};
     request.simd       = {simd};
+    // What one level of cells leaves out depends on where the stripes begin, and that on how fast the machine is.
+    if (pipeline.approximation.cells == CellDescent::OneLevel) request.threads = {1};
     const auto rows    = verify(request);
     EXPECT_TRUE(rows) << builtin;
     return rows ? rows->front() : VerifyRow{};
@@ -109,6 +113,9 @@ constexpr Relaxed kRelaxed[] = {
     {"depth-format", "fixed-16", "scanline", "city"},
     {"edges", "accumulated", "edge-walk", "wall-and-city"},
     {"near", "drop", "interval", "wall-and-city"},
+    {"cells", "one-level", "hzb-bvh-prepass", "soccer-field?count=300"},
+    {"small-nodes", "drop-below-4", "hzb-octree", "city"},
+    {"small-nodes", "drop-below-16", "octree-frustum", "city"},
 };
 
 TEST(Approximations, EachPublishesItsErrorWhereTheDefinitionsChoiceHasNone)
@@ -121,6 +128,51 @@ TEST(Approximations, EachPublishesItsErrorWhereTheDefinitionsChoiceHasNone)
         const VerifyRow row = judge(each.scene, *relaxed);
         EXPECT_GT(row.figures.wrongPixels() + row.figures.depthBitsDiffer, 0u) << each.axis << '=' << each.choice;
         EXPECT_TRUE(row.passed()) << "an approximation is reported, not failed";
+    }
+}
+
+/// A dropped node is dropped whole, wherever a thread's lines begin, and its triangles are accounted for.
+TEST(Approximations, SmallNodesAreDroppedAlikeByEveryThreadAndCounted)
+{
+    const auto  scene    = prepared("city");
+    const auto  pipeline = withChoice(findPreset("hzb-octree")->pipeline, "small-nodes", "drop-below-16");
+    DrawRequest request;
+    request.scene    = scene;
+    request.camera   = cameraFor(scene->scene(), 333, 217);
+    request.pipeline = *pipeline;
+    Renderer             renderer;
+    Frame                frame;
+    std::vector<Picture> pictures;
+    for (const int threads : {1, 2, 3, 5}) {
+        request.threads = threads;
+        ASSERT_TRUE(renderer.draw(request, frame));
+        pictures.push_back(pictureOf(frame.visible));
+        EXPECT_EQ(pictures.back(), pictures.front()) << threads << " threads";
+    }
+    const auto work = renderer.count(request);
+    ASSERT_TRUE(work);
+    std::map<std::string, std::uint64_t> counters;
+    for (const NamedCount& count : work->counters) counters[std::string(count.name)] = count.value;
+    EXPECT_GT(counters["nodes_dropped"], 0u);
+    EXPECT_EQ(counters["nodes_visited"], counters["nodes_outside"] + counters["nodes_hidden"] + counters["nodes_entered"] + counters["nodes_dropped"]);
+    EXPECT_GT(counters["triangles_dropped_with_node"], 0u);
+    std::uint64_t sum = 0;
+    for (const char* fate : {"transparent", "outside", "clipped_away", "back_facing", "degenerate", "no_pixel_centre", "out_of_range",
+                             "hidden_by_node", "hidden", "dropped_with_node", "drawn"})
+        sum += counters[std::string("triangles_") + fate];
+    EXPECT_EQ(counters["triangles_in"], sum);
+}
+
+/// Nodes and questions that an approximation could not change.
+TEST(Approximations, OfCullingAreRefusedWhereNothingIsCulled)
+{
+    for (const Preset& preset : presets()) {
+        Pipeline pipeline            = preset.pipeline;
+        pipeline.approximation.cells = CellDescent::OneLevel;
+        EXPECT_EQ(explainInvalid(pipeline).has_value(), pipeline.upkeep == Upkeep::None) << preset.name;
+        pipeline                     = preset.pipeline;
+        pipeline.approximation.small = SmallNodes::DropBelow4;
+        EXPECT_EQ(explainInvalid(pipeline).has_value(), pipeline.order == Order::Submitted) << preset.name;
     }
 }
 
