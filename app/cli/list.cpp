@@ -46,6 +46,7 @@ Json algorithms()
         list.push_back({{"name", preset.name},
                         {"title", preset.title},
                         {"exact", preset.isExact()},
+                        {"exact_by_face", preset.claim != Claim::Approximate},
                         {"family", wordOf(familyOf(preset.pipeline))},
                         {"grains", std::move(grains)}});
     }

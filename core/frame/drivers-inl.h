@@ -1,7 +1,7 @@
 // The two families of drivers, from the clearing of a stripe to its last pixel.
 //
 // Stream     triangles arrive one after another and are scan converted at once
-// Sweep      triangles are entered in an edge table first; then the stripe is swept line by line
+// Sweep      triangles, or whole faces, are entered in an edge table first; then the stripe is swept line by line
 // Promise    a stripe's pixels depend on nothing outside it
 #if defined(ZSCOPE_DRIVERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_DRIVERS_INL_H
@@ -129,7 +129,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     probe(StageFinished{Stage::Raster});
 }
 
-/// Enters each triangle of a batch in the edge table.
+/// Enters the triangles of a batch, or one face after another, in the edge table.
 template <class Rules>
 struct EnterEdges {
     EdgeTable&   edges;
@@ -141,15 +141,21 @@ struct EnterEdges {
         for (const ScreenTriangle& triangle : triangles) edges.add(triangle, rules);
         clock.lap(Stage::Setup);
     }
+    void operator()(const ScreenTriangle& triangle) const { edges.add(triangle, rules); }
+    void operator()(const ScreenFace& face, std::span<const ScreenSide> sides) const { edges.add(face, sides, rules); }
 };
 
 template <class Resolve, class Rules, class Probe>
-void drawSweep(const Stripe& stripe, StripeScratch& scratch, Resolve resolve, StageClock& clock, const Rules& rules,
-               const Probe& probe)
+void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, Resolve resolve, StageClock& clock,
+               const Rules& rules, const Probe& probe)
 {
     probe(StageStarted{Stage::Setup});
     scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width());
-    visitAsSubmitted(stripe, scratch, clock, EnterEdges<Rules>{scratch.edges, clock, rules}, rules, probe);
+    const EnterEdges<Rules> enter{scratch.edges, clock, rules};
+    if (drawsFaces(pipeline))
+        visitFacesAsSubmitted(stripe, scratch, clock, enter, rules, probe);
+    else
+        visitAsSubmitted(stripe, scratch, clock, enter, rules, probe);
     scratch.edges.fillBuckets();
     probe(EdgeTableReady{scratch.edges});
     clock.lap(Stage::Setup);
@@ -169,9 +175,10 @@ void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     switch (pipeline.scan) {
     case Scan::HalfSpace: return drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules, probe);
     case Scan::EdgeWalk: return drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules, probe);
-    case Scan::SweepZLine: return drawSweep(stripe, scratch, LineZBuffer(stripe.visible, rules), clock, rules, probe);
+    case Scan::SweepZLine: return drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, rules), clock, rules, probe);
     case Scan::SweepIntervals:
-        return drawSweep(stripe, scratch, Intervals(stripe.visible, scratch.open, rules), clock, rules, probe);
+    case Scan::SweepPolygons:
+        return drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, scratch.open, rules), clock, rules, probe);
     }
 }
 

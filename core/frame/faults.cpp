@@ -9,9 +9,9 @@ namespace {
 
 bool walksTriangles(const Pipeline& p) { return p.scan == Scan::EdgeWalk; }
 bool steps(const Pipeline& p) { return p.scan == Scan::EdgeWalk || p.scan == Scan::SweepZLine; }
-bool sweepsTriangles(const Pipeline& p) { return p.scan == Scan::SweepZLine || p.scan == Scan::SweepIntervals; }
+bool sweeps(const Pipeline& p) { return familyOf(p) == Family::Sweep; }
 bool testsHalfSpaces(const Pipeline& p) { return p.scan == Scan::HalfSpace; }
-bool findsIntervals(const Pipeline& p) { return p.scan == Scan::SweepIntervals; }
+bool findsIntervals(const Pipeline& p) { return p.scan == Scan::SweepIntervals || p.scan == Scan::SweepPolygons; }
 bool asksThePyramid(const Pipeline& p) { return asksNodes(p.cull) || asksTriangles(p.cull); }
 bool asksForNodes(const Pipeline& p) { return asksNodes(p.cull); }
 bool setsUpTriangles(const Pipeline&) { return true; }
@@ -41,7 +41,7 @@ constexpr std::array kFaults{
     FaultEntry{Fault::EdgesUnsorted, "edges-unsorted", "Active edges unsorted",
                "Edges stay in the order in which they entered, so a triangle's right edge may come first and its span is empty or negative.",
                "Sort the active edge table by x on every line; it is nearly sorted already.",
-               "sweeps", "scanline", sweepsTriangles},
+               "sweeps", "scanline", sweeps},
     FaultEntry{Fault::OneTestPerInterval, "one-test-per-interval", "One depth test per interval",
                "Whoever is nearest at the left end of an interval gets all of it, although polygons may cross inside.",
                "Compare at both ends, and pixel by pixel where nobody leads at both.",

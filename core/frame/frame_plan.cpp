@@ -46,17 +46,19 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
     const bool      sweeps   = familyOf(pipeline) == Family::Sweep;
+    const bool      byFaces  = drawsFaces(pipeline);
     switch (stage) {
     case Stage::Clear:
         return sweeps ? StageReason{true, "buffers sized; each line is cleared when the sweep reaches it"}
                       : StageReason{true, "a z-buffer starts from background"};
     case Stage::Transform: return {true, "every batch that may reach the picture"};
     case Stage::Cull: return {true, asksNodes(pipeline.cull) ? "nodes against the frustum and the pyramid" : "boxes against the frustum"};
-    case Stage::Setup: return {true, sweeps ? "triangles and the edge table" : "triangles of every batch"};
+    case Stage::Setup: return {true, byFaces ? "faces and the edge table" : sweeps ? "triangles and the edge table" : "triangles of every batch"};
     case Stage::Prepass:
         return pipeline.depth == DepthMoment::Prepass ? StageReason{true, "depth alone first, for every triangle in view"}
                                                       : StageReason{false, "depth is decided at once"};
     case Stage::Build:
+        if (byFaces) return {true, "whole faces, cut into batches on the first frame and kept"};
         return pipeline.order != Order::Submitted ? StageReason{true, "the hierarchy's nodes, when first entered; kept between frames"}
                                                   : StageReason{false, "no hierarchy is visited"};
     case Stage::Raster: return {true, sweeps ? "the sweep, line by line" : "the pixels of every triangle"};

@@ -120,15 +120,27 @@ std::string nameOf(const Pipeline& pipeline)
 
 Family familyOf(const Pipeline& pipeline)
 {
-    const bool sweeps = pipeline.scan == Scan::SweepZLine || pipeline.scan == Scan::SweepIntervals;
-    return sweeps ? Family::Sweep : Family::Stream;
+    switch (pipeline.scan) {
+    case Scan::HalfSpace:
+    case Scan::EdgeWalk: return Family::Stream;
+    case Scan::SweepZLine:
+    case Scan::SweepIntervals:
+    case Scan::SweepPolygons: break;
+    }
+    return Family::Sweep;
 }
 
-Claim claimOf(const Pipeline& pipeline) { return pipeline.usesExactRules() ? Claim::Exact : Claim::Approximate; }
+bool drawsFaces(const Pipeline& pipeline) { return pipeline.scan == Scan::SweepPolygons; }
+
+Claim claimOf(const Pipeline& pipeline)
+{
+    if (!pipeline.usesExactRules()) return Claim::Approximate;
+    return drawsFaces(pipeline) ? Claim::ExactByFace : Claim::Exact;
+}
 
 std::vector<Grain> grainsOf(const Pipeline& pipeline)
 {
-    if (pipeline.scan == Scan::SweepIntervals)
+    if (pipeline.scan == Scan::SweepIntervals || drawsFaces(pipeline))
         return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Interval, Grain::Span, Grain::Pixel};
     if (familyOf(pipeline) == Family::Sweep) return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Span, Grain::Pixel};
     std::vector<Grain> grains{Grain::Frame, Grain::Stage};

@@ -26,7 +26,7 @@ enum class Upkeep { None, OnQuery, AfterPrepass, Pushed, PushedFarthest, Masked 
 /// What a triangle is to the pyramid when it is asked about.
 enum class TriangleQuery { Box, Triangle };
 /// How triangles become pixels.
-enum class Scan { HalfSpace, EdgeWalk, SweepZLine, SweepIntervals };
+enum class Scan { HalfSpace, EdgeWalk, SweepZLine, SweepIntervals, SweepPolygons };
 /// When depth is decided.
 enum class DepthMoment { AtOnce, Prepass };
 
@@ -89,6 +89,8 @@ const Preset*           findPreset(std::string_view name);  // nullptr: no prese
 std::string nameOf(const Pipeline& pipeline);
 
 Family             familyOf(const Pipeline& pipeline);
+/// It draws whole faces as they were read, so that the ids in its pictures are those of faces' first triangles.
+bool               drawsFaces(const Pipeline& pipeline);
 /// What it promises of its pictures: nothing but figures as soon as an approximation or a fault is chosen.
 Claim              claimOf(const Pipeline& pipeline);
 std::vector<Grain> grainsOf(const Pipeline& pipeline);  // coarse to fine

@@ -26,6 +26,8 @@ inline constexpr std::array kPresets{
            {.order = Order::Bvh, .cull = Cull::NodesAndTriangles, .upkeep = Upkeep::AfterPrepass, .depth = DepthMoment::Prepass}},
     Preset{"scanline", "Scanline z-buffer with edge table and active edge table", {.scan = Scan::SweepZLine}},
     Preset{"interval", "Interval scanline: the nearest polygon between two edges, without a z-buffer", {.scan = Scan::SweepIntervals}},
+    Preset{"interval-polygon", "Interval scanline over polygons as they were read, of any number of corners", {.scan = Scan::SweepPolygons},
+           Claim::ExactByFace},
 };
 
 }  // namespace zscope

@@ -46,6 +46,7 @@ inline constexpr std::array kScanChoices{
     ChoiceEntry{"edge-walk", "Left and right edge of each triangle, line by line"},
     ChoiceEntry{"sweep-z-line", "The scene line by line, with a one-line z-buffer"},
     ChoiceEntry{"sweep-intervals", "The scene line by line, interval by interval"},
+    ChoiceEntry{"sweep-polygons", "The same with whole faces as they were read, not their triangles"},
 };
 
 // The first choice of each of the following is the definition's; the others are approximations.

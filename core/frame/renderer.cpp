@@ -11,6 +11,7 @@
 #include "core/frame/frame_plan.h"
 #include "core/frame/kernels.h"
 #include "core/frame/stripes.h"
+#include "core/geometry/face_batches.h"
 
 namespace zscope {
 
@@ -127,6 +128,7 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
                     {"colours", frame.colour.values().size_bytes()},
                     {"colour_table", colours ? colours->bytes() : 0},
                     {"batches", request.scene->bytes()},
+                    {"faces", drawsFaces(request.pipeline) ? facesOf(*request.scene).bytes() : 0},
                     {"scratch", scratchBytes}};
     return report;
 }

@@ -55,6 +55,12 @@ public:
         m_wide += e.wide;
     }
 
+    void observe(const FaceSetUpAs& e)
+    {
+        ++m_polygons[static_cast<std::size_t>(e.how)];
+        m_polygonsDrawn += e.isDrawn;
+    }
+
     void observe(const NodeJudged& e)
     {
         if (m_inPrepass) return;
@@ -164,6 +170,12 @@ private:
                 {"updates", m_levels.empty() ? 0 : m_levels.front().cellsWritten},
                 {"pyramid_writes", total(&LevelWork::cellsWritten)},
                 {"pyramid_levels_updated", total(&LevelWork::cellsChanged)},
+                {"polygons_set_up", m_polygons[0] + m_polygons[1] + m_polygons[2] + m_polygons[3]},
+                {"polygons_drawn", m_polygonsDrawn},
+                {"polygons_that_are_triangles", m_polygons[static_cast<std::size_t>(FaceSetUpAs::How::Triangle)]},
+                {"polygons_by_outline", m_polygons[static_cast<std::size_t>(FaceSetUpAs::How::Outline)]},
+                {"polygons_by_ears_unlike_turns", m_polygons[static_cast<std::size_t>(FaceSetUpAs::How::UnlikeTurns)]},
+                {"polygons_by_ears_thin", m_polygons[static_cast<std::size_t>(FaceSetUpAs::How::Thin)]},
                 {"edges", m_edges},
                 {"active_edge_lines", m_edgeLines},
                 {"spans", m_spans},
@@ -234,6 +246,8 @@ private:
     bool                         m_inPrepass = false;
     std::array<std::uint64_t, 8> m_fates{};  // by SetUp
     std::vector<LevelWork>               m_levels;          // of the pyramid, from the tiles up
+    std::array<std::uint64_t, 4> m_polygons{};  // by FaceSetUpAs::How
+    std::uint64_t                m_polygonsDrawn = 0;
     std::array<std::deque<DepthWork>, 2> m_depths;          // instance tree, mesh trees; [depth]
     DepthWork*                           m_here = nullptr;  // of the node whose triangles are being drawn, if any
     std::optional<TriangleId>    m_lastPart;

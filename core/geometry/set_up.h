@@ -36,6 +36,16 @@ template <class Rules, class Probe>
     }
 }
 
+/// `view` must lie at or beyond the near plane.
+template <class Rules>
+ScreenCorner screenOf(const dvec3& view, const Projection& projection, const Rules& rules)
+{
+    return rules.usesFloat32Vertices() ? projection.toScreen<float>(view, rules.snapsPerPixel())
+                                       : projection.toScreen(view, rules.snapsPerPixel());
+}
+
+inline bool isInRange(const ScreenCorner& corner) { return std::abs(corner.xs) < kSnapLimit && std::abs(corner.ys) < kSnapLimit; }
+
 /// One part of a clipped triangle; decides by itself whether it needs the wide path.
 template <class Rules>
 SetUp setUpPart(const std::array<dvec3, 3>& view, TriangleId id, const Projection& projection, FaceCulling culling,
@@ -44,20 +54,40 @@ SetUp setUpPart(const std::array<dvec3, 3>& view, TriangleId id, const Projectio
     std::array<ScreenCorner, 3> corner;
     bool                        wide = false;
     for (std::size_t i = 0; i < 3; ++i) {
-        corner[i] = rules.usesFloat32Vertices() ? projection.toScreen<float>(view[i], rules.snapsPerPixel())
-                                                : projection.toScreen(view[i], rules.snapsPerPixel());
-        const double reach = std::max(std::abs(corner[i].xs), std::abs(corner[i].ys));
-        if (!(std::abs(corner[i].xs) < kSnapLimit && std::abs(corner[i].ys) < kSnapLimit)) return SetUp::OutOfRange;
-        wide = wide || reach > kGuardBand;
+        corner[i] = screenOf(view[i], projection, rules);
+        if (!isInRange(corner[i])) return SetUp::OutOfRange;
+        wide = wide || std::max(std::abs(corner[i].xs), std::abs(corner[i].ys)) > kGuardBand;
     }
     return setUpTriangle(corner[0], corner[1], corner[2], id, wide, culling, region, rules, out);
 }
 
 /// From the model to view space.
-template <class Real>
-dvec3 viewOf(const dvec3& model, const Affine* toWorld, const Projection& projection)
+template <class Rules>
+dvec3 viewOf(const dvec3& model, const Affine* toWorld, const Projection& projection, const Rules& rules)
 {
-    return projection.toView<Real>(toWorld ? toWorld->in<Real>(model) : model);
+    if (rules.usesFloat32Vertices()) return projection.toView<float>(toWorld ? toWorld->in<float>(model) : model);
+    return projection.toView<double>(toWorld ? toWorld->in<double>(model) : model);
+}
+
+/// Sets up what the near plane leaves of one triangle, and tells its fate; the parts are drawn as `drawnAs`.
+template <class Rules, class Probe>
+SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId drawnAs, const Projection& projection,
+                   FaceCulling culling, const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe)
+{
+    ClippedTriangle kept = clipNear(view, projection.near);
+    if (kept.isCut && rules.dropsAtNear()) kept.count = 0;
+    SetUp fate = SetUp::ClippedAway;
+    bool  wide = false;
+    for (std::size_t p = 0; p < kept.parts(); ++p) {
+        const SetUp partFate = setUpPart(kept.part(p), drawnAs, projection, culling, region, rules, out.next());
+        if (partFate == SetUp::Drawn) {
+            wide = wide || out.next().wide;
+            out.keep();
+        }
+        if (fate != SetUp::Drawn) fate = partFate;
+    }
+    probe(TriangleSetUp{id, fate, kept.isCut, wide});
+    return fate;
 }
 
 template <class Rules, class Probe>
@@ -71,22 +101,9 @@ void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceC
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t v = place.batch.firstVertex + mesh.triangles[t].corner[i];
             const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
-            view[i] = rules.usesFloat32Vertices() ? viewOf<float>(model, place.toWorld, projection)
-                                                  : viewOf<double>(model, place.toWorld, projection);
+            view[i] = viewOf(model, place.toWorld, projection, rules);
         }
-        ClippedTriangle kept = clipNear(view, projection.near);
-        if (kept.isCut && rules.dropsAtNear()) kept.count = 0;
-        SetUp fate = SetUp::ClippedAway;
-        bool  wide = false;
-        for (std::size_t p = 0; p < kept.parts(); ++p) {
-            const SetUp partFate = setUpPart(kept.part(p), place.idOf(t), projection, culling, region, rules, out.next());
-            if (partFate == SetUp::Drawn) {
-                wide = wide || out.next().wide;
-                out.keep();
-            }
-            if (fate != SetUp::Drawn) fate = partFate;
-        }
-        probe(TriangleSetUp{place.idOf(t), fate, kept.isCut, wide});
+        setUpClipped(view, place.idOf(t), place.idOf(t), projection, culling, region, rules, out, probe);
     }
 }
 

@@ -11,21 +11,20 @@ namespace {
 /// The edge as a lesson shows it on line y, one that it crosses.
 EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, int y)
 {
-    const ScreenTriangle& part = table.parts()[edge.polygon()];
-    const std::size_t     a = edge.side(), b = (a + 1u) % 3;
-    auto dx = static_cast<std::int64_t>(part.x[b]) - static_cast<std::int64_t>(part.x[a]);
-    auto dy = static_cast<std::int64_t>(part.y[b]) - static_cast<std::int64_t>(part.y[a]);
+    const ScreenSide& side = table.side(edge.index());
+    auto dx = static_cast<std::int64_t>(side.xb) - static_cast<std::int64_t>(side.xa);
+    auto dy = static_cast<std::int64_t>(side.yb) - static_cast<std::int64_t>(side.ya);
     if (dy < 0) dx = -dx, dy = -dy;
     const std::int64_t common   = std::gcd(dx, dy);
-    const auto         crossing = edge.stepper<std::int64_t>(part, y, y);
+    const auto         crossing = ActiveEdge::stepper<std::int64_t>(side, y, y);
 
     EdgeRow row;
-    row.polygon    = part.id;
+    row.polygon    = table.parts()[edge.polygon()].id;
     row.xSubpixels = crossing.x();
     row.x          = (static_cast<double>(crossing.x()) +
              static_cast<double>(crossing.fraction()) / static_cast<double>(crossing.dy())) / kSubpixels;
     row.dx         = {dx / common, dy / common};
-    row.firstLine  = EdgeTable::linesOf(part, edge.side(), ExactRules{}).first;
+    row.firstLine  = table.linesOf(side, std::min(side.ya, side.yb), ExactRules{}).first;
     row.lastLine   = edge.lastLine();
     return row;
 }
@@ -64,8 +63,8 @@ void SweepRecorder::observe(const ScanlineReady& e)
     m_active.assign(e.active.begin(), e.active.end());
     for (ActiveEdge& edge : m_active) edge.setPolygon(e.polygons[edge.polygon()].part);
     m_polygons.clear();
-    for (const ActivePolygon& polygon : e.polygons.rows())
-        if (polygon.edges > 0) m_polygons.push_back(polygon.id);
+    for (std::uint32_t row = 0; row < e.polygons.rowCount(); ++row)
+        if (e.polygons.isActive(row)) m_polygons.push_back(e.polygons[row].id);
 }
 
 void SweepRecorder::observe(const SpanFilled& e) { m_spans.push_back({e.x0, e.x1, e.triangle}); }

@@ -51,32 +51,40 @@ std::string stageOver(const StepState& state)
     }
 }
 
-std::string changesOf(const SweepState& sweep)
+/// What a sweep's polygons are called.
+std::string_view nameOfPolygons(const Pipeline& pipeline, bool several)
+{
+    if (drawsFaces(pipeline)) return several ? "faces" : "face";
+    return several ? "triangles" : "triangle";
+}
+
+std::string changesOf(const SweepState& sweep, const Pipeline& pipeline)
 {
     if (sweep.entered.empty() && sweep.left.empty()) return "no edge enters or leaves";
     std::string text;
     if (sweep.entered.size() == 1)
-        text = fmt::format("an edge of triangle {} enters, because this is its first line", grouped(sweep.entered[0].polygon.value));
+        text = fmt::format("an edge of {} {} enters, because this is its first line", nameOfPolygons(pipeline, false),
+                           grouped(sweep.entered[0].polygon.value));
     else if (!sweep.entered.empty())
         text = fmt::format("{} edges enter on their first line", grouped(sweep.entered.size()));
     if (sweep.left.empty()) return text;
     if (!text.empty()) text += "; ";
     if (sweep.left.size() == 1)
-        return text + fmt::format("an edge of triangle {} leaves: its last line was {}", grouped(sweep.left[0].polygon.value),
-                                  sweep.left[0].lastLine);
+        return text + fmt::format("an edge of {} {} leaves: its last line was {}", nameOfPolygons(pipeline, false),
+                                  grouped(sweep.left[0].polygon.value), sweep.left[0].lastLine);
     return text + fmt::format("{} edges leave: their last lines are past", grouped(sweep.left.size()));
 }
 
-std::string lineReady(const SweepState& sweep)
+std::string lineReady(const SweepState& sweep, const Pipeline& pipeline)
 {
-    return fmt::format("The sweep reaches line {}: {}. {}, sorted by x.", sweep.y, changesOf(sweep),
+    return fmt::format("The sweep reaches line {}: {}. {}, sorted by x.", sweep.y, changesOf(sweep, pipeline),
                        counted(sweep.activeEdges.size(), "edge is active", "edges are active"));
 }
 
-std::string lineOver(const SweepState& sweep)
+std::string lineOver(const SweepState& sweep, const Pipeline& pipeline)
 {
-    return fmt::format("Line {} is drawn: {}. {} between {} gave {}.", sweep.y, changesOf(sweep),
-                       counted(sweep.activePolygons.size(), "triangle", "triangles"),
+    return fmt::format("Line {} is drawn: {}. {} between {} gave {}.", sweep.y, changesOf(sweep, pipeline),
+                       counted(sweep.activePolygons.size(), nameOfPolygons(pipeline, false), nameOfPolygons(pipeline, true)),
                        counted(sweep.activeEdges.size(), "active edge", "active edges"),
                        counted(sweep.spans.size(), "span", "spans"));
 }
@@ -86,9 +94,9 @@ std::string spanOver(const StepState& state, const Pipeline& pipeline)
     const SpanRow&    span   = *state.span;
     const std::string pixels = span.x1 - span.x0 == 1 ? fmt::format("pixel {}", span.x0)
                                                       : fmt::format("pixels {} to {}", span.x0, span.x1 - 1);
-    if (pipeline.scan == Scan::SweepIntervals)
-        return fmt::format("Between two neighbouring edges triangle {} is the nearest that is open: {} of line {} {} its own.",
-                           grouped(span.polygon.value), pixels, state.sweep->y, span.x1 - span.x0 == 1 ? "is" : "are");
+    if (pipeline.scan == Scan::SweepIntervals || drawsFaces(pipeline))
+        return fmt::format("Between two neighbouring edges {} {} is the nearest that is open: {} of line {} {} its own.",
+                           nameOfPolygons(pipeline, false), grouped(span.polygon.value), pixels, state.sweep->y, span.x1 - span.x0 == 1 ? "is" : "are");
     return fmt::format("Triangle {} covers {} of its line: those whose centres lie between its left and right edge.",
                        grouped(span.polygon.value), pixels);
 }
@@ -143,21 +151,22 @@ std::string updateOver(const CellWrite& cell, Upkeep upkeep)
     return what + fmt::format(" {:.7g} instead of {:.7g}{}.", cell.after, cell.before, pushed ? ", so the level above is next" : "");
 }
 
-std::string intervalOver(const IntervalState& interval)
+std::string intervalOver(const IntervalState& interval, const Pipeline& pipeline)
 {
     const std::string pixels = interval.x1 - interval.x0 == 1 ? fmt::format("pixel {}", interval.x0)
                                                               : fmt::format("pixels {} to {}", interval.x0, interval.x1 - 1);
     const std::string where = fmt::format("Line {}, {} between neighbouring edges: {}", interval.y, pixels,
                                           counted(interval.open.size(), "polygon is open", "polygons are open"));
-    const std::string winner = interval.winner ? grouped(interval.winner->value) : "";
+    const std::string name(nameOfPolygons(pipeline, false));
+    const std::string winner = name + (interval.winner ? " " + grouped(interval.winner->value) : "");
     switch (interval.reason) {
-    case IntervalReason::Alone: return where + fmt::format(", triangle {}, so all of it is its own without a test.", winner);
+    case IntervalReason::Alone: return where + fmt::format(", {}, so all of it is its own without a test.", winner);
     case IntervalReason::Leads:
-        return where + fmt::format("; triangle {} leads all others by more than 2 float32 steps at both ends, so it leads everywhere between and wins them all.", winner);
-    case IntervalReason::TestedOnce: return where + fmt::format("; triangle {} is nearest at the left end and, by a fault, gets them all.", winner);
+        return where + fmt::format("; {} leads all others by more than 2 float32 steps at both ends, so it leads everywhere between and wins them all.", winner);
+    case IntervalReason::TestedOnce: return where + fmt::format("; {} is nearest at the left end and, by a fault, gets them all.", winner);
     case IntervalReason::BeyondFar: return where + "; the nearest reaches beyond the far plane, so they are compared pixel by pixel.";
     case IntervalReason::DepthLimited:
-        return where + "; a depth is limited to its triangle's corners there, so the ends do not speak for the rest: compared pixel by pixel.";
+        return where + "; a depth is limited to its " + name + "'s corners there, so the ends do not speak for the rest: compared pixel by pixel.";
     case IntervalReason::NoClearLead:
         return where + "; none leads by more than 2 float32 steps at both ends, as where they cross or touch: compared pixel by pixel.";
     case IntervalReason::NotByEnds: return where + "; depths are not stored as they are found, so the ends do not speak for the rest: compared pixel by pixel.";
@@ -165,9 +174,10 @@ std::string intervalOver(const IntervalState& interval)
     return where;
 }
 
-std::string pixelOver(const PixelState& p)
+std::string pixelOver(const PixelState& p, const Pipeline& pipeline)
 {
-    const std::string who = fmt::format("Pixel ({}, {}): triangle {}, depth {:.7g},", p.x, p.y, grouped(p.triangle.value), p.depth);
+    const std::string_view name = nameOfPolygons(pipeline, false);
+    const std::string who = fmt::format("Pixel ({}, {}): {} {}, depth {:.7g},", p.x, p.y, name, grouped(p.triangle.value), p.depth);
     if (p.keep == Keep::DepthOnly)
         return who + (p.won ? " is the nearest so far: the pre-pass keeps its depth and asks nobody's name."
                             : " is not nearer than what the pre-pass has kept.");
@@ -175,7 +185,7 @@ std::string pixelOver(const PixelState& p)
     if (p.keep == Keep::Equal && !p.rival) return who + " is farther than the depth that the pre-pass kept and is hidden.";
     if (!p.rival && p.won) return who + " takes it from the background.";
     if (!p.rival) return who + " lies beyond the far plane and is not kept.";
-    const std::string rival = fmt::format("triangle {}", grouped(p.rival->value));
+    const std::string rival = fmt::format("{} {}", name, grouped(p.rival->value));
     if (p.depth == p.rivalDepth) {
         return who + (p.won ? fmt::format(" is as near as {} and takes it: on equal depth the lower id wins.", rival)
                             : fmt::format(" is as near as {} and loses: on equal depth the lower id wins.", rival));
@@ -199,11 +209,11 @@ std::string sentenceFor(const StepState& state, const Pipeline& pipeline, Moment
                            counted(state.triangle->pixelsWon, "pixel", "pixels"));
     case Moment::QueryOver: return queryOver(*state.hierarchy, pipeline);
     case Moment::UpdateOver: return updateOver(*state.hierarchy->update, pipeline.upkeep);
-    case Moment::IntervalOver: return intervalOver(*state.interval);
-    case Moment::LineReady: return lineReady(*state.sweep);
-    case Moment::LineOver: return lineOver(*state.sweep);
+    case Moment::IntervalOver: return intervalOver(*state.interval, pipeline);
+    case Moment::LineReady: return lineReady(*state.sweep, pipeline);
+    case Moment::LineOver: return lineOver(*state.sweep, pipeline);
     case Moment::SpanOver: return spanOver(state, pipeline);
-    case Moment::PixelOver: return pixelOver(*state.pixel);
+    case Moment::PixelOver: return pixelOver(*state.pixel, pipeline);
     case Moment::FrameOver:
         return fmt::format("The picture is finished: {} one of {}.",
                            counted(coveredPixels(state.frame.visible), "pixel shows", "pixels show"),

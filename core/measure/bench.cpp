@@ -105,7 +105,7 @@ private:
         row.threads = first->threads;
         row.simd    = first->simd;
         if (m_reference) {
-            const auto wrong = wrongPixels(algorithm.claim);
+            const auto wrong = wrongPixels(algorithm);
             if (!wrong) return wrong.error();
             row.wrongPixels = *wrong;
         }
@@ -123,13 +123,13 @@ private:
     }
 
     /// Of the frame just drawn.
-    Result<std::uint64_t> wrongPixels(Claim claim) const
+    Result<std::uint64_t> wrongPixels(const BenchAlgorithm& algorithm) const
     {
         const Picture picture = pictureOf(m_frame.visible);
-        if (claim != Claim::ExactByFace) return differingPixels(*m_reference, picture);
+        if (!drawsFaces(algorithm.pipeline)) return differingPixels(*m_reference, picture);
         const auto figures = compareByFace(*m_request.scene, m_request.camera, m_request.faceCulling, *m_reference, picture, m_request.progress);
         if (!figures) return figures.error();
-        return figures->wrongCoverage();
+        return algorithm.claim == Claim::ExactByFace ? figures->wrongCoverage() : figures->wrongPixels();
     }
 
     const BenchRequest&                  m_request;

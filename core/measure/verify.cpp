@@ -37,10 +37,10 @@ Result<Truth> truthOf(const VerifyRequest& request)
     return truth;
 }
 
-Result<ErrorFigures> figuresOf(const Truth& truth, const VerifyRequest& request, Claim claim, const Picture& test)
+Result<ErrorFigures> figuresOf(const Truth& truth, const VerifyRequest& request, const Pipeline& pipeline, const Picture& test)
 {
     const Scene& scene  = request.scene->scene();
-    const bool   byFace = claim == Claim::ExactByFace;
+    const bool   byFace = drawsFaces(pipeline);
     if (!request.samples) {
         if (!byFace) return compare(truth.picture, test);
         return compareByFace(scene, request.camera, request.faceCulling, truth.picture, test, request.progress);
@@ -119,11 +119,11 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                 const auto report = renderer.draw(draw, frame);
                 if (!report) return report.error();
                 const Picture first   = pictureOf(frame.visible);
-                auto          figures = figuresOf(*truth, request, algorithm.claim, first);
+                auto          figures = figuresOf(*truth, request, draw.pipeline, first);
                 if (!figures) return figures.error();
                 if (const auto again = renderer.draw(draw, frame); !again) return again.error();
                 if (const Picture second = pictureOf(frame.visible); second != first) {
-                    auto worse = figuresOf(*truth, request, algorithm.claim, second);
+                    auto worse = figuresOf(*truth, request, draw.pipeline, second);
                     if (!worse) return worse.error();
                     if (isWorse(*worse, *figures)) figures = std::move(worse);
                 }

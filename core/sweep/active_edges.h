@@ -38,7 +38,7 @@ public:
                 continue;
             }
             if (edge.isWide())
-                edge.placeWide(table.parts()[polygons[edge.polygon()].part], y);
+                edge.placeWide(table.side(edge.index()), y);
             else
                 edge.nextLine();
             order.insert(m_edges, kept++, edge);

@@ -11,57 +11,73 @@
 #include <vector>
 
 #include "core/geometry/screen_triangle.h"
+#include "core/sweep/active_edge.h"
 
 namespace zscope {
 
-struct ActivePolygon {
-    static constexpr int kClosed = std::numeric_limits<int>::min();
+/// A polygon of the sweep: a triangle after set-up, or a face as it was read.
+struct SweepPolygon {
+    DepthPlane depth;
+    TriangleId id;
+};
 
+struct ActivePolygon {
     DepthPlane    depth;
     TriangleId    id;
-    std::uint32_t part;        // index into EdgeTable::parts()
-    int           openAt;      // first pixel of the span that has begun on this line, or kClosed
-    int           edges = 0;   // how many of its edges are active; 0: the row is free
+    std::uint32_t part;         // index into EdgeTable::parts()
+    int           openAt;       // while it is open: where its span begins on this line (which pixel, or where in a list)
+    std::uint32_t winding = 0;  // of its sides round the place on this line that has been reached; 0: it is closed
 
     std::uint32_t rank() const { return id.value + 1; }
+    bool          isOpen() const { return winding != 0; }
+    /// An edge of it is passed on the way to the right; tells whether it is open beyond.
+    bool pass(const ActiveEdge& edge)
+    {
+        winding += edge.winding();
+        return isOpen();
+    }
 };
+static_assert(sizeof(ActivePolygon) == 48);
 
 class ActivePolygons {
 public:
     void clear(std::size_t parts)
     {
         m_rows.clear();
+        m_edges.clear();
         m_free.clear();
         m_rowOf.assign(parts, kNoRow);
     }
 
     /// An edge of part `part` enters; the row of its polygon, new if this is its first active edge.
-    std::uint32_t enter(const ScreenTriangle& triangle, std::uint32_t part)
+    std::uint32_t enter(const SweepPolygon& polygon, std::uint32_t part)
     {
         std::uint32_t& row = m_rowOf[part];
         if (row == kNoRow) {
             row         = freeRow();
-            m_rows[row] = {triangle.depth, triangle.id, part, ActivePolygon::kClosed, 0};
+            m_rows[row] = {polygon.depth, polygon.id, part, 0, 0};
         }
-        ++m_rows[row].edges;
+        ++m_edges[row];
         return row;
     }
 
     /// An edge of the polygon in `row` leaves.
     void leave(std::uint32_t row)
     {
-        assert(m_rows[row].edges > 0);
-        if (--m_rows[row].edges > 0) return;
+        assert(isActive(row));
+        if (--m_edges[row] > 0) return;
         m_rowOf[m_rows[row].part] = kNoRow;
         m_free.push_back(row);
     }
 
     ActivePolygon&                 operator[](std::uint32_t row) { return m_rows[row]; }
     const ActivePolygon&           operator[](std::uint32_t row) const { return m_rows[row]; }
-    std::span<const ActivePolygon> rows() const { return m_rows; }  // free ones included
+    std::uint32_t                  rowCount() const { return static_cast<std::uint32_t>(m_rows.size()); }  // free ones included
+    bool                           isActive(std::uint32_t row) const { return m_edges[row] > 0; }
     std::size_t                    bytes() const
     {
-        return m_rows.capacity() * sizeof(ActivePolygon) + (m_free.capacity() + m_rowOf.capacity()) * sizeof(std::uint32_t);
+        return m_rows.capacity() * sizeof(ActivePolygon) +
+               (m_edges.capacity() + m_free.capacity() + m_rowOf.capacity()) * sizeof(std::uint32_t);
     }
 
 private:
@@ -71,6 +87,7 @@ private:
     {
         if (m_free.empty()) {
             m_rows.emplace_back();
+            m_edges.push_back(0);
             return static_cast<std::uint32_t>(m_rows.size() - 1);
         }
         const std::uint32_t row = m_free.back();
@@ -79,6 +96,7 @@ private:
     }
 
     std::vector<ActivePolygon> m_rows;
+    std::vector<std::uint32_t> m_edges;  // of each row: how many of its polygon's edges are active; 0: the row is free
     std::vector<std::uint32_t> m_free;   // rows that may be used again
     std::vector<std::uint32_t> m_rowOf;  // per part: its row, or kNoRow
 };

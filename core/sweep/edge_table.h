@@ -3,18 +3,21 @@
 // Lines      a band [firstLine, endLine) of the picture; an edge that begins above the band starts at firstLine
 // Edges      only those that cross the centre of a line; horizontal edges never do. Inside a bucket they are ordered by
 //            the pixel they enter at, so that the active edge table only has to merge them
-// Polygons   triangles after set-up; a triangle that the near plane cut in two is two parts with one id
+// Polygons   triangles after set-up (one that the near plane cut in two is two parts with one id), or faces as they were read
 // Cost       two counting sorts: linear in edges, lines and columns
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "core/geometry/screen_triangle.h"
+#include "core/geometry/screen_face.h"
 #include "core/sweep/active_edge.h"
+#include "core/sweep/active_polygons.h"
 
 namespace zscope {
 
@@ -27,6 +30,7 @@ public:
         m_width     = width;
         m_parts.clear();
         m_edges.clear();
+        m_sides.clear();
         m_starts.clear();
     }
 
@@ -34,14 +38,16 @@ public:
     template <class Rules>
     void add(const ScreenTriangle& part, const Rules& rules)
     {
-        const auto index = static_cast<std::uint32_t>(m_parts.size());
-        m_parts.push_back(part);
-        for (std::uint32_t side = 0; side < 3; ++side) {
-            const auto [first, end] = linesOf(part, side, rules);
-            if (first >= end) continue;
-            m_edges.emplace_back(part, index, side, first, end - 1);
-            m_starts.push_back({first - m_firstLine, std::clamp(m_edges.back().firstPixel(), -1, m_width) + 1});
-        }
+        const auto &x = part.x, &y = part.y;
+        const std::array<ScreenSide, 3> sides{{{x[0], y[0], x[1], y[1]}, {x[1], y[1], x[2], y[2]}, {x[2], y[2], x[0], y[0]}}};
+        add(SweepPolygon{part.depth, part.id}, Inside::EvenOdd, part.wide, sides, std::min({y[0], y[1], y[2]}), rules);
+    }
+
+    /// `sides` are closed, however often they cross.
+    template <class Rules>
+    void add(const ScreenFace& face, std::span<const ScreenSide> sides, const Rules& rules)
+    {
+        add(SweepPolygon{face.depth, face.id}, face.isMended ? Inside::EvenOdd : Inside::AnyWinding, face.wide, sides, face.top, rules);
     }
 
     /// Sorts the edges into their buckets; call once after the last add().
@@ -56,7 +62,7 @@ public:
     int                             firstLine() const { return m_firstLine; }
     int                             endLine() const { return m_endLine; }
     std::size_t                     edgeCount() const { return m_edges.size(); }
-    std::span<const ScreenTriangle> parts() const { return m_parts; }
+    std::span<const SweepPolygon>   parts() const { return m_parts; }
     /// Indices of the edges whose first line is y, to be looked up by edge().
     std::span<const std::uint32_t> startingAt(int y) const
     {
@@ -65,6 +71,8 @@ public:
     }
     /// An edge as it stands on its first line.
     const ActiveEdge& edge(std::uint32_t index) const { return m_edges[index]; }
+    /// The side of its polygon that an edge is.
+    const ScreenSide& side(std::uint32_t index) const { return m_sides[index]; }
 
     /// Hints for memory that will be read soon: buckets scatter over the table, and each miss would be waited for.
     void prefetchEdgesOf(int y) const
@@ -80,7 +88,8 @@ public:
 
     std::size_t bytes() const
     {
-        return m_parts.capacity() * sizeof(ScreenTriangle) + m_edges.capacity() * sizeof(ActiveEdge) +
+        return m_parts.capacity() * sizeof(SweepPolygon) + m_edges.capacity() * sizeof(ActiveEdge) +
+               m_sides.capacity() * sizeof(ScreenSide) +
                m_starts.capacity() * sizeof(Start) +
                (m_order.capacity() + m_scratch.capacity() + m_bounds.capacity()) * sizeof(std::uint32_t);
     }
@@ -88,17 +97,32 @@ public:
     struct Lines {
         int first, end;  // [first, end)
     };
-    /// The lines of this band whose centres the side crosses.
+    /// The lines of this band whose centres the side crosses. `topOfPolygon` is the least y of its polygon.
     template <class Rules>
-    static Lines linesOf(const ScreenTriangle& part, std::uint32_t side, const Rules& rules)
+    Lines linesOf(const ScreenSide& side, double topOfPolygon, const Rules& rules) const
     {
-        const double ya = part.y[side], yb = part.y[(side + 1) % 3], top = std::min(ya, yb);
-        if (rules.isSkippedAsHorizontal(part.x[side], part.x[(side + 1) % 3])) return {0, 0};
-        const int first = top == std::min({part.y[0], part.y[1], part.y[2]}) ? rules.firstLineOfTriangle(top) : firstLineFrom(top);
-        return {std::max(part.box.y0, first), std::min(part.box.y1, firstLineFrom(std::max(ya, yb)))};
+        const double top = std::min(side.ya, side.yb);
+        if (rules.isSkippedAsHorizontal(side.xa, side.xb)) return {0, 0};
+        const int first = top == topOfPolygon ? rules.firstLineOfTriangle(top) : firstLineFrom(top);
+        return {std::max(m_firstLine, first), std::min(m_endLine, firstLineFrom(std::max(side.ya, side.yb)))};
     }
 
 private:
+    template <class Rules>
+    void add(const SweepPolygon& polygon, Inside rule, bool wide, std::span<const ScreenSide> sides, double top, const Rules& rules)
+    {
+        const auto part = static_cast<std::uint32_t>(m_parts.size());
+        m_parts.push_back(polygon);
+        for (const ScreenSide& side : sides) {
+            const auto [first, end] = linesOf(side, top, rules);
+            if (first >= end) continue;
+            if (m_edges.size() > ActiveEdge::kMaxIndex) throw std::bad_alloc();  // some 40 GiB of edges
+            m_edges.emplace_back(side, rule, wide, part, static_cast<std::uint32_t>(m_edges.size()), first, end - 1);
+            m_sides.push_back(side);
+            m_starts.push_back({first - m_firstLine, std::clamp(m_edges.back().firstPixel(), -1, m_width) + 1});
+        }
+    }
+
     /// Where an edge enters, counted from the band's first line and from one pixel left of the picture.
     struct Start {
         int line, column;
@@ -122,8 +146,9 @@ private:
     int                         m_firstLine = 0;
     int                         m_endLine   = 0;
     int                         m_width     = 0;
-    std::vector<ScreenTriangle> m_parts;
+    std::vector<SweepPolygon>   m_parts;
     std::vector<ActiveEdge>     m_edges;    // in the order they were added, each on its first line
+    std::vector<ScreenSide>     m_sides;    // likewise
     std::vector<Start>          m_starts;   // likewise
     std::vector<std::uint32_t>  m_order;    // indices of m_edges, bucket after bucket
     std::vector<std::uint32_t>  m_scratch;  // for sorting

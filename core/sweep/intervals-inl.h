@@ -51,7 +51,7 @@ public:
             const int to = std::clamp(edge.firstPixel(m_rules), 0, m_visible.width());
             if (from < to && !m_open.empty()) resolve(y, from, to, polygons, probe);
             from = to;
-            toggle(polygons, edge.polygon());
+            pass(polygons, edge);
         }
     }
 
@@ -84,28 +84,30 @@ private:
         if (active.size() <= kCrowd) return false;
         std::size_t open = 0, most = 0;
         for (const ActiveEdge& edge : active) {
-            int& state = polygons[edge.polygon()].openAt;
-            open += state == ActivePolygon::kClosed ? 1 : std::size_t(-1);
-            state = state == ActivePolygon::kClosed ? 0 : ActivePolygon::kClosed;
-            most  = std::max(most, open);
+            ActivePolygon& polygon = polygons[edge.polygon()];
+            open -= polygon.isOpen();
+            open += polygon.pass(edge);
+            most = std::max(most, open);
         }
         return most > kCrowd;
     }
 
-    /// An edge of the polygon in `row` has been passed: it opens, or closes.
-    void toggle(ActivePolygons& polygons, std::uint32_t row)
+    /// An edge has been passed: its polygon opens, or closes, or stays as it is.
+    void pass(ActivePolygons& polygons, const ActiveEdge& edge)
     {
-        int& place = polygons[row].openAt;  // where it stands in m_open
-        if (place == ActivePolygon::kClosed) {
-            place = static_cast<int>(m_open.size());
+        const std::uint32_t row     = edge.polygon();
+        ActivePolygon&      polygon = polygons[row];
+        const bool          wasOpen = polygon.isOpen();
+        if (polygon.pass(edge) == wasOpen) return;
+        if (!wasOpen) {
+            polygon.openAt = static_cast<int>(m_open.size());  // where it stands in m_open
             m_open.push_back(row);
             return;
         }
-        const std::uint32_t last                = m_open.back();
-        m_open[static_cast<std::size_t>(place)] = last;
-        polygons[last].openAt                   = place;
+        const std::uint32_t last                         = m_open.back();
+        m_open[static_cast<std::size_t>(polygon.openAt)] = last;
+        polygons[last].openAt                            = polygon.openAt;
         m_open.pop_back();
-        polygons[row].openAt = ActivePolygon::kClosed;
     }
 
     template <class Probe>

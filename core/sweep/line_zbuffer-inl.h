@@ -1,6 +1,7 @@
 // Resolves a line of the sweep with a one-line z-buffer: the line of the visibility buffer that is being drawn.
 //
-// Idea       each active polygon covers the pixels between its two edges on this line; offer them to the depth test
+// Idea       each active polygon covers the pixels between the edges on this line that open it and those that close it; offer
+//            them to the depth test
 // Cost       the pixels of all active polygons on the line, hidden ones included
 #if defined(ZSCOPE_LINE_ZBUFFER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_LINE_ZBUFFER_INL_H
@@ -30,13 +31,14 @@ public:
         for (const ActiveEdge& edge : active) {
             ActivePolygon& polygon = polygons[edge.polygon()];
             const int      pixel   = edge.firstPixel(m_rules);
-            if (polygon.openAt == ActivePolygon::kClosed) {
+            const bool     wasOpen = polygon.isOpen();
+            if (polygon.pass(edge) == wasOpen) continue;
+            if (!wasOpen) {
                 polygon.openAt = pixel;
                 continue;
             }
             fillSpan(polygon.depth, polygon.rank(), y, std::max(polygon.openAt, 0), std::min(pixel, m_visible.width()),
                      m_visible, m_rules, probe);
-            polygon.openAt = ActivePolygon::kClosed;
         }
     }
 

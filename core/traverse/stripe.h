@@ -9,6 +9,7 @@
 #include "core/base/stage_clock.h"
 #include "core/depth/pyramid.h"
 #include "core/depth/visibility_buffer.h"
+#include "core/geometry/face_set_up.h"
 #include "core/geometry/prepared_scene.h"
 #include "core/geometry/screen_triangle.h"
 #include "core/geometry/screen_vertices.h"
@@ -44,6 +45,7 @@ struct StripeScratch {
     EdgeTable        edges;                               // sweep methods only, like the next two
     ActiveEdges      active;
     ActivePolygons   polygons;
+    FaceScratch      faces;    // methods that draw whole faces only
     Pyramid          pyramid;  // hierarchical methods only
 
     std::vector<WaitingInstance> instances;  // hierarchical methods only
@@ -51,7 +53,7 @@ struct StripeScratch {
 
     std::size_t bytes() const
     {
-        return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes() +
+        return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
                open.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes();
     }
 };

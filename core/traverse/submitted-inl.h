@@ -34,37 +34,76 @@ void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stri
     clock.lap(Stage::Setup);
 }
 
-/// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`.
-template <class Consume, class Rules, class Probe>
-void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
-                      const Rules& rules, const Probe& probe)
+/// Calls visit(instance, batch, toWorld) for every batch that may reach the stripe; the batches of a mesh are
+/// `batchesOf(mesh)`, `batch` is an index into them, `toWorld` nullptr for the identity.
+template <class BatchesOf, class Visit, class Probe>
+void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batchesOf, const Visit& visit, const Probe& probe)
 {
     const Scene& scene = stripe.scene.scene();
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         if (stripe.progress.cancelled()) return;
         const Instance&    instance = scene.instances[i];
-        const MeshBatches& mesh     = stripe.scene.batchesOf(instance.mesh);
+        const MeshBatches& mesh     = batchesOf(instance.mesh);
         const StripeVolume volume(stripe.projection, instance.toWorld, stripe.visible.width(), stripe.firstRow, stripe.endRow);
-        const auto         all = static_cast<std::uint32_t>(mesh.triangles.size());
+        const auto         all = static_cast<std::uint32_t>(mesh.meshTriangle.size());
         probe(TransparentLeftOut{InstanceId{i}, static_cast<std::uint32_t>(scene.meshOf(InstanceId{i}).triangles.size()) - all});
         if (volume.misses(mesh.bounds)) {
             probe(BatchOutside{InstanceId{i}, all});
             continue;
         }
         const Affine* toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
-        for (const Batch& batch : mesh.batches) {
+        for (std::uint32_t b = 0; b < mesh.batches.size(); ++b) {
             if (stripe.progress.cancelled()) return;
-            const bool outside = mesh.batches.size() > 1 && volume.misses(batch.bounds);
+            const bool outside = mesh.batches.size() > 1 && volume.misses(mesh.batches[b].bounds);
             clock.lap(Stage::Cull);
-            if (outside) {
-                probe(BatchOutside{InstanceId{i}, batch.triangleCount});
-                continue;
-            }
-            setUpBatch(BatchPlace{mesh, batch, toWorld, scene.firstTriangle[i]}, InstanceId{i}, stripe, scratch, clock, rules, probe);
-            consume(scratch.triangles.view());
+            if (outside)
+                probe(BatchOutside{InstanceId{i}, mesh.batches[b].triangleCount});
+            else
+                visit(InstanceId{i}, b, toWorld);
         }
     }
     clock.lap(Stage::Cull);
+}
+
+/// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`.
+template <class Consume, class Rules, class Probe>
+void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
+                      const Rules& rules, const Probe& probe)
+{
+    const Scene& scene     = stripe.scene.scene();
+    const auto   batchesOf = [&](MeshId mesh) -> const MeshBatches& { return stripe.scene.batchesOf(mesh); };
+    const auto   visit     = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld) {
+        const MeshBatches& mesh = batchesOf(scene.instances[instance.value].mesh);
+        setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value]}, instance, stripe, scratch, clock, rules, probe);
+        consume(scratch.triangles.view());
+    };
+    visitBatches(stripe, clock, batchesOf, visit, probe);
+}
+
+/// Hands the faces that may reach the stripe, as they were read, to `consume(face, sides)`, and those that are triangles or
+/// drawn as such to `consume(triangle)`.
+template <class Consume, class Rules, class Probe>
+void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
+                           const Rules& rules, const Probe& probe)
+{
+    const Scene&      scene = stripe.scene.scene();
+    const SceneFaces& faces = facesOf(stripe.scene);
+    clock.lap(Stage::Build);
+    const auto batchesOf = [&](MeshId mesh) -> const MeshBatches& { return faces.of(mesh).points; };
+    const auto visit     = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld) {
+        const FacePlace place{faces.of(scene.instances[instance.value].mesh), b, toWorld, scene.firstTriangle[instance.value]};
+        const bool      fits = place.points().vertexCount <= kBatchVertices;  // a single face may have more
+        if (fits) transformBatch(place.mesh.points, place.points(), toWorld, stripe.projection, rules, scratch.vertices);
+        probe(BatchTransformed{instance, place.points().vertexCount});
+        clock.lap(Stage::Transform);
+        FaceSetUp faceSetUp(place, stripe.projection, stripe.culling, stripe.region(), scratch.faces, consume, rules, probe);
+        if (fits && scratch.vertices.plain)
+            faceSetUp.plainly(scratch.vertices);
+        else
+            faceSetUp.carefully();
+        clock.lap(Stage::Setup);
+    };
+    visitBatches(stripe, clock, batchesOf, visit, probe);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

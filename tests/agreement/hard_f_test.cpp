@@ -260,7 +260,7 @@ TEST(HardF, F9FiftyThousandPolygonsOnOneRowOrOnAllRowsAreDrawnWithLittleStack)
         const Picture  picture = agreedPicture(hard, Effort::EachPreset);
         expectCounters(hard);
         for (const Preset& preset : presets()) {
-            if (!preset.isExact()) continue;
+            if (preset.claim == Claim::Approximate) continue;  // the case is of triangles, so by face is to the bit
             DrawRequest request = sweepRequest(hard);
             request.pipeline    = preset.pipeline;
             EXPECT_EQ(drawnWithLittleStack(request), picture) << preset.name;

@@ -78,13 +78,13 @@ std::uint64_t counterOf(const SeenScene& seen, const Preset& preset, std::string
     return 0;
 }
 
-TEST(StructureSteps, MethodsWithAPyramidStepThroughQueriesAndUpdatesAndTheIntervalMethodThroughIntervals)
+TEST(StructureSteps, MethodsWithAPyramidStepThroughQueriesAndUpdatesAndTheIntervalMethodsThroughIntervals)
 {
     for (const Preset& preset : methods()) {
         const bool hasPyramid = preset.pipeline.upkeep != Upkeep::None;
         EXPECT_EQ(has(preset, Grain::Query), hasPyramid) << preset.name;
         EXPECT_EQ(has(preset, Grain::Update), hasPyramid) << preset.name;
-        EXPECT_EQ(has(preset, Grain::Interval), preset.pipeline.scan == Scan::SweepIntervals) << preset.name;
+        EXPECT_EQ(has(preset, Grain::Interval), preset.pipeline.scan == Scan::SweepIntervals || drawsFaces(preset.pipeline)) << preset.name;
     }
 }
 
@@ -163,7 +163,7 @@ TEST(StructureSteps, EveryIntervalGivesItsPixelsToItsWinnerOrToTheNearestOfThose
     std::set<IntervalReason> reasons;
     for (const SeenScene& seen : seenScenes()) {
         for (const Preset& preset : methods()) {
-            if (!has(preset, Grain::Interval) || preset.claim != Claim::Exact) continue;
+            if (!has(preset, Grain::Interval) || preset.claim == Claim::Approximate) continue;
             Picture decided;  // by the intervals so far
             decided.ids.reset(seen.camera.width, seen.camera.height, -1);
             const int events = forEveryEvent(seen, preset, Grain::Interval, [&](const StepState& state) {

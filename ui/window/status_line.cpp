@@ -58,7 +58,8 @@ void StatusLine::present(const Snapshot& shown, Changes what)
         m_time->setText(milliseconds(frame.report.frameMs));
         m_time->setToolTip(tr("One frame at full speed; replaying up to this step took %1")
                                .arg(shown.step ? milliseconds(shown.step->replayMs) : QStringLiteral("–")));
-        m_exact->setText(!preset || preset->isExact() ? tr("exact") : tr("approximate"));
+        const Claim claim = claimOf(frame.pipeline);
+        m_exact->setText(claim == Claim::Exact ? tr("exact") : claim == Claim::ExactByFace ? tr("exact by face") : tr("approximate"));
         m_triangles->setText(tr("%1 of %2 triangles seen in %3 pixels")
                                  .arg(grouped(frame.visibleTriangles),
                                       grouped(shown.scene ? shown.scene->scene().triangleCount() : 0),

@@ -125,7 +125,7 @@ Result<Scene> notPlane(const Arguments& arguments)
     camera.focal  = 1;  // 90 degrees
     HardScene    hard(camera);
     const bool   folds = arguments.word("view") == "folded";
-    const double side = 1.6, upwards = 0.6, away = 1.5, raised = folds ? 0.9 : 0.3, z = 4;
+    const double side = 1.6, upwards = 0.6, away = 1.5, raised = folds ? 1.2 : 0.3, z = 4;
     const auto   corner = [&](double u, double w, double h) {
         return hard.inView({side * u, upwards * w + raised * h, z + away * w - 0.4 * raised * h});
     };

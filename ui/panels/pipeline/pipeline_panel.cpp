@@ -129,7 +129,8 @@ void PipelinePanel::showChoices(const Snapshot& shown)
         }
     }
     const Preset* preset = findPreset(nameOf(shown.pipeline));
-    emit summaryChanged(!preset ? QString() : preset->isExact() ? tr("exact") : tr("approximate"));
+    const bool    byFace = preset && preset->claim == Claim::ExactByFace;
+    emit summaryChanged(!preset ? QString() : preset->isExact() ? tr("exact") : byFace ? tr("exact by face") : tr("approximate"));
 }
 
 void PipelinePanel::showStages(const Snapshot& shown)
