@@ -33,7 +33,7 @@ Result<Done> apply(const std::string& setting, std::vector<NamedPipeline>& algor
 {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos)
-        return Error{Trouble::Usage, fmt::format("--set wants axis=choice, not '{}'", setting)};
+        return Error{Trouble::Usage, fmt::format("a setting is written axis=choice, not '{}'", setting)};
     for (NamedPipeline& algorithm : algorithms) {
         const auto changed = withChoice(algorithm.pipeline, setting.substr(0, equals), setting.substr(equals + 1));
         if (!changed) return changed.error();
@@ -107,9 +107,18 @@ Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words)
         return algorithms;
     }
     for (const std::string& word : listOf(words)) {
-        const Preset* preset = findPreset(word);
-        if (!preset) return unknownWord("algorithm", word, presetNames());
-        add(*preset);
+        // As nameOf() writes it: a preset, and after each plus what differs.
+        std::size_t   plus   = word.find('+');
+        const Preset* preset = findPreset(word.substr(0, plus));
+        if (!preset) return unknownWord("algorithm", word.substr(0, plus), presetNames());
+        std::vector<NamedPipeline> one{{std::string(preset->name), preset->pipeline, preset->claim}};
+        while (plus != std::string::npos) {
+            const std::size_t next = word.find('+', plus + 1);
+            const std::string setting = word.substr(plus + 1, next - plus - 1);
+            if (const Result<Done> done = apply(setting, one); !done) return done.error();
+            plus = next;
+        }
+        algorithms.push_back(std::move(one.front()));
     }
     return algorithms;
 }

@@ -60,6 +60,12 @@ void Pyramid::allTouched()
     for (Level& level : m_levels) std::ranges::fill(level.stale.values(), std::uint8_t{1});
 }
 
+PixelBox Pyramid::tileAt(int x, int y) const
+{
+    const int left = x >> kTileLevel << kTileLevel, top = m_firstRow + ((y - m_firstRow) >> kTileLevel << kTileLevel);
+    return {left, top, left + (1 << kTileLevel), top + (1 << kTileLevel)};
+}
+
 /// The pixels of a cell that lie in the box.
 PixelBox Pyramid::pixelsOf(int level, int x, int y, const PixelBox& box) const
 {

@@ -55,6 +55,12 @@ struct PushOrder {
     bool fromRight = false, fromBottom = false;
 };
 
+/// What a single tile answered.
+struct TileAnswer {
+    float farthest = 0;  // its farthest depth, as it stands
+    bool  hidden   = false;
+};
+
 class Pyramid {
 public:
     static constexpr int kTileLevel = 3;  // tiles of 8 x 8 pixels
@@ -89,6 +95,13 @@ public:
     /// A cruder answer from one level: no descent, and only the cells under the corners of the box, which may be too few.
     template <class Told>
     PyramidQuery askOneLevel(const PixelBox& box, float nearest, const Told& told);
+
+    /// The same of a single tile, named by its first pixel: its farthest depth decides, brought up to date if it must be,
+    /// and no pixel is asked.
+    template <class Told>
+    TileAnswer askTile(int left, int top, float nearest, const Told& told);
+    /// The pixels of the tile that holds (x, y), those outside the region included.
+    PixelBox tileAt(int x, int y) const;
 
     int               levels() const { return kTileLevel + static_cast<int>(m_levels.size()); }
     /// Stored values of a level from kTileLevel up, stale ones as they are.

@@ -39,6 +39,16 @@ PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Shape& shape
     return query;
 }
 
+template <class Told>
+TileAnswer Pyramid::askTile(int left, int top, float nearest, const Told& told)
+{
+    const int   x = left >> kTileLevel, y = (top - m_firstRow) >> kTileLevel;
+    const float asItWas = at(kTileLevel).farthest.at(x, y);
+    if (isBehind(nearest, asItWas)) return {asItWas, true};
+    const float farthest = refresh(kTileLevel, x, y, told);
+    return {farthest, isBehind(nearest, farthest)};
+}
+
 /// Of a cell that the shape overlaps.
 template <class Shape, class Told>
 bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float nearest, const Shape& shape, const Told& told)

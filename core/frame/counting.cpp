@@ -14,10 +14,12 @@ Result<FrameWork> Renderer::count(const DrawRequest& request)
         Frame         frame;
         StripeScratch scratch;
         WorkRecorder  work(request.scene->scene());
-        DrawRequest   unshaded = request;
-        unshaded.shade         = false;
-        HWY_STATIC_DISPATCH(runSerially)(unshaded, frame, scratch, Listening(work));
+        DrawRequest   cheaply = request;  // which fragments are shaded does not depend on what that costs
+        cheaply.pipeline.cost = ShadingCost::None;
+        cheaply.shade         = shadesFragments(request.pipeline.depth);
+        HWY_STATIC_DISPATCH(runSerially)(cheaply, frame, scratch, Listening(work));
         if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "counting was cancelled"};
+        if (!cheaply.shade) work.shadedOnce(frame.visible);
         return work.work();
     } catch (const std::bad_alloc&) {
         return Error{Trouble::Limit, "there is not enough memory to count this frame"};

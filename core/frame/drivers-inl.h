@@ -10,10 +10,13 @@
 #define ZSCOPE_DRIVERS_INL_H
 #endif
 
+#include <type_traits>
+
 #include "core/cull/occlusion.h"
 #include "core/frame/frame_events.h"
 #include "core/frame/pipeline.h"
 #include "core/scan/half_space-inl.h"
+#include "core/shade/fragment-inl.h"
 #include "core/sweep/intervals-inl.h"
 #include "core/sweep/sweep-inl.h"
 #include "core/traverse/front_to_back-inl.h"
@@ -22,28 +25,69 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
+/// What a pass over the triangles is for.
+struct Pass {
+    Keep          keep    = Keep::Nearest;
+    ShadingMoment shading = ShadingMoment::Never;
+    Pyramid*      tiles   = nullptr;  // compared before their fragments; nullptr: no tile is
+};
+
 /// Turns each triangle of a batch into pixels as soon as it is set up, unless the pyramid says it is hidden.
-template <class Scan, Keep kKeep, class Rules, class Probe>
+template <class Scan, class Rules, class Probe>
 struct ScanConvert {
-    VisibilityBuffer& visible;
-    const Occlusion&  occlusion;
-    StageClock&       clock;
-    const Rules&      rules;
-    const Probe&      probe;
+    const Pass&      pass;
+    const Stripe&    stripe;
+    const Occlusion& occlusion;
+    StageClock&      clock;
+    const Rules&     rules;
+    const Probe&     probe;
 
     void operator()(std::span<const ScreenTriangle> triangles) const
     {
-        for (const ScreenTriangle& triangle : triangles) {
-            if (occlusion.asksTriangles && isHidden(triangle)) continue;
-            probe(TriangleReached{triangle});
-            Scan::template fill<kKeep>(triangle, visible, rules, probe);
-            keepTrue(occlusion, triangle, rules, probe);
-            probe(TriangleFinished{triangle.id});
-        }
+        const auto unshaded = [](const ScreenTriangle&) { return UnshadedFragments(); };
+        const auto early    = [this](const ScreenTriangle& triangle) {
+            return ShadedFragments<ShadingMoment::AfterTest>(*stripe.painter, triangle.rank());
+        };
+        const auto late = [this](const ScreenTriangle& triangle) {
+            return ShadedFragments<ShadingMoment::BeforeTest>(*stripe.painter, triangle.rank());
+        };
+        const bool shades = pass.shading != ShadingMoment::Never;
+        if (pass.keep == Keep::DepthOnly)
+            convert<Keep::DepthOnly>(triangles, unshaded);
+        else if (pass.keep == Keep::Equal)
+            shades ? convert<Keep::Equal>(triangles, early) : convert<Keep::Equal>(triangles, unshaded);
+        else if (pass.shading == ShadingMoment::BeforeTest)
+            convert<Keep::Nearest>(triangles, late);
+        else
+            shades ? convert<Keep::Nearest>(triangles, early) : convert<Keep::Nearest>(triangles, unshaded);
         clock.lap(Stage::Raster);
     }
 
 private:
+    template <Keep kKeep, class FragmentsOf>
+    void convert(std::span<const ScreenTriangle> triangles, const FragmentsOf& fragmentsOf) const
+    {
+        for (const ScreenTriangle& triangle : triangles) {
+            if (occlusion.asksTriangles && isHidden(triangle)) continue;
+            probe(TriangleReached{triangle});
+            fill<kKeep>(triangle, fragmentsOf(triangle));
+            probe(TriangleFinished{triangle.id});
+        }
+    }
+
+    template <Keep kKeep, class Fragments>
+    void fill(const ScreenTriangle& triangle, const Fragments& fragments) const
+    {
+        if constexpr (kKeep == Keep::Nearest && std::is_same_v<Scan, HalfSpace>) {
+            if (pass.tiles) {
+                HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, tellingOfCells(probe), fragments, stripe.visible, rules, probe);
+                return;
+            }
+        }
+        Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
+        keepTrue(occlusion, triangle, rules, probe);
+    }
+
     template <class Shape>
     PyramidQuery ask(const ScreenTriangle& triangle, const Shape& shape) const
     {
@@ -64,11 +108,11 @@ private:
 };
 
 /// One pass over the scene in the pipeline's order.
-template <class Scan, Keep kKeep, class Rules, class Probe>
-void drawPass(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, const Occlusion& occlusion,
-              StageClock& clock, const Rules& rules, const Probe& probe)
+template <class Scan, class Rules, class Probe>
+void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, StripeScratch& scratch,
+              const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
 {
-    const ScanConvert<Scan, kKeep, Rules, Probe> convert{stripe.visible, occlusion, clock, rules, probe};
+    const ScanConvert<Scan, Rules, Probe> convert{pass, stripe, occlusion, clock, rules, probe};
     if (pipeline.order == Order::Submitted) {
         visitAsSubmitted(stripe, scratch, clock, convert, rules, probe);
         return;
@@ -96,18 +140,25 @@ template <class Scan, class Rules, class Probe>
 void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
                 const Probe& probe)
 {
+    const bool hasPrepass = pipeline.depth == DepthMoment::Prepass;
+    const bool hasPyramid = pipeline.upkeep != Upkeep::None;
+    const bool hasTiles   = pipeline.depth == DepthMoment::ZCull;
+    const auto shading    = !stripe.painter                          ? ShadingMoment::Never
+                            : pipeline.depth == DepthMoment::Late ? ShadingMoment::BeforeTest
+                                                                  : ShadingMoment::AfterTest;
+
     probe(StageStarted{Stage::Clear});
     stripe.visible.clearRows(stripe.firstRow, stripe.endRow);
-    const bool hasPyramid = pipeline.upkeep != Upkeep::None;
-    if (hasPyramid) scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault, pipeline.upkeep == Upkeep::Masked);
+    if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
+    if (hasPyramid || hasTiles)
+        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault, pipeline.upkeep == Upkeep::Masked);
     clock.lap(Stage::Clear);
     probe(StageFinished{Stage::Clear});
 
-    const bool hasPrepass = pipeline.depth == DepthMoment::Prepass;
     if (hasPrepass) {
         probe(StageStarted{Stage::Prepass});
         clock.countAllAs(Stage::Prepass);
-        drawPass<Scan, Keep::DepthOnly>(pipeline, stripe, scratch, Occlusion{}, clock, rules, probe);
+        drawPass<Scan>(pipeline, Pass{.keep = Keep::DepthOnly}, stripe, scratch, Occlusion{}, clock, rules, probe);
         clock.countAllAs(std::nullopt);
         probe(StageFinished{Stage::Prepass});
         if (hasPyramid) {
@@ -122,10 +173,10 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                               .asksTriangles = asksTriangles(pipeline.cull),
                               .asksByShape   = pipeline.query == TriangleQuery::Triangle,
                               .afterDrawing  = afterDrawing(pipeline)};
-    if (hasPrepass)
-        drawPass<Scan, Keep::Equal>(pipeline, stripe, scratch, occlusion, clock, rules, probe);
-    else
-        drawPass<Scan, Keep::Nearest>(pipeline, stripe, scratch, occlusion, clock, rules, probe);
+    const Pass      pass{.keep    = hasPrepass ? Keep::Equal : Keep::Nearest,
+                         .shading = shading,
+                         .tiles   = hasTiles ? &scratch.pyramid : nullptr};
+    drawPass<Scan>(pipeline, pass, stripe, scratch, occlusion, clock, rules, probe);
     probe(StageFinished{Stage::Raster});
 }
 

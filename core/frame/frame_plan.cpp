@@ -42,6 +42,42 @@ Result<FramePlan> planFrame(const DrawRequest& request)
     return FramePlan{std::clamp(wanted, 1, std::max(1, request.camera.height)), simd};
 }
 
+namespace {
+
+StageReason reasonForPrepass(DepthMoment moment)
+{
+    switch (moment) {
+    case DepthMoment::Prepass: return {true, "depth alone first, for every triangle in view"};
+    case DepthMoment::Deferred: return {false, "depth is decided before anything is shaded, in one pass"};
+    case DepthMoment::Late: return {false, "each fragment is shaded, then tested, in one pass"};
+    case DepthMoment::Early: return {false, "each fragment is tested, then shaded, in one pass"};
+    case DepthMoment::ZCull: return {false, "tiles, then each of their fragments, are tested in one pass"};
+    }
+    return {false, ""};
+}
+
+StageReason reasonForUpkeep(const Pipeline& pipeline)
+{
+    switch (pipeline.upkeep) {
+    case Upkeep::None:
+        return pipeline.depth == DepthMoment::ZCull ? StageReason{true, "stale tiles, when one is read: counted with raster"}
+                                                    : StageReason{false, "there is no pyramid to keep"};
+    case Upkeep::Pushed:
+    case Upkeep::PushedFarthest: return {true, "after each triangle, upwards as far as cells change: counted with raster"};
+    case Upkeep::Masked: return {true, "two layers per tile after each triangle, cells above them when a query meets them: counted with raster and cull"};
+    default: return {true, "stale cells, when a query meets them: counted with cull and raster"};
+    }
+}
+
+StageReason reasonForShade(const DrawRequest& request)
+{
+    if (!request.shade) return {false, "no colours were asked for"};
+    if (shadesFragments(request.pipeline.depth)) return {false, "shaded with each fragment: counted with raster"};
+    return {true, "each pixel once, from its triangle"};
+}
+
+}  // namespace
+
 StageReason reasonFor(Stage stage, const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
@@ -54,23 +90,14 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
     case Stage::Transform: return {true, "every batch that may reach the picture"};
     case Stage::Cull: return {true, asksNodes(pipeline.cull) ? "nodes against the frustum and the pyramid" : "boxes against the frustum"};
     case Stage::Setup: return {true, byFaces ? "faces and the edge table" : sweeps ? "triangles and the edge table" : "triangles of every batch"};
-    case Stage::Prepass:
-        return pipeline.depth == DepthMoment::Prepass ? StageReason{true, "depth alone first, for every triangle in view"}
-                                                      : StageReason{false, "depth is decided at once"};
+    case Stage::Prepass: return reasonForPrepass(pipeline.depth);
     case Stage::Build:
         if (byFaces) return {true, "whole faces, cut into batches on the first frame and kept"};
         return pipeline.order != Order::Submitted ? StageReason{true, "the hierarchy's nodes, when first entered; kept between frames"}
                                                   : StageReason{false, "no hierarchy is visited"};
     case Stage::Raster: return {true, sweeps ? "the sweep, line by line" : "the pixels of every triangle"};
-    case Stage::Upkeep:
-        switch (pipeline.upkeep) {
-        case Upkeep::None: return {false, "there is no pyramid to keep"};
-        case Upkeep::Pushed:
-        case Upkeep::PushedFarthest: return {true, "after each triangle, upwards as far as cells change: counted with raster"};
-        case Upkeep::Masked: return {true, "two layers per tile after each triangle, cells above them when a query meets them: counted with raster and cull"};
-        default: return {true, "stale cells, when a query meets them: counted with cull and raster"};
-        }
-    case Stage::Shade: return {request.shade, request.shade ? "each pixel once, from its triangle" : "no colours were asked for"};
+    case Stage::Upkeep: return reasonForUpkeep(pipeline);
+    case Stage::Shade: return reasonForShade(request);
     case Stage::Other: return {true, "sizing buffers, starting threads, waiting for the slowest; on a first frame also the colours"};
     }
     return {false, ""};

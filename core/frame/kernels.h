@@ -5,15 +5,14 @@
 
 #include "core/frame/pipeline.h"
 #include "core/frame/renderer.h"
-#include "core/shade/colour_table.h"
+#include "core/shade/painter.h"
 #include "core/traverse/stripe.h"
 
 namespace zscope {
 
 struct Kernels {
     void (*drawStripe)(const Pipeline&, const Stripe&, StripeScratch&, StageClock&);
-    void (*shadeRows)(const Scene&, const ColourTable&, const VisibilityBuffer&, int firstRow, int endRow,
-                      GridView<std::uint32_t> colour);
+    void (*shadeRows)(const Painter&, const VisibilityBuffer&, int firstRow, int endRow);
 };
 
 /// The kernels of an available target (not Simd::Auto).

@@ -29,7 +29,8 @@ std::span<const AxisEntry> axes()
         AxisEntry{"upkeep", "How the pyramid is kept true to the depth buffer", kUpkeepChoices},
         AxisEntry{"query", "What of a triangle the pyramid is asked about", kQueryChoices},
         AxisEntry{"scan", "How triangles become pixels", kScanChoices},
-        AxisEntry{"depth", "When depth is decided", kDepthChoices},
+        AxisEntry{"depth", "When depth is tested and fragments are shaded", kDepthChoices},
+        AxisEntry{"shading-cost", "What shading a fragment costs", kShadingCostChoices},
         AxisEntry{"snap", "How finely corners are snapped", kSnapChoices},
         AxisEntry{"vertices", "In which numbers vertices are transformed", kVertexChoices},
         AxisEntry{"depth-numbers", "How a fragment's depth is found", kDepthNumberChoices},
@@ -54,6 +55,7 @@ bool withAxis(Pipe& pipeline, std::string_view axis, const Use& use)
     if (axis == "query") return use(pipeline.query), true;
     if (axis == "scan") return use(pipeline.scan), true;
     if (axis == "depth") return use(pipeline.depth), true;
+    if (axis == "shading-cost") return use(pipeline.cost), true;
     if (axis == "snap") return use(pipeline.approximation.snap), true;
     if (axis == "vertices") return use(pipeline.approximation.vertex), true;
     if (axis == "depth-numbers") return use(pipeline.approximation.depth), true;
@@ -146,10 +148,10 @@ std::vector<Grain> grainsOf(const Pipeline& pipeline)
     std::vector<Grain> grains{Grain::Frame, Grain::Stage};
     if (pipeline.order != Order::Submitted) grains.push_back(Grain::Node);
     grains.push_back(Grain::Triangle);
-    const bool hasPyramid = pipeline.upkeep != Upkeep::None;
-    if (hasPyramid) grains.push_back(Grain::Query);
+    const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
+    if (hasCells) grains.push_back(Grain::Query);
     if (pipeline.scan == Scan::EdgeWalk) grains.push_back(Grain::Span);
-    if (hasPyramid) grains.push_back(Grain::Update);
+    if (hasCells) grains.push_back(Grain::Update);
     grains.push_back(Grain::Pixel);
     return grains;
 }
@@ -190,9 +192,13 @@ std::optional<std::string> explainInvalid(const Pipeline& pipeline)
     if (familyOf(pipeline) == Family::Sweep) {
         if (pipeline.order != Order::Submitted) return "A sweep sorts the scene by lines itself: choose order=submitted";
         if (asks || pipeline.upkeep != Upkeep::None) return "A sweep keeps no depth buffer to build a pyramid on: choose cull=frustum and upkeep=none";
-        if (pipeline.depth != DepthMoment::AtOnce) return "A sweep decides each line once: choose depth=at-once";
+        if (shadesFragments(pipeline.depth)) return "A sweep decides each line once and shades it once: choose depth=deferred";
         return std::nullopt;
     }
+    if (pipeline.depth == DepthMoment::ZCull && pipeline.scan != Scan::HalfSpace)
+        return "An edge walk goes by lines and knows no tiles: choose scan=half-space or depth=early";
+    if (pipeline.depth == DepthMoment::ZCull && pipeline.upkeep != Upkeep::None && pipeline.upkeep != Upkeep::OnQuery)
+        return "Z-cull finds a stale tile's depth again when it reads it: choose upkeep=on-query or none";
     if (asks && pipeline.upkeep == Upkeep::None) return "Culling by depth needs a pyramid: choose an upkeep";
     if (!asks && pipeline.upkeep != Upkeep::None) return "Nobody would ask the pyramid: choose a cull by nodes or triangles, or upkeep=none";
     if (asksNodes(pipeline.cull) && pipeline.order == Order::Submitted) return "Culling nodes needs a hierarchy: choose order=octree or order=bvh";

@@ -27,8 +27,17 @@ enum class Upkeep { None, OnQuery, AfterPrepass, Pushed, PushedFarthest, Masked 
 enum class TriangleQuery { Box, Triangle };
 /// How triangles become pixels.
 enum class Scan { HalfSpace, EdgeWalk, SweepZLine, SweepIntervals, SweepPolygons };
-/// When depth is decided.
-enum class DepthMoment { AtOnce, Prepass };
+/// When depth is tested, and with it when fragments are shaded.
+enum class DepthMoment { Deferred, Late, Early, ZCull, Prepass };
+/// Operations of the fragment shader.
+enum class ShadingCost { None, Ten, Hundred, Thousand };
+
+/// Fragments are shaded as they come, not once the picture is finished.
+constexpr bool shadesFragments(DepthMoment moment) { return moment != DepthMoment::Deferred; }
+constexpr int  operationsOf(ShadingCost cost)
+{
+    return cost == ShadingCost::None ? 0 : cost == ShadingCost::Ten ? 10 : cost == ShadingCost::Hundred ? 100 : 1000;
+}
 
 constexpr bool asksNodes(Cull cull) { return cull == Cull::Nodes || cull == Cull::NodesAndTriangles; }
 constexpr bool asksTriangles(Cull cull) { return cull == Cull::Triangles || cull == Cull::NodesAndTriangles; }
@@ -39,7 +48,8 @@ struct Pipeline {
     Upkeep        upkeep = Upkeep::None;
     TriangleQuery query  = TriangleQuery::Box;
     Scan          scan   = Scan::HalfSpace;
-    DepthMoment   depth  = DepthMoment::AtOnce;
+    DepthMoment   depth  = DepthMoment::Deferred;
+    ShadingCost   cost   = ShadingCost::None;
     Approximation approximation = {};          // each of its members is an axis
     Fault         fault  = Fault::None; // see core/frame/faults.h
 

@@ -10,6 +10,9 @@ namespace zscope {
 inline constexpr std::array kPresets{
     Preset{"zbuffer", "Z-buffer: every triangle, every pixel it covers", {}},
     Preset{"edge-walk", "Z-buffer with edges walked from line to line", {.scan = Scan::EdgeWalk}},
+    Preset{"zbuffer-late", "Z-buffer that shades every fragment and then tests its depth", {.depth = DepthMoment::Late}},
+    Preset{"zbuffer-early", "Z-buffer that tests depth first and shades what passes", {.depth = DepthMoment::Early}},
+    Preset{"zbuffer-zcull", "Z-buffer that compares whole tiles before their fragments", {.depth = DepthMoment::ZCull}},
     Preset{"zbuffer-prepass", "Z-buffer with a depth pre-pass, then fragments of equal depth", {.depth = DepthMoment::Prepass}},
     Preset{"quadtree", "Pyramid without a tree: every triangle is tested against it",
            {.cull = Cull::Triangles, .upkeep = Upkeep::OnQuery}},

@@ -37,8 +37,18 @@ inline constexpr std::array kQueryChoices{
 };
 
 inline constexpr std::array kDepthChoices{
-    ChoiceEntry{"at-once", "Every fragment is tested against the winner so far"},
-    ChoiceEntry{"prepass", "Depth first; then only fragments of equal depth count"},
+    ChoiceEntry{"deferred", "Every fragment is tested; each pixel is shaded once, when the picture is finished"},
+    ChoiceEntry{"late", "Every covered fragment is shaded, then tested"},
+    ChoiceEntry{"early", "Every fragment is tested; those that pass are shaded"},
+    ChoiceEntry{"zcull", "A tile's farthest depth is read before its fragments; then early"},
+    ChoiceEntry{"prepass", "Depth first; then only fragments of equal depth count and are shaded"},
+};
+
+inline constexpr std::array kShadingCostChoices{
+    ChoiceEntry{"0-operations", "A fragment has its triangle's colour"},
+    ChoiceEntry{"10-operations", "A chain of 10 dependent operations per fragment"},
+    ChoiceEntry{"100-operations", "A chain of 100 dependent operations per fragment"},
+    ChoiceEntry{"1000-operations", "A chain of 1000 dependent operations per fragment"},
 };
 
 inline constexpr std::array kScanChoices{

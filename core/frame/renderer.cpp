@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <new>
+#include <optional>
 
 #include <omp.h>
 #include <unistd.h>
@@ -90,6 +91,9 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
     } catch (const std::bad_alloc&) {
         return Error{Trouble::Limit, "there is not enough memory for this picture"};
     }
+    std::optional<Painter> painter;
+    if (colours) painter.emplace(Painter{request.scene->scene(), *colours, frame.colour.view(), operationsOf(request.pipeline.cost)});
+    const bool defers = painter && !shadesFragments(request.pipeline.depth);
     m_workspace->borders.prepare(camera.height, plan->threads);
 
 #pragma omp parallel for num_threads(plan->threads) schedule(static, 1)
@@ -98,18 +102,18 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
         const Clock::time_point stripeStart = Clock::now();
         StageClock              clock;
         const auto [first, end] = m_workspace->borders.stripe(i);
-        const Stripe stripe{*request.scene, projection, request.faceCulling, frame.visible, first, end, {.cancel = request.cancel}};
+        const Stripe stripe{*request.scene, projection, request.faceCulling, frame.visible, first, end, {.cancel = request.cancel},
+                            shadesFragments(request.pipeline.depth) && painter ? &*painter : nullptr};
         try {
             if (exact)
                 kernels.drawStripe(request.pipeline, stripe, m_workspace->scratch[index], clock);
             else
                 drawStripeByRulesOf(plan->simd)(request.pipeline, rules, stripe, m_workspace->scratch[index], clock);
-            if (request.shade)
-                kernels.shadeRows(request.scene->scene(), *colours, frame.visible, first, end, frame.colour.view());
+            if (defers) kernels.shadeRows(*painter, frame.visible, first, end);
         } catch (const std::bad_alloc&) {
             outOfMemory = true;
         }
-        clock.lap(request.shade ? Stage::Shade : Stage::Other);
+        clock.lap(defers ? Stage::Shade : Stage::Other);
         stageMs[index]  = clock.ms();
         stripeMs[index] = msSince(stripeStart);
     }

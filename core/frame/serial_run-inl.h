@@ -9,6 +9,8 @@
 #define ZSCOPE_SERIAL_RUN_INL_H
 #endif
 
+#include <optional>
+
 #include "core/frame/drivers-inl.h"
 #include "core/frame/frame_plan.h"
 #include "core/frame/renderer.h"
@@ -18,10 +20,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-inline void shadeWhole(const DrawRequest& request, Frame& frame)
+/// Of a picture that is background so far.
+inline Painter painterOf(const DrawRequest& request, Frame& frame)
 {
     frame.colour.reset(request.camera.width, request.camera.height, kBackgroundColour);
-    shadeRows(request.scene->scene(), coloursOf(*request.scene), frame.visible, 0, request.camera.height, frame.colour.view());
+    return {request.scene->scene(), coloursOf(*request.scene), frame.colour.view(), operationsOf(request.pipeline.cost)};
+}
+
+inline void shadeWhole(const DrawRequest& request, Frame& frame)
+{
+    shadeRows(painterOf(request, frame), frame.visible, 0, request.camera.height);
 }
 
 /// `frame` and `scratch` stay as the run left them, finished or not.
@@ -33,13 +41,17 @@ void runSerially(const DrawRequest& request, Frame& frame, StripeScratch& scratc
     frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
     frame.visible.clearRows(0, camera.height);
 
+    const bool             withFragments = request.shade && shadesFragments(request.pipeline.depth);
+    std::optional<Painter> painter;
+    if (withFragments) painter.emplace(painterOf(request, frame));
     StageClock   clock;
-    const Stripe whole{*request.scene, projection, request.faceCulling, frame.visible, 0, camera.height, {.report = {}, .cancel = request.cancel}};
+    const Stripe whole{*request.scene, projection, request.faceCulling, frame.visible, 0, camera.height,
+                       {.report = {}, .cancel = request.cancel}, painter ? &*painter : nullptr};
     if (request.pipeline.usesExactRules())
         drawStripe(request.pipeline, whole, scratch, clock, ExactRules{}, probe);
     else
         drawStripe(request.pipeline, whole, scratch, clock, ChosenRules(request.pipeline.approximation, request.pipeline.fault, camera), probe);
-    if (request.shade) {
+    if (request.shade && !withFragments) {
         probe(StageStarted{Stage::Shade});
         shadeWhole(request, frame);
         probe(StageFinished{Stage::Shade});

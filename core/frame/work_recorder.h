@@ -13,6 +13,7 @@
 #include "core/cull/cull_events.h"
 #include "core/frame/frame_events.h"
 #include "core/frame/frame_work.h"
+#include "core/depth/visibility_buffer.h"
 #include "core/geometry/geometry_events.h"
 #include "core/scan/pixel_events.h"
 #include "core/scene/scene.h"
@@ -124,12 +125,22 @@ public:
     void observe(const SpanFilled&) { ++m_spans; }
     void observe(const PixelTested& e)
     {
+        m_fragmentsShaded += e.shaded;
         if (e.keep == Keep::DepthOnly) {
             ++m_prepassPixels;
             return;
         }
         ++m_pixelsTested;
         m_pixelsWon += e.won;
+    }
+
+    void observe(const TileTested& e) { m_tilesRejected += e.rejected; }
+
+    /// The picture is finished, and each of its pixels that shows a triangle is shaded now.
+    void shadedOnce(const VisibilityBuffer& visible)
+    {
+        for (int y = 0; y < visible.height(); ++y)
+            for (int x = 0; x < visible.width(); ++x) m_fragmentsShaded += visible.rankRow(y)[x] != 0;
     }
 
     FrameWork work() const
@@ -182,7 +193,10 @@ private:
                 {"prepass_triangles_drawn", m_drawnInPrepass},
                 {"prepass_pixels_tested", m_prepassPixels},
                 {"pixels_tested", m_pixelsTested},
-                {"pixels_won", m_pixelsWon}};
+                {"pixels_won", m_pixelsWon},
+                {"tiles_rejected", m_tilesRejected},
+                {"fragments_tested", m_prepassPixels + m_pixelsTested},
+                {"fragments_shaded", m_fragmentsShaded}};
     }
 
     void add(SetUp setUp, std::uint64_t triangles)
@@ -255,6 +269,7 @@ private:
     std::uint64_t m_drawnInPrepass = 0, m_hidden = 0, m_queries = 0, m_cells = 0;
     std::uint64_t m_clipped = 0, m_wide = 0, m_batches = 0, m_batchesOutside = 0, m_vertices = 0;
     std::uint64_t m_edges = 0, m_edgeLines = 0, m_spans = 0, m_prepassPixels = 0, m_pixelsTested = 0, m_pixelsWon = 0;
+    std::uint64_t m_tilesRejected = 0, m_fragmentsShaded = 0;
 };
 
 }  // namespace zscope

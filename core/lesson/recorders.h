@@ -58,22 +58,26 @@ private:
 };
 static_assert(observes<TriangleRecorder, TriangleReached> && observes<TriangleRecorder, PixelTested>);
 
-/// Keeps the last span and the last pixel's test; a new triangle or line makes both old.
+/// Keeps the last span, the last tile and the last pixel's test; a new triangle or line makes both old.
 class PixelRecorder {
 public:
     void observe(const SpanFilled& e) { m_span = SpanRow{e.x0, e.x1, e.triangle}; }
     void observe(const PixelTested& e);
+    void observe(const TileTested& e) { m_tile = e; }
     void observe(const TriangleReached&) { m_span.reset(); }
     void observe(const ScanlineReady&) { m_span.reset(); }
 
     std::optional<SpanRow>    span() const { return m_span; }
     std::optional<PixelState> pixel() const { return m_pixel; }
+    std::optional<TileTested> tile() const { return m_tile; }
 
 private:
     std::optional<SpanRow>    m_span;
     std::optional<PixelState> m_pixel;
+    std::optional<TileTested> m_tile;
 };
 static_assert(observes<PixelRecorder, SpanFilled> && observes<PixelRecorder, PixelTested> &&
+              observes<PixelRecorder, TileTested> &&
               observes<PixelRecorder, TriangleReached> && observes<PixelRecorder, ScanlineReady>);
 
 /// Keeps the last interval decided; a new line makes it old.
@@ -120,7 +124,8 @@ static_assert(observes<HierarchyRecorder, StageStarted> && observes<HierarchyRec
 class MomentRecorder {
 public:
     enum class Moment {
-        None, StageOver, NodeOver, TriangleOver, QueryOver, LineReady, LineOver, IntervalOver, SpanOver, UpdateOver, PixelOver, FrameOver
+        None, StageOver, NodeOver, TriangleOver, QueryOver, TileOver, LineReady, LineOver, IntervalOver, SpanOver, UpdateOver, PixelOver,
+        FrameOver
     };
 
     void observe(const StageStarted& e) { m_stage = e.stage; }
@@ -133,6 +138,7 @@ public:
     void observe(const IntervalResolved&) { m_moment = Moment::IntervalOver; }
     void observe(const SpanFilled&) { m_moment = Moment::SpanOver; }
     void observe(const CellUpdated&) { m_moment = Moment::UpdateOver; }
+    void observe(const TileTested&) { m_moment = Moment::TileOver; }
     void observe(const PixelTested&) { m_moment = Moment::PixelOver; }
     void observe(const FrameFinished&) { m_moment = Moment::FrameOver; }
 

@@ -113,11 +113,13 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.event     = stop.lastGrain();
         state.stage     = moment.stage();
         state.sweep     = sweep.state();
-        state.hierarchy = hierarchy.state(m_request.camera.width, m_request.camera.height, m_request.pipeline.upkeep != Upkeep::None);
+        const bool hasCells = m_request.pipeline.upkeep != Upkeep::None || m_request.pipeline.depth == DepthMoment::ZCull;
+        state.hierarchy = hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
         state.triangle  = triangle.state();
         state.span      = pixel.span();
         state.interval  = interval.state();
         if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = pixel.pixel();
+        if (moment.moment() == MomentRecorder::Moment::TileOver) state.tile = pixel.tile();
         state.sentence  = sentenceFor(state, m_request.pipeline, moment.moment(), m_request.scene->scene().triangleCount());
         return state;
     } catch (const std::bad_alloc&) {

@@ -174,24 +174,43 @@ std::string intervalOver(const IntervalState& interval, const Pipeline& pipeline
     return where;
 }
 
-std::string pixelOver(const PixelState& p, const Pipeline& pipeline)
+std::string tileOver(const TileTested& tile, float empty)
+{
+    const std::string who = fmt::format("Tile ({}, {}) to ({}, {}): triangle {} could be as near as {:.7g} here, and the farthest depth in the tile",
+                                        tile.box.x0, tile.box.y0, tile.box.x1 - 1, tile.box.y1 - 1, grouped(tile.triangle.value), tile.nearest);
+    const std::string stored = tile.farthest > empty ? fmt::format(" is {:.7g}: ", tile.farthest) : std::string(" is the background's: ");
+    return who + stored + (tile.rejected ? "rejected, none of its fragments is tested or shaded."
+                                         : "that rejects nothing, so its fragments are tested one by one.");
+}
+
+/// What the moment of shading meant for this fragment, as the end of its sentence.
+std::string shadingOf(const PixelState& p, DepthMoment moment)
+{
+    if (moment == DepthMoment::Deferred || p.keep == Keep::DepthOnly) return ".";
+    if (!p.won) return p.shaded ? "; it was shaded although hidden." : "; it is never shaded.";
+    if (!p.shaded) return ".";
+    return moment == DepthMoment::Late ? "; its colour was ready before the test." : "; only now is it shaded.";
+}
+
+/// What the test found, without the end of the sentence.
+std::string testOf(const PixelState& p, const Pipeline& pipeline)
 {
     const std::string_view name = nameOfPolygons(pipeline, false);
     const std::string who = fmt::format("Pixel ({}, {}): {} {}, depth {:.7g},", p.x, p.y, name, grouped(p.triangle.value), p.depth);
     if (p.keep == Keep::DepthOnly)
-        return who + (p.won ? " is the nearest so far: the pre-pass keeps its depth and asks nobody's name."
-                            : " is not nearer than what the pre-pass has kept.");
-    if (p.keep == Keep::Equal && p.won) return who + " has exactly the depth that the pre-pass kept, so it is the one that is seen.";
-    if (p.keep == Keep::Equal && !p.rival) return who + " is farther than the depth that the pre-pass kept and is hidden.";
-    if (!p.rival && p.won) return who + " takes it from the background.";
-    if (!p.rival) return who + " lies beyond the far plane and is not kept.";
+        return who + (p.won ? " is the nearest so far: the pre-pass keeps its depth and asks nobody's name"
+                            : " is not nearer than what the pre-pass has kept");
+    if (p.keep == Keep::Equal && p.won) return who + " has exactly the depth that the pre-pass kept, so it is the one that is seen";
+    if (p.keep == Keep::Equal && !p.rival) return who + " is farther than the depth that the pre-pass kept and is hidden";
+    if (!p.rival && p.won) return who + " takes it from the background";
+    if (!p.rival) return who + " lies beyond the far plane and is not kept";
     const std::string rival = fmt::format("{} {}", name, grouped(p.rival->value));
     if (p.depth == p.rivalDepth) {
-        return who + (p.won ? fmt::format(" is as near as {} and takes it: on equal depth the lower id wins.", rival)
-                            : fmt::format(" is as near as {} and loses: on equal depth the lower id wins.", rival));
+        return who + (p.won ? fmt::format(" is as near as {} and takes it: on equal depth the lower id wins", rival)
+                            : fmt::format(" is as near as {} and loses: on equal depth the lower id wins", rival));
     }
-    if (p.won) return who + fmt::format(" is nearer than {} at {:.7g} and takes it.", rival, p.rivalDepth);
-    return who + fmt::format(" is farther than {} at {:.7g} and is hidden.", rival, p.rivalDepth);
+    if (p.won) return who + fmt::format(" is nearer than {} at {:.7g} and takes it", rival, p.rivalDepth);
+    return who + fmt::format(" is farther than {} at {:.7g} and is hidden", rival, p.rivalDepth);
 }
 
 }  // namespace
@@ -213,7 +232,8 @@ std::string sentenceFor(const StepState& state, const Pipeline& pipeline, Moment
     case Moment::LineReady: return lineReady(*state.sweep, pipeline);
     case Moment::LineOver: return lineOver(*state.sweep, pipeline);
     case Moment::SpanOver: return spanOver(state, pipeline);
-    case Moment::PixelOver: return pixelOver(*state.pixel, pipeline);
+    case Moment::TileOver: return tileOver(*state.tile, state.frame.visible.empty());
+    case Moment::PixelOver: return testOf(*state.pixel, pipeline) + shadingOf(*state.pixel, pipeline.depth);
     case Moment::FrameOver:
         return fmt::format("The picture is finished: {} one of {}.",
                            counted(coveredPixels(state.frame.visible), "pixel shows", "pixels show"),

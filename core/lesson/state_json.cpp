@@ -21,7 +21,14 @@ Json toJson(const PixelState& pixel)
 {
     Json json{{"x", pixel.x}, {"y", pixel.y}, {"triangle", pixel.triangle.value}, {"depth", pixel.depth}, {"won", pixel.won}};
     json["rival"] = pixel.rival ? Json{{"triangle", pixel.rival->value}, {"depth", pixel.rivalDepth}} : Json(nullptr);
+    json["shaded"] = pixel.shaded;
     return json;
+}
+
+Json toJson(const TileTested& tile)
+{
+    return {{"rectangle", {tile.box.x0, tile.box.y0, tile.box.x1, tile.box.y1}}, {"triangle", tile.triangle.value},
+            {"nearest", tile.nearest}, {"farthest", tile.farthest}, {"rejected", tile.rejected}};
 }
 
 Json toJson(const TriangleState& triangle)
@@ -112,6 +119,7 @@ std::string stateToJson(const StepState& state)
     if (state.triangle) json["triangle"] = toJson(*state.triangle);
     if (state.interval) json["interval"] = toJson(*state.interval);
     if (state.span) json["span"] = toJson(*state.span);
+    if (state.tile) json["tile"] = toJson(*state.tile);
     if (state.pixel) json["pixel"] = toJson(*state.pixel);
     return json.dump(1) + "\n";
 }

@@ -69,6 +69,7 @@ struct PixelState {
     std::optional<TriangleId> rival;           // who owned the pixel before; nothing: background
     float                     rivalDepth = 0;  // 0 for background
     Keep                      keep = Keep::Nearest;
+    bool                      shaded = false;  // its colour was computed with this test
 };
 
 /// The triangle that is being drawn or has just been drawn.
@@ -123,6 +124,7 @@ struct StepState {
     std::optional<PixelState>    pixel;     // if the last event was a pixel
     std::optional<SpanRow>       span;      // the last span filled
     std::optional<IntervalState> interval;  // interval method only: the last interval of the line
+    std::optional<TileTested>    tile;      // if the last event was a tile
     Frame                        frame;     // as the run left it, shaded
 };
 

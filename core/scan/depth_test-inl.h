@@ -17,6 +17,7 @@
 
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/rules.h"
+#include "core/scan/fragments.h"
 #include "core/scan/pixel_events.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -60,16 +61,21 @@ public:
         return hn::Set(F64(), m_a) * centres;
     }
 
-    /// Offers the covered lanes at depthRow[0..], rankRow[0..]. `x` and `y` are only told to the probe.
-    template <class Probe>
+    /// Offers the covered lanes at depthRow[0..], rankRow[0..]; they are the pixels x, x + 1, ... of line y.
+    template <class Fragments, class Probe>
     void offer(Vec64 column, double line, hn::Mask<F64> covered, float* depthRow, std::uint32_t* rankRow,
-               [[maybe_unused]] int x, [[maybe_unused]] int y, const Probe& probe) const
+               [[maybe_unused]] int x, [[maybe_unused]] int y, [[maybe_unused]] const Fragments& fragments,
+               const Probe& probe) const
     {
+        constexpr ShadingMoment kShading = Fragments::kMoment;
         const F64  d64;
         const F32  d32;
         const U32  u32;
         const auto z     = stored(limited(column + hn::Set(d64, line)));
         const auto depth = hn::DemoteTo(d32, hn::IfThenElse(covered, z, hn::Set(d64, kNotCovered)));
+
+        [[maybe_unused]] auto colours = hn::Undefined(u32);
+        if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
 
         const auto stored = hn::LoadU(d32, depthRow);
         const auto holder = hn::LoadU(u32, rankRow);
@@ -79,11 +85,18 @@ public:
         if constexpr (kKeep != Keep::DepthOnly)
             hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, won), rank, holder), u32, rankRow);
 
+        if constexpr (kShading == ShadingMoment::BeforeTest) {
+            fragments.keep(u32, hn::RebindMask(u32, won), colours, x, y);
+        } else if constexpr (kShading == ShadingMoment::AfterTest) {
+            if (!hn::AllFalse(d32, won)) fragments.keep(u32, hn::RebindMask(u32, won), fragments.colours(u32, x, y), x, y);
+        }
+
         if constexpr (Probe::listens) {
             static_assert(!Probe::listens || hn::MaxLanes(F64()) == 1, "a run that is listened to uses one lane");
             if (hn::AllFalse(d64, covered)) return;
-            probe(PixelTested{x, y, TriangleId{m_rank - 1}, hn::GetLane(depth), !hn::AllFalse(d32, won),
-                              hn::GetLane(holder), hn::GetLane(stored), kKeep});
+            const bool wins = !hn::AllFalse(d32, won);
+            probe(PixelTested{x, y, TriangleId{m_rank - 1}, hn::GetLane(depth), wins, hn::GetLane(holder), hn::GetLane(stored), kKeep,
+                              kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins)});
         }
     }
 
@@ -156,9 +169,9 @@ double lineDepth(const DepthPlane& plane, int y, const Rules& rules)
 }
 
 /// Tests the pixels [x0, x1) of line y, all of them covered; they lie inside the picture.
-template <Keep kKeep = Keep::Nearest, class Rules, class Probe>
+template <Keep kKeep = Keep::Nearest, class Fragments = UnshadedFragments, class Rules, class Probe>
 void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
-              const Rules& rules, const Probe& probe)
+              const Rules& rules, const Probe& probe, const Fragments& fragments = {})
 {
     const DepthTest<kKeep, Rules> test(plane, rankOfSpan, visible.empty(), rules);
     const double                  line  = lineDepth(plane, y, rules);
@@ -166,17 +179,17 @@ void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, 
     std::uint32_t*                rank  = visible.rankRow(y);
     for (int x = x0; x < x1; x += laneCount()) {
         const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
-        test.offer(test.column(x, x0), line, covered, depth + x, rank + x, x, y, probe);
+        test.offer(test.column(x, x0), line, covered, depth + x, rank + x, x, y, fragments, probe);
     }
 }
 
 /// testSpan(), and tells that the span was filled.
-template <Keep kKeep = Keep::Nearest, class Rules, class Probe>
+template <Keep kKeep = Keep::Nearest, class Fragments = UnshadedFragments, class Rules, class Probe>
 void fillSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
-              const Rules& rules, const Probe& probe)
+              const Rules& rules, const Probe& probe, const Fragments& fragments = {})
 {
     if (x0 >= x1) return;
-    testSpan<kKeep>(plane, rankOfSpan, y, x0, x1, visible, rules, probe);
+    testSpan<kKeep>(plane, rankOfSpan, y, x0, x1, visible, rules, probe, fragments);
     probe(SpanFilled{y, x0, x1, TriangleId{rankOfSpan - 1}});
 }
 

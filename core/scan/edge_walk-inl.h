@@ -21,8 +21,9 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 struct EdgeWalk {
-    template <Keep kKeep, class Rules, class Probe>
-    static void fill(const ScreenTriangle& triangle, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    template <Keep kKeep, class Fragments, class Rules, class Probe>
+    static void fill(const ScreenTriangle& triangle, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
+                     const Probe& probe)
     {
         // From top to bottom: the long side joins the first and the last, the short sides meet in the middle.
         std::array<std::size_t, 3> at{0, 1, 2};
@@ -37,8 +38,8 @@ struct EdgeWalk {
         const int       first  = std::max(rules.firstLineOfTriangle(triangle.y[at[0]]), box.y0);
         const int       middle = std::clamp(firstLineFrom(triangle.y[at[1]]), box.y0, box.y1);
         const auto      both   = [&]<class Stepper>() {
-            walk<kKeep, Stepper>(triangle, at, 0, 1, first, middle, visible, rules, probe);
-            walk<kKeep, Stepper>(triangle, at, 1, 2, std::max(first, middle), box.y1, visible, rules, probe);
+            walk<kKeep, Stepper>(triangle, at, 0, 1, first, middle, fragments, visible, rules, probe);
+            walk<kKeep, Stepper>(triangle, at, 1, 2, std::max(first, middle), box.y1, fragments, visible, rules, probe);
         };
         if (rules.accumulatesEdges())
             both.template operator()<AccumulatedEdge>();
@@ -50,9 +51,10 @@ struct EdgeWalk {
 
 private:
     /// Lines [first, end) between the long side and the short side from corner `top` to `bottom` (in order of y).
-    template <Keep kKeep, class Stepper, class Rules, class Probe>
+    template <Keep kKeep, class Stepper, class Fragments, class Rules, class Probe>
     static void walk(const ScreenTriangle& triangle, const std::array<std::size_t, 3>& at, std::size_t top, std::size_t bottom,
-                     int first, int end, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+                     int first, int end, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
+                     const Probe& probe)
     {
         if (first >= end) return;
         if (rules.isSkippedAsHorizontal(triangle.x[at[top]], triangle.x[at[bottom]])) return;
@@ -64,7 +66,7 @@ private:
             const int one   = rules.firstPixel(longSide.firstPixel(), longSide.x());
             const int other = rules.firstPixel(shortSide.firstPixel(), shortSide.x());
             fillSpan<kKeep>(triangle.depth, triangle.rank(), y, std::max(std::min(one, other), triangle.box.x0),
-                            std::min(std::max(one, other), triangle.box.x1), visible, rules, probe);
+                            std::min(std::max(one, other), triangle.box.x1), visible, rules, probe, fragments);
             longSide.nextLine();
             shortSide.nextLine();
         }

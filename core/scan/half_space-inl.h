@@ -3,6 +3,9 @@
 // Edges      values are integers below 2^53 (core/geometry/half_plane.h), so float64 lanes hold them exactly
 // Tiles      the triangle's box is cut into columns one vector wide and tiles of kTileLines lines; a tile
 //            wholly on the outer side of one edge is skipped
+// Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
+//            is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no pixel
+//            writes to it
 // Wide       triangles beyond the guard band are handed to EdgeWalk, whose 128-bit edges find the same pixels
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #if defined(ZSCOPE_HALF_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -15,6 +18,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/depth/pyramid_told.h"
 #include "core/geometry/half_plane.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/edge_walk-inl.h"
@@ -25,11 +29,12 @@ namespace zscope::HWY_NAMESPACE {
 struct HalfSpace {
     static constexpr int kTileLines = 8;
 
-    template <Keep kKeep, class Rules, class Probe>
-    static void fill(const ScreenTriangle& triangle, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    template <Keep kKeep, class Fragments, class Rules, class Probe>
+    static void fill(const ScreenTriangle& triangle, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
+                     const Probe& probe)
     {
         if (triangle.wide) {
-            EdgeWalk::fill<kKeep>(triangle, visible, rules, probe);
+            EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules, probe);
             return;
         }
         const PixelBox&                box    = triangle.box;
@@ -43,17 +48,61 @@ struct HalfSpace {
                 const int end = std::min(y + kTileLines, box.y1);
                 const int right = x - box.x0, down = y - box.y0;
                 if (!oneTile && areOutside(planes, right, down, right + laneCount() - 1, down + kTileLines - 1)) continue;
-                fillTile(triangle, planes, test, column, x, y, end, visible, rules, probe);
+                fillTile(triangle, planes, test, column, x, y, end, fragments, visible, rules, probe);
+            }
+        }
+    }
+
+    /// The same, tile by tile of `tiles`, which is told what may have changed; `told` hears what it brings up to date.
+    template <Keep kKeep, class Fragments, class Told, class Rules, class Probe>
+    static void fillByTiles(const ScreenTriangle& triangle, Pyramid& tiles, const Told& told, const Fragments& fragments,
+                            VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    {
+        if (triangle.wide) {
+            EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules, probe);
+            tiles.touched(triangle.box);
+            return;
+        }
+        constexpr int kTile = 1 << Pyramid::kTileLevel;
+        static_assert(kTile % hn::MaxLanes(F64()) == 0, "columns must not reach over the border of a tile");
+        const PixelBox&                box    = triangle.box;
+        const std::array<HalfPlane, 3> planes = halfPlanesOf(triangle, rules.notOwned());
+        const DepthTest<kKeep, Rules>  test(triangle.depth, triangle.rank(), visible.empty(), rules);
+
+        for (int top = tiles.tileAt(box.x0, box.y0).y0; top < box.y1; top += kTile) {
+            for (int left = tiles.tileAt(box.x0, box.y0).x0; left < box.x1; left += kTile) {
+                const int right = left - box.x0, down = top - box.y0;
+                if (areOutside(planes, right, down, right + kTile - 1, down + kTile - 1)) continue;
+                const PixelBox here{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kTile, box.x1),
+                                    std::min(top + kTile, box.y1)};
+                const float      nearest = nearestIn(triangle.depth, here, rules);
+                const TileAnswer answer  = tiles.askTile(left, top, nearest, told);
+                probe(TileTested{here, triangle.id, nearest, answer.farthest, answer.hidden});
+                if (answer.hidden) continue;
+                for (int x = left; x < here.x1; x += laneCount())
+                    fillTile(triangle, planes, test, test.column(x, box.x0), x, here.y0, here.y1, fragments, visible, rules, probe);
+                tiles.touched(here);
             }
         }
     }
 
 private:
+    /// The nearest depth that the triangle could store in `box`. Its expression is monotone in x and in y, roundings
+    /// included, so a corner of the box has it.
+    template <class Rules>
+    static float nearestIn(const DepthPlane& plane, const PixelBox& box, const Rules& rules)
+    {
+        if constexpr (!Rules::kExact) return rules.stored(plane.nearest);
+        const int    x = plane.a > 0 ? box.x1 - 1 : box.x0, y = plane.b > 0 ? box.y1 - 1 : box.y0;
+        const double z = plane.a * (x + 0.5) + lineDepth(plane, y, rules);
+        return rules.stored(std::min(std::max(z, double{plane.farthest}), double{plane.nearest}));
+    }
+
     /// Lines [y, end) of the column of pixels x, x + 1, ...
-    template <Keep kKeep, class Rules, class Probe>
+    template <Keep kKeep, class Fragments, class Rules, class Probe>
     static void fillTile(const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes,
-                         const DepthTest<kKeep, Rules>& test, Vec64 column, int x, int y, int end, VisibilityBuffer& visible,
-                         const Rules& rules, const Probe& probe)
+                         const DepthTest<kKeep, Rules>& test, Vec64 column, int x, int y, int end, const Fragments& fragments,
+                         VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         const F64  d64;
         const auto lane  = hn::Iota(d64, x - triangle.box.x0);
@@ -67,7 +116,7 @@ private:
             const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
             if (!hn::AllFalse(d64, inside)) {
                 test.offer(column, lineDepth(triangle.depth, y, rules), inside, visible.depthRow(y) + x, visible.rankRow(y) + x, x,
-                           y, probe);
+                           y, fragments, probe);
             }
             e0 = e0 + down0;
             e1 = e1 + down1;

@@ -1,4 +1,4 @@
-// What scan conversion tells: triangles begun and finished, spans filled, pixels tested.
+// What scan conversion tells: triangles begun and finished, tiles and spans, pixels tested.
 #pragma once
 
 #include <cstdint>
@@ -43,6 +43,18 @@ struct PixelTested {
     std::uint32_t          rivalRank;   // who held the pixel: triangle id + 1, or 0 for background
     float                  rivalDepth;  // the buffer's value; for background the one just below every kept depth
     Keep                   keep;
+    bool                   shaded;      // its colour was computed, before the test or because it passed
+};
+
+/// A tile that the triangle may cover has been compared as a whole: the nearest that the triangle could be inside `box`
+/// against the farthest that is stored anywhere in the tile.
+struct TileTested {
+    static constexpr Grain grain = Grain::Query;
+    PixelBox               box;      // the tile's pixels that the triangle may cover
+    TriangleId             triangle;
+    float                  nearest;
+    float                  farthest;
+    bool                   rejected;
 };
 
 }  // namespace zscope

@@ -1,6 +1,6 @@
 // Deferred shading: each pixel once, from the triangle that won it.
 //
-// Idea       colour = table[rank]; a vector of pixels that all show one triangle needs a single look-up
+// Idea       base colour = table[rank]; a vector of pixels that all show one triangle needs a single look-up
 #if defined(ZSCOPE_SHADE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_SHADE_INL_H
 #undef ZSCOPE_SHADE_INL_H
@@ -11,14 +11,14 @@
 #include <hwy/highway.h>
 
 #include "core/depth/visibility_buffer.h"
-#include "core/shade/colour_table.h"
+#include "core/shade/fragment-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-inline void shadeRowFromTable(const std::uint32_t* rank, int width, const std::uint32_t* table, std::uint32_t* colour)
+inline void baseColoursFromTable(const std::uint32_t* rank, int width, const std::uint32_t* table, std::uint32_t* colour)
 {
     const hn::ScalableTag<std::uint32_t> u32;
     const int                            lanes = static_cast<int>(hn::Lanes(u32));
@@ -35,29 +35,47 @@ inline void shadeRowFromTable(const std::uint32_t* rank, int width, const std::u
 }
 
 /// Without a table: one computation per run of pixels that show the same triangle.
-inline void shadeRowByRuns(const Scene& scene, const std::uint32_t* rank, int width, std::uint32_t* colour)
+inline void baseColoursByRuns(const Painter& painter, const std::uint32_t* rank, int width, std::uint32_t* colour)
 {
     std::uint32_t lastRank = 0, lastColour = kBackgroundColour;
     for (int x = 0; x < width; ++x) {
         if (rank[x] != lastRank) {
-            lastRank                  = rank[x];
-            const InstanceId instance = lastRank == 0 ? InstanceId{} : scene.instanceOf(TriangleId{lastRank - 1});
-            lastColour = lastRank == 0 ? kBackgroundColour
-                                       : colourOf(scene, instance, lastRank - 1 - scene.firstTriangle[instance.value]);
+            lastRank   = rank[x];
+            lastColour = painter.baseColour(lastRank);
         }
         colour[x] = lastColour;
     }
 }
 
-/// Lines [first, end). `colour` has the picture's size.
-inline void shadeRows(const Scene& scene, const ColourTable& table, const VisibilityBuffer& visible, int first, int end,
-                      GridView<std::uint32_t> colour)
+/// The fragment shader over the base colours of the pixels [x, width) of line y, those of the background left as they are.
+template <class U32>
+int shadeRow(U32 u32, const std::uint32_t* rank, int x, int width, int y, int operations, std::uint32_t* colour)
 {
+    const int lanes = static_cast<int>(hn::Lanes(u32));
+    for (; x + lanes <= width; x += lanes) {
+        const auto ranks = hn::LoadU(u32, rank + x);
+        const auto shows = ranks != hn::Zero(u32);
+        if (hn::AllFalse(u32, shows)) continue;
+        const auto base = hn::LoadU(u32, colour + x);
+        hn::StoreU(hn::IfThenElse(shows, shaded(u32, base, ranks, x, y, operations), base), u32, colour + x);
+    }
+    return x;
+}
+
+/// Lines [first, end).
+inline void shadeRows(const Painter& painter, const VisibilityBuffer& visible, int first, int end)
+{
+    const int width = visible.width();
     for (int y = first; y < end; ++y) {
-        if (table.isComplete())
-            shadeRowFromTable(visible.rankRow(y), visible.width(), table.data(), colour.row(y).data());
+        const std::uint32_t* rank   = visible.rankRow(y);
+        std::uint32_t*       colour = painter.colour.row(y).data();
+        if (painter.table.isComplete())
+            baseColoursFromTable(rank, width, painter.table.data(), colour);
         else
-            shadeRowByRuns(scene, visible.rankRow(y), visible.width(), colour.row(y).data());
+            baseColoursByRuns(painter, rank, width, colour);
+        if (painter.operations == 0) continue;
+        const int rest = shadeRow(hn::ScalableTag<std::uint32_t>(), rank, 0, width, y, painter.operations, colour);
+        shadeRow(hn::CappedTag<std::uint32_t, 1>(), rank, rest, width, y, painter.operations, colour);
     }
 }
 

@@ -19,6 +19,8 @@
 
 namespace zscope {
 
+struct Painter;  // core/shade/painter.h
+
 /// What to draw: the lines [firstRow, endRow) of `visible`. Borrows everything.
 struct Stripe {
     const PreparedScene& scene;
@@ -28,6 +30,7 @@ struct Stripe {
     int                  firstRow;
     int                  endRow;
     Progress             progress;  // only its cancel flag is read
+    const Painter*       painter = nullptr;  // of fragments that are shaded as they come; nullptr: none are
 
     PixelBox region() const { return {0, firstRow, visible.width(), endRow}; }
 };

@@ -81,9 +81,9 @@ std::uint64_t counterOf(const SeenScene& seen, const Preset& preset, std::string
 TEST(StructureSteps, MethodsWithAPyramidStepThroughQueriesAndUpdatesAndTheIntervalMethodsThroughIntervals)
 {
     for (const Preset& preset : methods()) {
-        const bool hasPyramid = preset.pipeline.upkeep != Upkeep::None;
-        EXPECT_EQ(has(preset, Grain::Query), hasPyramid) << preset.name;
-        EXPECT_EQ(has(preset, Grain::Update), hasPyramid) << preset.name;
+        const bool hasCells = preset.pipeline.upkeep != Upkeep::None || preset.pipeline.depth == DepthMoment::ZCull;
+        EXPECT_EQ(has(preset, Grain::Query), hasCells) << preset.name;
+        EXPECT_EQ(has(preset, Grain::Update), hasCells) << preset.name;
         EXPECT_EQ(has(preset, Grain::Interval), preset.pipeline.scan == Scan::SweepIntervals || drawsFaces(preset.pipeline)) << preset.name;
     }
 }
@@ -93,7 +93,7 @@ TEST(StructureSteps, EveryQuestionIsAStepWhoseVerdictIsThatOfEachPixelOfItsRecta
     std::map<std::string, int> nodes;  // asked about, per preset
     for (const SeenScene& seen : seenScenes()) {
         for (const Preset& preset : methods()) {
-            if (!has(preset, Grain::Query) || preset.claim != Claim::Exact) continue;
+            if (preset.pipeline.upkeep == Upkeep::None || preset.claim != Claim::Exact) continue;
             std::map<std::string, int> asked;
             const int events = forEveryEvent(seen, preset, Grain::Query, [&](const StepState& state) {
                 ASSERT_TRUE(state.hierarchy && state.hierarchy->query);
@@ -122,6 +122,28 @@ TEST(StructureSteps, EveryQuestionIsAStepWhoseVerdictIsThatOfEachPixelOfItsRecta
     }
     for (const Preset& preset : methods())
         EXPECT_EQ(nodes[std::string(preset.name)] > 0, asksNodes(preset.pipeline.cull)) << preset.name;
+}
+
+TEST(StructureSteps, ATileIsRejectedExactlyIfAllItsPixelsAreNearerThanTheTriangleCouldBeThere)
+{
+    int rejected = 0, tested = 0;
+    for (const SeenScene& seen : {soupScene(SoupKind::Repeated, 44, 37, 29, 60), builtinScene("layers?count=5&order=front", 37, 22)}) {
+        const int events = forEveryEvent(seen, *findPreset("zbuffer-zcull"), Grain::Query, [&](const StepState& state) {
+            ASSERT_TRUE(state.tile.has_value());
+            const TileTested& tile = *state.tile;
+            const int         left = tile.box.x0 / 8 * 8, top = tile.box.y0 / 8 * 8;
+            const float       farthest = farthestIn(state.frame.visible, {left, top, left + 8, top + 8});
+            EXPECT_EQ(tile.rejected, tile.nearest < farthest) << state.sentence;
+            if (!tile.rejected) {
+                EXPECT_EQ(tile.farthest, farthest) << "what lets fragments through has been looked up";
+            }
+            EXPECT_EQ(state.sentence.find("rejected, none") != std::string::npos, tile.rejected) << state.sentence;
+            ++(tile.rejected ? rejected : tested);
+        });
+        EXPECT_GT(events, 0);
+    }
+    EXPECT_GT(rejected, 10);
+    EXPECT_GT(tested, 10);
 }
 
 TEST(StructureSteps, EveryUpdateLeavesTheFarthestDepthOfTheCellAndFollowsTheOneBefore)

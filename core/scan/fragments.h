@@ -1,0 +1,20 @@
+// What the depth test does with a fragment besides testing it: nothing, or shading it before or after the test.
+//
+// Interface  colours(u32, x, y): the colours of fragments at the pixels x, x + 1, ...
+//            keep(u32, won, colours, x, y): stores those that won
+// Written    where shading is known (core/shade/fragment-inl.h); scan conversion only says when
+#pragma once
+
+namespace zscope {
+
+enum class ShadingMoment {
+    Never,       // the picture is shaded when it is finished, or not at all
+    BeforeTest,  // every covered fragment, whether it will be seen or not
+    AfterTest,   // those that passed the test
+};
+
+struct UnshadedFragments {
+    static constexpr ShadingMoment kMoment = ShadingMoment::Never;
+};
+
+}  // namespace zscope
