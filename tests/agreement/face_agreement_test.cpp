@@ -130,6 +130,42 @@ TEST(FaceAgreement, AFaceWalkedThereAndBackDrawsNothing)
     }
 }
 
+/// A ramp that winds one and a half times round the line of sight, ever farther away, so that its second turn is seen on top of
+/// its first: the outline goes twice round a pixel, which the even-odd rule would leave empty.
+TEST(FaceAgreement, AFaceSeenTwiceOnOnePixelIsStillWhole)
+{
+    const Camera               camera = plainCamera(64, 64);
+    constexpr int              kSteps = 60;
+    Mesh                       mesh;
+    std::vector<std::uint32_t> outline;
+    for (int i = 0; i <= 2 * kSteps + 1; ++i) {
+        const bool   isOuter = i <= kSteps;
+        const double angle   = 3 * std::numbers::pi * (isOuter ? i : 2 * kSteps + 1 - i) / kSteps;
+        const double reach   = isOuter ? 26.3 : 16.7;
+        outline.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+        mesh.positions.push_back(pointAt(camera, 32 + reach * std::cos(angle), 32 - reach * std::sin(angle), 2 * std::pow(2.2, angle / (2 * std::numbers::pi))));
+    }
+    ASSERT_TRUE(mesh.addPolygon(outline)) << "it does not cross itself";
+    const Polygons polygons{std::make_shared<const PreparedScene>(sceneOf(mesh, std::array{Affine{}})), camera, "a ramp"};
+    int            twice = 0;
+    for (int x = 0; x < 64; ++x) {
+        const auto covering = coveringTriangles(polygons.scene->scene(), camera, FaceCulling::None, {x, 20});
+        ASSERT_TRUE(covering.ok());
+        twice += covering->size() == 2;
+    }
+    EXPECT_GT(twice, 5);
+    const auto work = Renderer().count({.scene = polygons.scene, .camera = camera, .pipeline = findPreset("interval-polygon")->pipeline, .shade = false});
+    ASSERT_TRUE(work.ok());
+    for (const NamedCount& count : work->counters) {
+        if (count.name == "polygons_by_outline") { EXPECT_EQ(count.value, 1u); }
+    }
+    for (const FaceCulling culling : kCullings) {
+        const ErrorFigures figures = figuresByFace(polygons, culling, 2);
+        EXPECT_EQ(figures.wrongPixels(), 0u);
+        EXPECT_GT(figures.covered, 1000u);
+    }
+}
+
 TEST(FaceAgreement, FacesInSlabsOfTheirOwnAreSeenWhereTheirTrianglesAreSeen)
 {
     for (const Bend bend : {Bend::Plane, Bend::Bent})
