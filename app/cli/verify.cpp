@@ -39,16 +39,24 @@ std::string verdictOf(const VerifyRow& row)
 
 std::string tableOf(const std::vector<VerifyRow>& rows)
 {
-    Table table({{"algorithm", Table::Align::Left}, {"exact", Table::Align::Left}, {"threads"},
+    std::vector<Table::Column> columns{{"algorithm", Table::Align::Left}, {"exact", Table::Align::Left}, {"threads"},
                  {"simd", Table::Align::Left}, {"covered"}, {"holes"}, {"spills"}, {"wrong surface"},
-                 {"depth bits differ"}, {"max depth steps"}, {"lost"}, {"false culls"}, {"", Table::Align::Left}});
+                 {"depth bits differ"}, {"max depth steps"}, {"lost"}, {"false culls"}, {"", Table::Align::Left}};
+    const bool judgesColours = std::ranges::any_of(rows, [](const VerifyRow& row) { return row.colours.has_value(); });
+    if (judgesColours) columns.insert(columns.end() - 1, {{"wrong colours"}, {"max channel"}});
+    Table table(std::move(columns));
     for (const VerifyRow& row : rows) {
         const ErrorFigures& f = row.figures;
-        table.row({row.algorithm, wordOf(row.claim), std::to_string(row.threads),
+        std::vector<std::string> cells{row.algorithm, wordOf(row.claim), std::to_string(row.threads),
                    std::string(wordOf(row.simd)), grouped(f.covered), grouped(f.holes), grouped(f.spills),
                    grouped(f.wrongSurface()), grouped(f.depthBitsDiffer), grouped(f.maxDepthSteps),
                    grouped(f.lostTriangles), grouped(row.falseCulls),
-                   verdictOf(row)});
+                   verdictOf(row)};
+        if (judgesColours) {
+            cells.insert(cells.end() - 1, {row.colours ? grouped(row.colours->wrong) : "-",
+                                           row.colours ? std::to_string(row.colours->maxChannel) : "-"});
+        }
+        table.row(std::move(cells));
     }
     return table.text();
 }
@@ -70,6 +78,10 @@ Json jsonOf(const std::vector<VerifyRow>& rows)
                         {"max_depth_steps", f.maxDepthSteps},
                         {"lost_triangles", f.lostTriangles},
                         {"false_culls", row.falseCulls}});
+        if (row.colours) {
+            list.back()["wrong_colours"]          = row.colours->wrong;
+            list.back()["max_channel_difference"] = row.colours->maxChannel;
+        }
     }
     return list;
 }

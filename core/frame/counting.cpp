@@ -16,10 +16,10 @@ Result<FrameWork> Renderer::count(const DrawRequest& request)
         WorkRecorder  work(request.scene->scene());
         DrawRequest   cheaply = request;  // which fragments are shaded does not depend on what that costs
         cheaply.pipeline.cost = ShadingCost::None;
-        cheaply.shade         = shadesFragments(request.pipeline.depth);
+        cheaply.shade         = shadesFragments(request.pipeline.depth) || toBeBlended(request);
         HWY_STATIC_DISPATCH(runSerially)(cheaply, frame, scratch, Listening(work));
         if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "counting was cancelled"};
-        if (!cheaply.shade) work.shadedOnce(frame.visible);
+        if (!shadesFragments(request.pipeline.depth)) work.shadedOnce(frame.visible);
         return work.work();
     } catch (const std::bad_alloc&) {
         return Error{Trouble::Limit, "there is not enough memory to count this frame"};

@@ -72,8 +72,12 @@ StageReason reasonForUpkeep(const Pipeline& pipeline)
 StageReason reasonForShade(const DrawRequest& request)
 {
     if (!request.shade) return {false, "no colours were asked for"};
-    if (shadesFragments(request.pipeline.depth)) return {false, "shaded with each fragment: counted with raster"};
-    return {true, "each pixel once, from its triangle"};
+    if (shadesFragments(request.pipeline.depth)) {
+        return toBeBlended(request) ? StageReason{true, "opaque fragments were shaded one by one, counted with raster; transparent surfaces over them"}
+                                    : StageReason{false, "shaded with each fragment: counted with raster"};
+    }
+    return {true, toBeBlended(request) ? "each pixel once, from its triangle; then transparent surfaces over it"
+                                       : "each pixel once, from its triangle; nothing is transparent"};
 }
 
 }  // namespace
@@ -101,6 +105,20 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
     case Stage::Other: return {true, "sizing buffers, starting threads, waiting for the slowest; on a first frame also the colours"};
     }
     return {false, ""};
+}
+
+const TransparentSurfaces* toBeBlended(const DrawRequest& request)
+{
+    if (!request.shade) return nullptr;
+    const TransparentSurfaces& surfaces = transparentSurfacesOf(*request.scene);
+    return surfaces.isEmpty() ? nullptr : &surfaces;
+}
+
+ChosenRules rulesOfBlending(const DrawRequest& request)
+{
+    Approximation approximation = request.pipeline.approximation;
+    if (approximation.snap == SnapBits::Twelve) approximation.snap = SnapBits::Eight;  // a sweep counts in 1/256 pixel
+    return {approximation, Fault::None, request.camera};
 }
 
 const ColourTable& coloursOf(const PreparedScene& scene)

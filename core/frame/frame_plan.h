@@ -6,6 +6,8 @@
 
 #include "core/base/result.h"
 #include "core/frame/renderer.h"
+#include "core/geometry/rules.h"
+#include "core/geometry/transparent_surfaces.h"
 #include "core/shade/colour_table.h"
 
 namespace zscope {
@@ -23,6 +25,11 @@ struct StageReason {
     std::string why;  // one clause
 };
 StageReason reasonFor(Stage stage, const DrawRequest& request);
+
+/// The scene's transparent surfaces if this frame blends them: it is shaded, and there are any; else nullptr.
+const TransparentSurfaces* toBeBlended(const DrawRequest& request);
+/// The rules they are drawn by: the request's approximations, as far as a sweep can follow them, and no fault.
+ChosenRules rulesOfBlending(const DrawRequest& request);
 
 /// The scene's colours, made on the first frame that shades.
 const ColourTable& coloursOf(const PreparedScene& scene);

@@ -31,6 +31,7 @@ std::span<const AxisEntry> axes()
         AxisEntry{"scan", "How triangles become pixels", kScanChoices},
         AxisEntry{"depth", "When depth is tested and fragments are shaded", kDepthChoices},
         AxisEntry{"shading-cost", "What shading a fragment costs", kShadingCostChoices},
+        AxisEntry{"transparency", "In which order transparent surfaces are blended", kTransparencyChoices},
         AxisEntry{"snap", "How finely corners are snapped", kSnapChoices},
         AxisEntry{"vertices", "In which numbers vertices are transformed", kVertexChoices},
         AxisEntry{"depth-numbers", "How a fragment's depth is found", kDepthNumberChoices},
@@ -56,6 +57,7 @@ bool withAxis(Pipe& pipeline, std::string_view axis, const Use& use)
     if (axis == "scan") return use(pipeline.scan), true;
     if (axis == "depth") return use(pipeline.depth), true;
     if (axis == "shading-cost") return use(pipeline.cost), true;
+    if (axis == "transparency") return use(pipeline.transparency), true;
     if (axis == "snap") return use(pipeline.approximation.snap), true;
     if (axis == "vertices") return use(pipeline.approximation.vertex), true;
     if (axis == "depth-numbers") return use(pipeline.approximation.depth), true;
@@ -136,7 +138,7 @@ bool drawsFaces(const Pipeline& pipeline) { return pipeline.scan == Scan::SweepP
 
 Claim claimOf(const Pipeline& pipeline)
 {
-    if (!pipeline.usesExactRules()) return Claim::Approximate;
+    if (!pipeline.usesExactRules() || pipeline.transparency != BlendOrder::Sorted) return Claim::Approximate;
     return drawsFaces(pipeline) ? Claim::ExactByFace : Claim::Exact;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/approximation.h"
+#include "core/base/blend_order.h"
 #include "core/base/fault.h"
 #include "core/base/result.h"
 #include "core/probe/grain.h"
@@ -50,6 +51,7 @@ struct Pipeline {
     Scan          scan   = Scan::HalfSpace;
     DepthMoment   depth  = DepthMoment::Deferred;
     ShadingCost   cost   = ShadingCost::None;
+    BlendOrder    transparency = BlendOrder::Sorted;  // in a scene that has transparent surfaces
     Approximation approximation = {};          // each of its members is an axis
     Fault         fault  = Fault::None; // see core/frame/faults.h
 

@@ -59,6 +59,11 @@ inline constexpr std::array kScanChoices{
     ChoiceEntry{"sweep-polygons", "The same with whole faces as they were read, not their triangles"},
 };
 
+inline constexpr std::array kTransparencyChoices{
+    ChoiceEntry{"sorted", "Transparent surfaces of a pixel from far to near"},
+    ChoiceEntry{"back-then-front", "Back faces, then front faces, each as submitted: wrong where bodies overlap"},
+};
+
 // The first choice of each of the following is the definition's; the others are approximations.
 
 inline constexpr std::array kSnapChoices{

@@ -9,6 +9,7 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include "core/frame/blend.h"
 #include "core/frame/frame_plan.h"
 #include "core/frame/kernels.h"
 #include "core/frame/stripes.h"
@@ -80,7 +81,10 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
     std::vector<double>     stripeMs(static_cast<std::size_t>(plan->threads));
     std::atomic<bool>       outOfMemory = false;
     const ColourTable*      colours     = nullptr;
+    const TransparentSurfaces* transparent = nullptr;
+    const ChosenRules       blendRules  = rulesOfBlending(request);
     try {
+        transparent = toBeBlended(request);
         if (request.shade) colours = &coloursOf(*request.scene);
         frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
         if (!request.shade)
@@ -110,6 +114,11 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
             else
                 drawStripeByRulesOf(plan->simd)(request.pipeline, rules, stripe, m_workspace->scratch[index], clock);
             if (defers) kernels.shadeRows(*painter, frame.visible, first, end);
+            if (transparent) {
+                clock.lap(defers ? Stage::Shade : Stage::Other);
+                blendStripe(*transparent, *colours, request.pipeline.transparency, blendRules, stripe,
+                            m_workspace->scratch[index], clock, frame.colour.view());
+            }
         } catch (const std::bad_alloc&) {
             outOfMemory = true;
         }
@@ -133,6 +142,7 @@ Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
                     {"colour_table", colours ? colours->bytes() : 0},
                     {"batches", request.scene->bytes()},
                     {"faces", drawsFaces(request.pipeline) ? facesOf(*request.scene).bytes() : 0},
+                    {"transparent_batches", transparent ? transparent->bytes() : 0},
                     {"scratch", scratchBytes}};
     return report;
 }

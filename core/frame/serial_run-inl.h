@@ -11,6 +11,7 @@
 
 #include <optional>
 
+#include "core/frame/blend-inl.h"
 #include "core/frame/drivers-inl.h"
 #include "core/frame/frame_plan.h"
 #include "core/frame/renderer.h"
@@ -51,9 +52,13 @@ void runSerially(const DrawRequest& request, Frame& frame, StripeScratch& scratc
         drawStripe(request.pipeline, whole, scratch, clock, ExactRules{}, probe);
     else
         drawStripe(request.pipeline, whole, scratch, clock, ChosenRules(request.pipeline.approximation, request.pipeline.fault, camera), probe);
-    if (request.shade && !withFragments) {
+    const TransparentSurfaces* surfaces = toBeBlended(request);
+    if (request.shade && (!withFragments || surfaces)) {
         probe(StageStarted{Stage::Shade});
-        shadeWhole(request, frame);
+        if (!withFragments) shadeWhole(request, frame);
+        if (surfaces)
+            blendStripe(*surfaces, coloursOf(*request.scene), request.pipeline.transparency, rulesOfBlending(request), whole, scratch,
+                        clock, frame.colour.view(), probe);
         probe(StageFinished{Stage::Shade});
     }
     probe(FrameFinished{});

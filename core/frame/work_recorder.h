@@ -17,6 +17,7 @@
 #include "core/geometry/geometry_events.h"
 #include "core/scan/pixel_events.h"
 #include "core/scene/scene.h"
+#include "core/sweep/blend_events.h"
 #include "core/sweep/edge_table.h"
 #include "core/sweep/sweep_events.h"
 
@@ -142,6 +143,12 @@ public:
         for (int y = 0; y < visible.height(); ++y)
             for (int x = 0; x < visible.width(); ++x) m_fragmentsShaded += visible.rankRow(y)[x] != 0;
     }
+    void observe(const FragmentsJudged& e)
+    {
+        m_transparentFragments += e.found;
+        m_transparentHidden += e.hidden;
+    }
+    void observe(const PixelBlended&) { ++m_pixelsBlended; }
 
     FrameWork work() const
     {
@@ -196,7 +203,10 @@ private:
                 {"pixels_won", m_pixelsWon},
                 {"tiles_rejected", m_tilesRejected},
                 {"fragments_tested", m_prepassPixels + m_pixelsTested},
-                {"fragments_shaded", m_fragmentsShaded}};
+                {"fragments_shaded", m_fragmentsShaded},
+                {"fragments_transparent", m_transparentFragments},
+                {"fragments_transparent_hidden", m_transparentHidden},
+                {"pixels_blended", m_pixelsBlended}};
     }
 
     void add(SetUp setUp, std::uint64_t triangles)
@@ -270,6 +280,7 @@ private:
     std::uint64_t m_clipped = 0, m_wide = 0, m_batches = 0, m_batchesOutside = 0, m_vertices = 0;
     std::uint64_t m_edges = 0, m_edgeLines = 0, m_spans = 0, m_prepassPixels = 0, m_pixelsTested = 0, m_pixelsWon = 0;
     std::uint64_t m_tilesRejected = 0, m_fragmentsShaded = 0;
+    std::uint64_t m_transparentFragments = 0, m_transparentHidden = 0, m_pixelsBlended = 0;
 };
 
 }  // namespace zscope

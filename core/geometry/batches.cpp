@@ -105,25 +105,30 @@ std::uint64_t MeshBatches::bytes() const
            triangles.capacity() * sizeof(BatchTriangle) + meshTriangle.capacity() * sizeof(std::uint32_t);
 }
 
-MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles)
+Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
+{
+    return mesh.materialOf(mesh.trianglePolygon[triangle]).opacity < 1 ? Surfaces::Transparent : Surfaces::Opaque;
+}
+
+MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted)
 {
     MeshBatches  out;
     BatchBuilder builder(mesh, out);
     out.triangles.reserve(triangles.size());
     out.meshTriangle.reserve(triangles.size());
     for (const std::uint32_t t : triangles)
-        if (mesh.materialOf(mesh.trianglePolygon[t]).opacity >= 1) builder.add(t);
+        if (surfaceOf(mesh, t) == wanted) builder.add(t);
     builder.close();
     // Lanes read whole vectors: let the last batch be read past its end.
     for (std::vector<double>* axis : {&out.x, &out.y, &out.z}) axis->resize(axis->size() + kBatchPadding);
     return out;
 }
 
-MeshBatches makeBatches(const Mesh& mesh)
+MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
 {
     std::vector<std::uint32_t> all(mesh.triangles.size());
     std::iota(all.begin(), all.end(), 0u);
-    return makeBatches(mesh, all);
+    return makeBatches(mesh, all, wanted);
 }
 
 }  // namespace zscope

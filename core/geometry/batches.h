@@ -45,9 +45,14 @@ struct MeshBatches {
     std::uint64_t bytes() const;
 };
 
-/// Transparent triangles (opacity below 1) are in no batch: they are outside ids and depth.
-MeshBatches makeBatches(const Mesh& mesh);
+/// Which triangles of a mesh are wanted: those that decide ids and depth, or those that are blended over them afterwards.
+enum class Surfaces { Opaque, Transparent };
+/// Transparent: the triangle's material has an opacity below 1.
+Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle);
+
+/// Triangles of the other kind are in no batch.
+MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted = Surfaces::Opaque);
 /// The same for some of its triangles, in the order given.
-MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles);
+MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted = Surfaces::Opaque);
 
 }  // namespace zscope

@@ -40,6 +40,7 @@ struct ScreenTriangle {
     TriangleId            id;
     PixelBox              box;   // inside the region it was set up for
     bool                  wide;  // a corner lies beyond the guard band: use exact 128-bit arithmetic
+    bool                  front; // its snapped corners run counter-clockwise to the viewer
 
     std::uint32_t rank() const { return id.value + 1; }
 };
@@ -116,6 +117,7 @@ template <class Rules>
     out.depth = depthPlane(p0, p1, p2);
     out.id    = id;
     out.wide  = wide;
+    out.front = turn < 0;
     return SetUp::Drawn;
 }
 

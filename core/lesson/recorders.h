@@ -13,6 +13,7 @@
 #include "core/lesson/step_state.h"
 #include "core/probe/probe.h"
 #include "core/scan/pixel_events.h"
+#include "core/sweep/blend_events.h"
 #include "core/sweep/edge_table.h"
 #include "core/sweep/sweep_events.h"
 
@@ -125,7 +126,7 @@ class MomentRecorder {
 public:
     enum class Moment {
         None, StageOver, NodeOver, TriangleOver, QueryOver, TileOver, LineReady, LineOver, IntervalOver, SpanOver, UpdateOver, PixelOver,
-        FrameOver
+        BlendOver, FrameOver
     };
 
     void observe(const StageStarted& e) { m_stage = e.stage; }
@@ -140,14 +141,22 @@ public:
     void observe(const CellUpdated&) { m_moment = Moment::UpdateOver; }
     void observe(const TileTested&) { m_moment = Moment::TileOver; }
     void observe(const PixelTested&) { m_moment = Moment::PixelOver; }
+    void observe(const PixelBlended& e)
+    {
+        m_moment = Moment::BlendOver;
+        m_blend  = {e.x, e.y, e.surfaces, e.before, e.after};
+    }
     void observe(const FrameFinished&) { m_moment = Moment::FrameOver; }
 
     Stage  stage() const { return m_stage; }
     Moment moment() const { return m_moment; }
+    /// Nothing unless the last step blended a pixel.
+    std::optional<BlendState> blend() const { return m_moment == Moment::BlendOver ? std::optional(m_blend) : std::nullopt; }
 
 private:
     Stage  m_stage  = Stage::Clear;
     Moment m_moment = Moment::None;
+    BlendState m_blend;
 };
 
 }  // namespace zscope

@@ -120,6 +120,7 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.interval  = interval.state();
         if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = pixel.pixel();
         if (moment.moment() == MomentRecorder::Moment::TileOver) state.tile = pixel.tile();
+        state.blend     = moment.blend();
         state.sentence  = sentenceFor(state, m_request.pipeline, moment.moment(), m_request.scene->scene().triangleCount());
         return state;
     } catch (const std::bad_alloc&) {

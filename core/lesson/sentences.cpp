@@ -213,6 +213,13 @@ std::string testOf(const PixelState& p, const Pipeline& pipeline)
     return who + fmt::format(" is farther than {} at {:.7g} and is hidden", rival, p.rivalDepth);
 }
 
+std::string blendOver(const BlendState& blend, BlendOrder order)
+{
+    return fmt::format("Pixel ({}, {}): {} nearer than its opaque depth, blended over its colour, {}.", blend.x,
+                       blend.y, counted(blend.surfaces, "transparent surface is", "transparent surfaces are"),
+                       order == BlendOrder::Sorted ? "farthest first" : "back faces before front faces");
+}
+
 }  // namespace
 
 std::string sentenceFor(const StepState& state, const Pipeline& pipeline, MomentRecorder::Moment moment,
@@ -234,6 +241,7 @@ std::string sentenceFor(const StepState& state, const Pipeline& pipeline, Moment
     case Moment::SpanOver: return spanOver(state, pipeline);
     case Moment::TileOver: return tileOver(*state.tile, state.frame.visible.empty());
     case Moment::PixelOver: return testOf(*state.pixel, pipeline) + shadingOf(*state.pixel, pipeline.depth);
+    case Moment::BlendOver: return blendOver(*state.blend, pipeline.transparency);
     case Moment::FrameOver:
         return fmt::format("The picture is finished: {} one of {}.",
                            counted(coveredPixels(state.frame.visible), "pixel shows", "pixels show"),

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/lesson/replay.h"
@@ -29,6 +30,14 @@ Json toJson(const TileTested& tile)
 {
     return {{"rectangle", {tile.box.x0, tile.box.y0, tile.box.x1, tile.box.y1}}, {"triangle", tile.triangle.value},
             {"nearest", tile.nearest}, {"farthest", tile.farthest}, {"rejected", tile.rejected}};
+}
+
+/// "#rrggbb"
+std::string hexOf(std::uint32_t colour) { return fmt::format("#{:06x}", colour & 0xFFFFFFu); }
+
+Json toJson(const BlendState& blend)
+{
+    return {{"x", blend.x}, {"y", blend.y}, {"surfaces", blend.surfaces}, {"before", hexOf(blend.before)}, {"after", hexOf(blend.after)}};
 }
 
 Json toJson(const TriangleState& triangle)
@@ -121,6 +130,7 @@ std::string stateToJson(const StepState& state)
     if (state.span) json["span"] = toJson(*state.span);
     if (state.tile) json["tile"] = toJson(*state.tile);
     if (state.pixel) json["pixel"] = toJson(*state.pixel);
+    if (state.blend) json["blend"] = toJson(*state.blend);
     return json.dump(1) + "\n";
 }
 

@@ -72,6 +72,13 @@ struct PixelState {
     bool                      shaded = false;  // its colour was computed with this test
 };
 
+/// A pixel whose transparent surfaces have just been blended.
+struct BlendState {
+    int           x = 0, y = 0;
+    std::uint32_t surfaces = 0;               // blended over the opaque colour
+    std::uint32_t before = 0, after = 0;      // the pixel's colour, 0xAARRGGBB
+};
+
 /// The triangle that is being drawn or has just been drawn.
 struct TriangleState {
     TriangleId                           triangle;
@@ -125,6 +132,7 @@ struct StepState {
     std::optional<SpanRow>       span;      // the last span filled
     std::optional<IntervalState> interval;  // interval method only: the last interval of the line
     std::optional<TileTested>    tile;      // if the last event was a tile
+    std::optional<BlendState>    blend;     // if the last event was a pixel blended
     Frame                        frame;     // as the run left it, shaded
 };
 

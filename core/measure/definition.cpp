@@ -154,13 +154,12 @@ float Part::depth(int i, int j) const
     return z > m_hi ? m_hi : z;
 }
 
-Fate partsOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view,
-             std::vector<Part>& parts)
-{
-    parts.clear();
-    const Mesh& mesh = scene.meshOf(instance);
-    if (mesh.materialOf(mesh.trianglePolygon[meshTriangle]).opacity < 1) return Fate::Transparent;
+namespace {
 
+/// partsOf(), whatever the triangle's material.
+Fate geometryOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view, std::vector<Part>& parts)
+{
+    const Mesh&          mesh = scene.meshOf(instance);
     std::array<dvec3, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
         const dvec3& q = mesh.positions[mesh.triangles[meshTriangle][i]];
@@ -189,6 +188,29 @@ Fate partsOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle
         }
     }
     return fate;
+}
+
+bool isTransparent(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle)
+{
+    const Mesh& mesh = scene.meshOf(instance);
+    return mesh.materialOf(mesh.trianglePolygon[meshTriangle]).opacity < 1;
+}
+
+}  // namespace
+
+Fate partsOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view, std::vector<Part>& parts)
+{
+    parts.clear();
+    return isTransparent(scene, instance, meshTriangle) ? Fate::Transparent : geometryOf(scene, instance, meshTriangle, view, parts);
+}
+
+bool transparentPartsOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view,
+                        std::vector<Part>& parts)
+{
+    parts.clear();
+    if (!isTransparent(scene, instance, meshTriangle)) return false;
+    geometryOf(scene, instance, meshTriangle, view, parts);
+    return true;
 }
 
 }  // namespace zscope::definition

@@ -93,6 +93,10 @@ enum class Fate { Drawn, Culled, Degenerate, OutOfRange, BehindNear, Transparent
 Fate partsOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view,
              std::vector<Part>& parts);
 
+/// The same for a triangle that is blended over the opaque picture; false, and no parts, for any other.
+bool transparentPartsOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view,
+                        std::vector<Part>& parts);
+
 /// Every pixel that any triangle of the instance can cover; `meshBox` holds all positions of its mesh.
 PixelBox reachOf(const Bounds& meshBox, const Affine& toWorld, const View& view);
 

@@ -7,6 +7,7 @@
 
 #include "core/measure/cull_audit.h"
 #include "core/measure/face_figures.h"
+#include "core/geometry/transparent_surfaces.h"
 
 namespace zscope {
 
@@ -17,6 +18,7 @@ struct Truth {
     Picture                    picture;
     std::vector<PixelPosition> points;
     std::vector<SampleTruth>   samples;
+    std::optional<Grid<std::uint32_t>> colours;  // where something is transparent
 };
 
 Result<Truth> truthOf(const VerifyRequest& request)
@@ -33,6 +35,11 @@ Result<Truth> truthOf(const VerifyRequest& request)
         auto picture = referencePicture(scene, request.camera, request.faceCulling, request.progress);
         if (!picture) return picture.error();
         truth.picture = *std::move(picture);
+        if (!transparentSurfacesOf(*request.scene).isEmpty()) {
+            auto colours = referenceColours(scene, request.camera, request.faceCulling, truth.picture, request.progress);
+            if (!colours) return colours.error();
+            truth.colours = *std::move(colours);
+        }
     }
     return truth;
 }
@@ -103,7 +110,7 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                      .camera      = request.camera,
                      .faceCulling = request.faceCulling,
                      .pipeline    = {},
-                     .shade       = false,
+                     .shade       = truth->colours.has_value(),
                      .memoryLimit = request.memoryLimit,
                      .cancel      = request.progress.cancel};
     const std::size_t total = request.algorithms.size() * request.threads.size() * request.simd.size();
@@ -119,6 +126,8 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                 const auto report = renderer.draw(draw, frame);
                 if (!report) return report.error();
                 const Picture first   = pictureOf(frame.visible);
+                std::optional<ColourFigures> colours;  // whole faces have the colour of their first triangle
+                if (truth->colours && !drawsFaces(draw.pipeline)) colours = compareColours(*truth->colours, frame.colour);
                 auto          figures = figuresOf(*truth, request, draw.pipeline, first);
                 if (!figures) return figures.error();
                 if (const auto again = renderer.draw(draw, frame); !again) return again.error();
@@ -138,7 +147,8 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                                 .threads    = report->threads,
                                 .simd       = report->simd,
                                 .figures    = *std::move(figures),
-                                .falseCulls = falseCulls});
+                                .falseCulls = falseCulls,
+                                .colours    = colours});
             }
         }
     }

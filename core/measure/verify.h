@@ -6,6 +6,7 @@
 //            A second picture that differs from the first is judged too, and the worse of the two is the row's
 // Culling    a stream method that skips more than batches outside the view is audited as well, once: its verdicts against
 //            the triangles that the reference shows (core/measure/cull_audit.h)
+// Colours    of a scene with transparent surfaces are judged too, unless pixels are sampled
 // Cost       one brute-force picture (or its samples), two frames per row, one serial frame per audit
 #pragma once
 
@@ -20,6 +21,7 @@
 #include "core/frame/renderer.h"
 #include "core/measure/error_figures.h"
 #include "core/measure/reference.h"
+#include "core/measure/reference_colours.h"
 
 namespace zscope {
 
@@ -45,13 +47,16 @@ struct VerifyRow {
     /// Of the audit, or those that the picture itself betrays (ErrorFigures::falseCulls) if they are more or nothing was
     /// audited: threads cull by stripes of their own, and the audited run has one.
     std::uint64_t falseCulls = 0;
+    /// Where something is transparent and every pixel is compared: how the shaded picture differs.
+    std::optional<ColourFigures> colours = {};
 
     /// An exact method without any difference, or one that covers exactly what it should by face; an approximate one is not
     /// judged, it publishes its figures.
     bool passed() const
     {
         if (claim == Claim::ExactByFace) return figures.wrongCoverage() == 0;
-        return claim == Claim::Approximate || (figures.isExact() && falseCulls == 0);
+        if (claim == Claim::Approximate) return true;
+        return figures.isExact() && falseCulls == 0 && (!colours || colours->wrong == 0);
     }
 };
 

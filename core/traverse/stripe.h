@@ -15,6 +15,7 @@
 #include "core/geometry/screen_vertices.h"
 #include "core/sweep/active_edges.h"
 #include "core/sweep/active_polygons.h"
+#include "core/sweep/blend_scratch.h"
 #include "core/sweep/edge_table.h"
 
 namespace zscope {
@@ -50,6 +51,7 @@ struct StripeScratch {
     ActivePolygons   polygons;
     FaceScratch      faces;    // methods that draw whole faces only
     Pyramid          pyramid;  // hierarchical methods only
+    BlendScratch     blend;    // scenes with transparent surfaces only
 
     std::vector<WaitingInstance> instances;  // hierarchical methods only
     std::vector<std::uint32_t>   open;       // interval method only: polygons open at the interval at hand
@@ -57,7 +59,8 @@ struct StripeScratch {
     std::size_t bytes() const
     {
         return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
-               open.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes();
+               open.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes() +
+               blend.bytes();
     }
 };
 

@@ -65,19 +65,28 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
     clock.lap(Stage::Cull);
 }
 
-/// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`.
-template <class Consume, class Rules, class Probe>
-void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
-                      const Rules& rules, const Probe& probe)
+/// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`; the batches of a mesh are
+/// `batchesOf(mesh)`.
+template <class BatchesOf, class Consume, class Rules, class Probe>
+void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                    const Consume& consume, const Rules& rules, const Probe& probe)
 {
-    const Scene& scene     = stripe.scene.scene();
-    const auto   batchesOf = [&](MeshId mesh) -> const MeshBatches& { return stripe.scene.batchesOf(mesh); };
-    const auto   visit     = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld) {
+    const Scene& scene = stripe.scene.scene();
+    const auto   visit = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld) {
         const MeshBatches& mesh = batchesOf(scene.instances[instance.value].mesh);
         setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value]}, instance, stripe, scratch, clock, rules, probe);
         consume(scratch.triangles.view());
     };
     visitBatches(stripe, clock, batchesOf, visit, probe);
+}
+
+/// The same for the opaque triangles.
+template <class Consume, class Rules, class Probe>
+void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
+                      const Rules& rules, const Probe& probe)
+{
+    const auto batchesOf = [&](MeshId mesh) -> const MeshBatches& { return stripe.scene.batchesOf(mesh); };
+    visitTriangles(batchesOf, stripe, scratch, clock, consume, rules, probe);
 }
 
 /// Hands the faces that may reach the stripe, as they were read, to `consume(face, sides)`, and those that are triangles or

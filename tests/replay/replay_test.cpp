@@ -15,12 +15,30 @@
 namespace zscope::tests {
 namespace {
 
+/// The cubes with every other face of glass.
+SeenScene cubesOfGlass(int width, int height)
+{
+    SeenScene seen  = builtinScene("cubes", width, height);
+    Scene     scene = seen.scene->scene();
+    for (auto& mesh : scene.meshes) {
+        auto glass = std::make_shared<Mesh>(*mesh);
+        glass->materials.push_back({"glass", {0.2f, 0.4f, 0.9f}, 0.5f});
+        const MaterialId added{static_cast<std::uint32_t>(glass->materials.size() - 1)};
+        for (std::size_t p = 0; p < glass->polygonMaterial.size(); p += 2) glass->polygonMaterial[p] = added;
+        mesh = std::move(glass);
+    }
+    seen.what  = "cubes of glass";
+    seen.scene = std::make_shared<const PreparedScene>(std::make_shared<const Scene>(std::move(scene)));
+    return seen;
+}
+
 std::vector<SeenScene> smallScenes()
 {
     return {soupScene(SoupKind::Loose, 11, 24, 17, 10),          soupScene(SoupKind::NearCrossing, 12, 19, 23, 12),
             soupScene(SoupKind::Turned, 13, 21, 16, 8),          soupScene(SoupKind::BeyondTheGuard, 14, 16, 16, 10),
             soupScene(SoupKind::BeyondFar, 15, 20, 15, 10),      soupScene(SoupKind::Loose, 16, 1, 33, 10),
-            soupScene(SoupKind::OnTheGrid, 17, 33, 1, 12),       builtinScene("cubes", 31, 22)};
+            soupScene(SoupKind::OnTheGrid, 17, 33, 1, 12),       builtinScene("cubes", 31, 22),
+            cubesOfGlass(23, 17)};
 }
 
 std::string where(const SeenScene& seen, const Preset& preset, Grain grain)
@@ -99,6 +117,30 @@ TEST(Replay, AStepIsTheSameWhetherReachedForwardsBackwardsOrAtRandom)
         Replay straight(seen.request(preset.pipeline));  // without having counted first
         EXPECT_TRUE(areIdentical(stateAt(straight, grain, steps[5]), states[5])) << "straight, step " << steps[5];
     });
+}
+
+TEST(Replay, EveryPixelThatIsBlendedIsAStepThatSaysHowManySurfacesItHas)
+{
+    const SeenScene   seen    = cubesOfGlass(23, 17);
+    const DrawRequest request = seen.request(findPreset("zbuffer")->pipeline);
+    Renderer          renderer;
+    const auto        work = renderer.count(request);
+    ASSERT_TRUE(work.ok());
+    const auto blended = std::ranges::find(work->counters, "pixels_blended", &NamedCount::name)->value;
+    ASSERT_GT(blended, 20u);
+
+    Replay replay(request);
+    const Result<std::uint64_t> count = replay.count(Grain::Pixel);
+    ASSERT_TRUE(count.ok());
+    // The last ones are the pixels blended, then the stage and the frame.
+    const StepState before = stateAt(replay, Grain::Pixel, *count - 2 - blended - 1);
+    EXPECT_FALSE(before.blend);
+    for (const std::uint64_t i : {std::uint64_t{0}, blended / 2, blended - 1}) {
+        const StepState state = stateAt(replay, Grain::Pixel, *count - 2 - blended + i);
+        ASSERT_TRUE(state.blend) << i;
+        EXPECT_EQ(state.frame.colour.at(state.blend->x, state.blend->y), state.blend->after);
+        EXPECT_NE(state.sentence.find("transparent surface"), std::string::npos) << state.sentence;
+    }
 }
 
 TEST(Replay, AStepBeyondTheLastIsAUsageError)

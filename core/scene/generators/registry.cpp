@@ -20,6 +20,7 @@
     file(soup)                       \
     file(layers)                     \
     file(walls)                      \
+    file(glass)                      \
     file(rows)                       \
     file(million)                    \
     file(office_tower)               \
