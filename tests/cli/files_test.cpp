@@ -186,6 +186,16 @@ TEST_F(Cli, StatisticsOfAHierarchyAddUpOverItsDepthsAndTellWhatWasMissed)
                 EXPECT_EQ(sums[name], counters[name].get<std::uint64_t>()) << name;
             }
         }
+        std::uint64_t written = 0, changed = 0;
+        for (const json& level : stats["pyramid"]) {
+            written += level["cells_written"].get<std::uint64_t>();
+            changed += level["cells_changed"].get<std::uint64_t>();
+        }
+        EXPECT_EQ(stats["pyramid"].empty(), std::string_view(algorithm) == "zbuffer");
+        EXPECT_EQ(written, counters["pyramid_writes"].get<std::uint64_t>());
+        EXPECT_EQ(changed, counters["pyramid_levels_updated"].get<std::uint64_t>());
+        EXPECT_EQ(counters["updates"].get<std::uint64_t>(),
+                  written == 0 ? 0 : stats["pyramid"][0]["cells_written"].get<std::uint64_t>());
         const json missed = stats["missed_culls"], over = stats["over_render"];
         EXPECT_EQ(missed["nodes_entered"], counters["nodes_entered"]);
         EXPECT_EQ(missed["triangles_drawn"], counters["triangles_drawn"]);
