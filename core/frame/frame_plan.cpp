@@ -69,6 +69,25 @@ StageReason reasonForUpkeep(const Pipeline& pipeline)
     }
 }
 
+/// How many triangles of the scene have holes.
+struct CutOutTriangles {
+    std::uint64_t count = 0;
+};
+
+std::string aboutHoles(const PreparedScene& scene)
+{
+    const auto counted = [&scene] {
+        auto all = std::make_unique<CutOutTriangles>();
+        for (const Instance& instance : scene.scene().instances)
+            all->count += static_cast<std::uint64_t>(std::ranges::count(scene.batchesOf(instance.mesh).cutOut, 1));
+        return all;
+    };
+    const std::uint64_t count = scene.derived().get<CutOutTriangles>(counted).count;
+    if (count == 0) return "";
+    return "; " + std::to_string(count) + (count == 1 ? " triangle can be discarded: its depth is written late"
+                                                      : " triangles can be discarded: their depth is written late");
+}
+
 StageReason reasonForShade(const DrawRequest& request)
 {
     if (!request.shade) return {false, "no colours were asked for"};
@@ -99,7 +118,7 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
         if (byFaces) return {true, "whole faces, cut into batches on the first frame and kept"};
         return pipeline.order != Order::Submitted ? StageReason{true, "the hierarchy's nodes, when first entered; kept between frames"}
                                                   : StageReason{false, "no hierarchy is visited"};
-    case Stage::Raster: return {true, sweeps ? "the sweep, line by line" : "the pixels of every triangle"};
+    case Stage::Raster: return {true, (sweeps ? "the sweep, line by line" : "the pixels of every triangle") + aboutHoles(*request.scene)};
     case Stage::Upkeep: return reasonForUpkeep(pipeline);
     case Stage::Shade: return reasonForShade(request);
     case Stage::Other: return {true, "sizing buffers, starting threads, waiting for the slowest; on a first frame also the colours"};

@@ -127,6 +127,7 @@ public:
     void observe(const PixelTested& e)
     {
         m_fragmentsShaded += e.shaded;
+        m_fragmentsDiscarded += e.discarded;
         if (e.keep == Keep::DepthOnly) {
             ++m_prepassPixels;
             return;
@@ -204,6 +205,7 @@ private:
                 {"tiles_rejected", m_tilesRejected},
                 {"fragments_tested", m_prepassPixels + m_pixelsTested},
                 {"fragments_shaded", m_fragmentsShaded},
+                {"fragments_discarded", m_fragmentsDiscarded},
                 {"fragments_transparent", m_transparentFragments},
                 {"fragments_transparent_hidden", m_transparentHidden},
                 {"pixels_blended", m_pixelsBlended}};
@@ -279,7 +281,7 @@ private:
     std::uint64_t m_drawnInPrepass = 0, m_hidden = 0, m_queries = 0, m_cells = 0;
     std::uint64_t m_clipped = 0, m_wide = 0, m_batches = 0, m_batchesOutside = 0, m_vertices = 0;
     std::uint64_t m_edges = 0, m_edgeLines = 0, m_spans = 0, m_prepassPixels = 0, m_pixelsTested = 0, m_pixelsWon = 0;
-    std::uint64_t m_tilesRejected = 0, m_fragmentsShaded = 0;
+    std::uint64_t m_tilesRejected = 0, m_fragmentsShaded = 0, m_fragmentsDiscarded = 0;
     std::uint64_t m_transparentFragments = 0, m_transparentHidden = 0, m_pixelsBlended = 0;
 };
 

@@ -114,6 +114,7 @@ private:
             const auto& [a, b, c] = ears[i];
             ScreenTriangle triangle;
             const SetUp    fate = setUpTriangle(at(a), at(b), at(c), idOf(f), wide, m_culling, m_region, m_rules, triangle);
+            triangle.cutOut  = m_place.mesh.faces[f].cutOut;
             if (fate == SetUp::Drawn) m_consume(triangle);
             m_probe(TriangleSetUp{idOf(f, i), fate, false, wide && fate == SetUp::Drawn});
             return fate;
@@ -136,7 +137,10 @@ private:
         const auto draw = [&](std::uint32_t i) {
             m_scratch.parts.clear();
             const SetUp fate = setUpClipped(viewsOf(ears[i]), idOf(f, i), idOf(f), m_projection, m_culling, m_region, m_rules, m_scratch.parts, m_probe);
-            for (const ScreenTriangle& part : m_scratch.parts.view()) m_consume(part);
+            for (ScreenTriangle& part : m_scratch.parts.kept()) {
+                part.cutOut = m_place.mesh.faces[f].cutOut;
+                m_consume(part);
+            }
             return fate;
         };
         if (ears.size() == 1) return byEars(f, How::Triangle, draw);
@@ -190,7 +194,7 @@ private:
             depth.a = depth.b = 0;  // as a triangle without a plane
             depth.c           = depth.nearest;
         }
-        m_consume(ScreenFace{depth, m_seen.top, idOf(f), m_seen.wide, face.isMended}, std::span<const ScreenSide>(m_scratch.sides));
+        m_consume(ScreenFace{depth, m_seen.top, idOf(f), m_seen.wide, face.isMended, face.cutOut}, std::span<const ScreenSide>(m_scratch.sides));
         return SetUp::Drawn;
     }
 

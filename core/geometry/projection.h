@@ -40,7 +40,8 @@ struct Projection {
           near(camera.near),
           scale(((camera.height * 0.5) * camera.focal) / camera.near),
           centreX(camera.width * 0.5),
-          centreY(camera.height * 0.5)
+          centreY(camera.height * 0.5),
+          focalPixels((camera.height * 0.5) * camera.focal)
     {
     }
 
@@ -68,6 +69,7 @@ struct Projection {
     double near;
     double scale;             // k of the definition: pixels per unit of (v.x * D)
     double centreX, centreY;  // of the picture, pixels
+    double focalPixels;       // pixels per unit of view x / z
 };
 
 }  // namespace zscope

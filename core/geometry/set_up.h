@@ -31,7 +31,10 @@ template <class Rules, class Probe>
         const auto& corner = place.mesh.triangles[t].corner;
         const SetUp fate = setUpTriangle(vertices.corner(corner[0]), vertices.corner(corner[1]), vertices.corner(corner[2]),
                                          place.idOf(t), false, culling, region, rules, out.next());
-        if (fate == SetUp::Drawn) out.keep();
+        if (fate == SetUp::Drawn) {
+            if (place.mesh.isCutOut(t)) out.next().cutOut = true;
+            out.keep();
+        }
         probe(TriangleSetUp{place.idOf(t), fate, false, false});
     }
 }
@@ -103,7 +106,10 @@ void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceC
             const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
             view[i] = viewOf(model, place.toWorld, projection, rules);
         }
+        const std::size_t before = out.view().size();
         setUpClipped(view, place.idOf(t), place.idOf(t), projection, culling, region, rules, out, probe);
+        if (mesh.isCutOut(t))
+            for (ScreenTriangle& part : out.kept().subspan(before)) part.cutOut = true;
     }
 }
 

@@ -167,6 +167,7 @@ std::string intervalOver(const IntervalState& interval, const Pipeline& pipeline
     case IntervalReason::BeyondFar: return where + "; the nearest reaches beyond the far plane, so they are compared pixel by pixel.";
     case IntervalReason::DepthLimited:
         return where + "; a depth is limited to its " + name + "'s corners there, so the ends do not speak for the rest: compared pixel by pixel.";
+    case IntervalReason::HasHoles: return where + "; the nearest has holes and covers nothing whole, so they are compared pixel by pixel.";
     case IntervalReason::NoClearLead:
         return where + "; none leads by more than 2 float32 steps at both ends, as where they cross or touch: compared pixel by pixel.";
     case IntervalReason::NotByEnds: return where + "; depths are not stored as they are found, so the ends do not speak for the rest: compared pixel by pixel.";
@@ -186,6 +187,8 @@ std::string tileOver(const TileTested& tile, float empty)
 /// What the moment of shading meant for this fragment, as the end of its sentence.
 std::string shadingOf(const PixelState& p, DepthMoment moment)
 {
+    if (p.discarded && moment == DepthMoment::Late) return ", which its shader finds out before the test.";
+    if (p.discarded) return "; it passed the test, so nothing may be written before the hole is known.";
     if (moment == DepthMoment::Deferred || p.keep == Keep::DepthOnly) return ".";
     if (!p.won) return p.shaded ? "; it was shaded although hidden." : "; it is never shaded.";
     if (!p.shaded) return ".";
@@ -197,6 +200,7 @@ std::string testOf(const PixelState& p, const Pipeline& pipeline)
 {
     const std::string_view name = nameOfPolygons(pipeline, false);
     const std::string who = fmt::format("Pixel ({}, {}): {} {}, depth {:.7g},", p.x, p.y, name, grouped(p.triangle.value), p.depth);
+    if (p.discarded) return who + " lies in a hole of its material: the fragment does not exist";
     if (p.keep == Keep::DepthOnly)
         return who + (p.won ? " is the nearest so far: the pre-pass keeps its depth and asks nobody's name"
                             : " is not nearer than what the pre-pass has kept");

@@ -22,7 +22,8 @@ Json toJson(const PixelState& pixel)
 {
     Json json{{"x", pixel.x}, {"y", pixel.y}, {"triangle", pixel.triangle.value}, {"depth", pixel.depth}, {"won", pixel.won}};
     json["rival"] = pixel.rival ? Json{{"triangle", pixel.rival->value}, {"depth", pixel.rivalDepth}} : Json(nullptr);
-    json["shaded"] = pixel.shaded;
+    json["shaded"]    = pixel.shaded;
+    json["discarded"] = pixel.discarded;
     return json;
 }
 
@@ -82,6 +83,7 @@ std::string_view wordOf(IntervalReason reason)
     case IntervalReason::TestedOnce: return "tested-once";
     case IntervalReason::BeyondFar: return "beyond-far";
     case IntervalReason::DepthLimited: return "depth-limited";
+    case IntervalReason::HasHoles: return "has-holes";
     case IntervalReason::NoClearLead: return "no-clear-lead";
     case IntervalReason::NotByEnds: return "not-by-ends";
     }

@@ -69,7 +69,8 @@ struct PixelState {
     std::optional<TriangleId> rival;           // who owned the pixel before; nothing: background
     float                     rivalDepth = 0;  // 0 for background
     Keep                      keep = Keep::Nearest;
-    bool                      shaded = false;  // its colour was computed with this test
+    bool                      shaded    = false;  // its colour was computed with this test
+    bool                      discarded = false;  // it lies in a hole of its material
 };
 
 /// A pixel whose transparent surfaces have just been blended.

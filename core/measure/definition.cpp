@@ -95,7 +95,55 @@ PixelBox pixelsWithin(std::int64_t minXs, std::int64_t maxXs, std::int64_t minYs
     return {static_cast<int>(x0), static_cast<int>(x1), static_cast<int>(y0), static_cast<int>(y1)};
 }
 
-Part::Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera) : m_corners(corners)
+namespace {
+
+dvec3 crossProduct(const dvec3& p, const dvec3& q)
+{
+    return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+
+/// Where x lies in its cell of width 1, in [0, 1].
+double placeInCell(double x) { return x - std::floor(x); }
+
+}  // namespace
+
+Holes::Holes(const Cutout& cutout, const std::array<dvec3, 3>& model, const std::array<dvec3, 3>& view, const Camera& camera)
+    : m_cutout(cutout), m_view(view), m_weight(crossProduct(view[1] - view[0], view[2] - view[0])),
+      m_halfWidth(camera.width * 0.5), m_halfHeight(camera.height * 0.5), m_focal(m_halfHeight * camera.focal)
+{
+    const dvec3  normal = crossProduct(model[1] - model[0], model[2] - model[0]);
+    const double byX = std::abs(normal.x), byY = std::abs(normal.y), byZ = std::abs(normal.z);
+    const int    left = byX >= byY && byX >= byZ ? 0 : byY >= byZ ? 1 : 2;
+    const auto along = [&model](int axis) { return std::array{model[0][axis], model[1][axis], model[2][axis]}; };
+    m_first  = coordinate(along(left == 0 ? 1 : 0));
+    m_second = coordinate(along(left == 2 ? 1 : 2));
+}
+
+Holes::Coordinate Holes::coordinate(const std::array<double, 3>& ofCorner) const
+{
+    const double second = ofCorner[1] - ofCorner[0], third = ofCorner[2] - ofCorner[0];
+    const dvec3  p = crossProduct(m_view[2] - m_view[0], m_view[0]), q = crossProduct(m_view[0], m_view[1] - m_view[0]);
+    return {ofCorner[0], {second * p.x + third * q.x, second * p.y + third * q.y, second * p.z + third * q.z}};
+}
+
+bool Holes::at(int i, int j) const
+{
+    const double x = (i + 0.5) - m_halfWidth, y = m_halfHeight - (j + 0.5);
+    const auto   onRay = [&](const dvec3& f) { return (f.x * x + f.y * y) + f.z * m_focal; };
+    const double weight = onRay(m_weight);
+    const double a = (m_first.origin + onRay(m_first.gain) / weight) / m_cutout.size;
+    const double b = (m_second.origin + onRay(m_second.gain) / weight) / m_cutout.size;
+    switch (m_cutout.pattern) {
+    case CutoutPattern::Checker: return placeInCell((std::floor(a) + std::floor(b)) * 0.5) > 0.25;
+    case CutoutPattern::Stripes: return placeInCell(a) >= 0.5;
+    case CutoutPattern::Holes: break;
+    }
+    const double p = placeInCell(a) - 0.5, q = placeInCell(b) - 0.5;
+    return p * p + q * q < 0.09375;
+}
+
+Part::Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera, const std::optional<Holes>& holes)
+    : m_corners(corners), m_holes(holes)
 {
     const auto& [a, b, c] = m_corners;
     m_box = pixelsWithin(std::min({a.xs, b.xs, c.xs}), std::max({a.xs, b.xs, c.xs}), std::min({a.ys, b.ys, c.ys}),
@@ -143,7 +191,7 @@ void Part::setSides(Wide doubleArea)
 
 bool Part::covers(int i, int j) const
 {
-    return m_sides[0].at(i, j) >= 0 && m_sides[1].at(i, j) >= 0 && m_sides[2].at(i, j) >= 0;
+    return m_sides[0].at(i, j) >= 0 && m_sides[1].at(i, j) >= 0 && m_sides[2].at(i, j) >= 0 && !isHole(i, j);
 }
 
 float Part::depth(int i, int j) const
@@ -159,12 +207,22 @@ namespace {
 /// partsOf(), whatever the triangle's material.
 Fate geometryOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view, std::vector<Part>& parts)
 {
-    const Mesh&          mesh = scene.meshOf(instance);
-    std::array<dvec3, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const dvec3& q = mesh.positions[mesh.triangles[meshTriangle][i]];
-        corners[i]     = viewSpace(q, scene.instances[instance.value].toWorld, view.camera);
+    const Mesh&     mesh     = scene.meshOf(instance);
+    const Material& material = mesh.materialOf(mesh.trianglePolygon[meshTriangle]);
+    const auto modelCorners = [&mesh](std::uint32_t triangle) {
+        const auto& vertices = mesh.triangles[triangle];
+        return std::array{mesh.positions[vertices[0]], mesh.positions[vertices[1]], mesh.positions[vertices[2]]};
+    };
+    const auto seen = [&](std::array<dvec3, 3> corners) {
+        for (dvec3& q : corners) q = viewSpace(q, scene.instances[instance.value].toWorld, view.camera);
+        return corners;
+    };
+    std::optional<Holes> holes;
+    if (material.cutout && material.opacity >= 1) {
+        const auto face = modelCorners(mesh.firstTriangle[mesh.trianglePolygon[meshTriangle].value]);
+        holes.emplace(*material.cutout, face, seen(face), view.camera);
     }
+    const std::array<dvec3, 3> corners = seen(modelCorners(meshTriangle));
     const Outline outline = clipNear(corners, view.camera.near);
     if (outline.count == 0) return Fate::BehindNear;
 
@@ -184,7 +242,7 @@ Fate geometryOf(const Scene& scene, InstanceId instance, std::uint32_t meshTrian
             fate = std::min(fate, Fate::Culled);
         } else {
             fate = Fate::Drawn;
-            parts.emplace_back(part, doubleArea, view.camera);
+            parts.emplace_back(part, doubleArea, view.camera, holes);
         }
     }
     return fate;

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/ids.h"
@@ -62,16 +63,40 @@ struct Side {
     Wide perPixel() const { return Wide{-256} * dy; }
 };
 
+/// Where a triangle has holes: docs/correctness.md, Cut-outs.
+class Holes {
+public:
+    /// `model` and `view` are corners of the first triangle of its face in the mesh's space and in view space, before clipping.
+    Holes(const Cutout& cutout, const std::array<dvec3, 3>& model, const std::array<dvec3, 3>& view, const Camera& camera);
+
+    bool at(int i, int j) const;
+
+private:
+    /// A pattern coordinate: `origin` at the first corner, `gain` along the ray through a pixel.
+    struct Coordinate {
+        double origin = 0;
+        dvec3  gain{0};
+    };
+    Coordinate coordinate(const std::array<double, 3>& ofCorner) const;
+
+    Cutout               m_cutout;
+    std::array<dvec3, 3> m_view;
+    dvec3                m_weight;  // the plane's normal, not of length 1
+    Coordinate           m_first, m_second;
+    double               m_halfWidth, m_halfHeight, m_focal;  // pixels
+};
+
 /// A triangle in front of the near plane, snapped, with area, facing the viewer as the culling asks.
 class Part {
 public:
-    Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera);
+    Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera, const std::optional<Holes>& holes = {});
 
     const std::array<Corner, 3>& corners() const { return m_corners; }  // in the order of the walk
     const std::array<Side, 3>&   sides() const { return m_sides; }
     const PixelBox&              box() const { return m_box; }          // holds every covered pixel
 
-    bool  covers(int i, int j) const;
+    bool  covers(int i, int j) const;  // a hole is not covered
+    bool  isHole(int i, int j) const { return m_holes && m_holes->at(i, j); }
     float depth(int i, int j) const;
 
 private:
@@ -81,6 +106,7 @@ private:
     std::array<Corner, 3> m_corners;
     std::array<Side, 3>   m_sides;
     PixelBox              m_box;
+    std::optional<Holes>  m_holes;
     double                m_a = 0, m_b = 0, m_c = 0;  // depth = a x + b y + c at pixel centres
     float                 m_lo = 0, m_hi = 0;         // limits: the nearest and farthest corner
     bool                  m_isFlat = false;           // no plane could be computed: depth is m_hi

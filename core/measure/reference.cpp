@@ -25,7 +25,7 @@ void forEachCovered(const Part& part, const Visit& visit)
         if (rowIsOutside(p, y) || rowIsOutside(q, y) || rowIsOutside(r, y)) continue;
         Wide atP = p.at(box.x0, y), atQ = q.at(box.x0, y), atR = r.at(box.x0, y);
         for (int x = box.x0; x <= box.x1; ++x) {
-            if (atP >= 0 && atQ >= 0 && atR >= 0) visit(x, y);
+            if (atP >= 0 && atQ >= 0 && atR >= 0 && !part.isHole(x, y)) visit(x, y);
             atP += p.perPixel();
             atQ += q.perPixel();
             atR += r.perPixel();

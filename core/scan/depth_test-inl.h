@@ -3,6 +3,8 @@
 // Depth      float64 until it is stored; limited to the corners' depths, then rounded to float32 (the order does not
 //            matter: rounding is monotone and the limits are float32 values)
 // Winner     larger depth; on equal depth the lower rank. Not-covered lanes offer kNotCovered, which never wins
+// Cut-outs   a fragment in a hole does not exist. Early depth tests first and discards what passed before anything is
+//            written; shading first discards first
 // Far        free: background holds a value just below everything that may be kept
 #if defined(ZSCOPE_DEPTH_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_DEPTH_TEST_INL_H
@@ -68,11 +70,18 @@ public:
                const Probe& probe) const
     {
         constexpr ShadingMoment kShading = Fragments::kMoment;
+        auto                    exists   = covered;
         const F64  d64;
         const F32  d32;
         const U32  u32;
         const auto z     = stored(limited(column + hn::Set(d64, line)));
-        const auto depth = hn::DemoteTo(d32, hn::IfThenElse(covered, z, hn::Set(d64, kNotCovered)));
+        [[maybe_unused]] bool discards = false;  // of one lane
+        if constexpr (Fragments::kDiscards && kShading == ShadingMoment::BeforeTest) {
+            const auto holes = hn::And(covered, fragments.discarded(d64, x, y));
+            discards         = !hn::AllFalse(d64, holes);
+            exists           = hn::AndNot(holes, covered);
+        }
+        const auto depth = hn::DemoteTo(d32, hn::IfThenElse(exists, z, hn::Set(d64, kNotCovered)));
 
         [[maybe_unused]] auto colours = hn::Undefined(u32);
         if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
@@ -80,7 +89,15 @@ public:
         const auto stored = hn::LoadU(d32, depthRow);
         const auto holder = hn::LoadU(u32, rankRow);
         const auto rank   = hn::Set(u32, m_rank);
-        const auto won    = wins(depth, stored, rank, holder);
+        auto       won    = wins(depth, stored, rank, holder);
+        if constexpr (Fragments::kDiscards && kShading != ShadingMoment::BeforeTest) {
+            if (!hn::AllFalse(d32, won)) {  // tested early, but nothing may be written before the holes are known
+                const auto one   = hn::IfThenElse(fragments.discarded(d64, x, y), hn::Set(d64, 1.0), hn::Zero(d64));
+                const auto holes = hn::And(won, hn::DemoteTo(d32, one) > hn::Zero(d32));
+                discards         = !hn::AllFalse(d32, holes);
+                won              = hn::AndNot(holes, won);
+            }
+        }
         if constexpr (kKeep != Keep::Equal) hn::StoreU(hn::IfThenElse(won, depth, stored), d32, depthRow);
         if constexpr (kKeep != Keep::DepthOnly)
             hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, won), rank, holder), u32, rankRow);
@@ -96,7 +113,7 @@ public:
             if (hn::AllFalse(d64, covered)) return;
             const bool wins = !hn::AllFalse(d32, won);
             probe(PixelTested{x, y, TriangleId{m_rank - 1}, hn::GetLane(depth), wins, hn::GetLane(holder), hn::GetLane(stored), kKeep,
-                              kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins)});
+                              kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins), discards});
         }
     }
 

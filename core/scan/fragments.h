@@ -2,6 +2,7 @@
 //
 // Interface  colours(u32, x, y): the colours of fragments at the pixels x, x + 1, ...
 //            keep(u32, won, colours, x, y): stores those that won
+//            discarded(d64, x, y), if kDiscards: those that do not exist
 // Written    where shading is known (core/shade/fragment-inl.h); scan conversion only says when
 #pragma once
 
@@ -14,7 +15,8 @@ enum class ShadingMoment {
 };
 
 struct UnshadedFragments {
-    static constexpr ShadingMoment kMoment = ShadingMoment::Never;
+    static constexpr ShadingMoment kMoment   = ShadingMoment::Never;
+    static constexpr bool          kDiscards = false;
 };
 
 }  // namespace zscope

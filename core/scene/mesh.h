@@ -12,12 +12,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/affine.h"
 #include "core/base/ids.h"
+#include "core/scene/cutout.h"
 
 namespace zscope {
 
@@ -35,6 +37,7 @@ struct Material {
     std::string name;
     Rgb         diffuse{0.66f, 0.75f, 0.88f};  // Kd
     float       opacity = 1;                   // d; below 1 the face is outside ids and depth
+    std::optional<Cutout> cutout = {};         // holes in the face
 };
 
 /// Axis-aligned box; empty while min > max.
@@ -76,6 +79,7 @@ struct Mesh {
         return std::span(corners).subspan(firstCorner[p.value], firstCorner[p.value + 1] - firstCorner[p.value]);
     }
     const Material& materialOf(PolygonId p) const { return materials[polygonMaterial[p.value].value]; }
+    bool            isCutOut(std::uint32_t triangle) const { return materialOf(trianglePolygon[triangle]).cutout.has_value(); }
     /// Its triangles are a fan that is no triangulation of its outline.
     bool isMended(PolygonId p) const { return std::ranges::binary_search(mendedFaces, p); }
 

@@ -72,6 +72,10 @@ void addMesh(Digest& digest, const Mesh& mesh)
     for (const Material& material : mesh.materials) {
         digest.add(material.diffuse);
         digest.add(material.opacity);
+        if (material.cutout) {
+            digest.add(static_cast<std::uint64_t>(material.cutout->pattern));
+            digest.add(material.cutout->size);
+        }
     }
 }
 

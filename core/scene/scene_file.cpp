@@ -24,10 +24,11 @@ namespace {
 using Problem = std::optional<Error>;
 
 struct FileMaterial {
-    Rgb   colour;
-    float opacity = 1;
-    int   line    = 0;
-    bool  used    = false;
+    Rgb                   colour;
+    float                 opacity = 1;
+    std::optional<Cutout> cutout  = {};
+    int                   line    = 0;
+    bool                  used    = false;
 };
 
 std::string shown(std::string_view text) { return std::string(text.substr(0, 60)); }
@@ -57,6 +58,7 @@ private:
     Problem      checkCount(const JsonValue& value, double count, MeshId mesh) const;
     void          add(Instance instance, bool colourEach);
     Result<Rgb>   colourOf(const JsonValue& value) const;
+    Result<Cutout> cutoutOf(const JsonValue& value) const;
 
     Error wrong(const JsonValue& value, std::string sentence) const
     {
@@ -123,7 +125,7 @@ Problem SceneFileReader::readMaterials(const JsonValue& document)
     if (!value) return {};
     if (!value->object()) return wrong(*value, "'materials' must be an object of materials by name");
     for (const auto& [name, description] : *value->object()) {
-        const auto members = membersOf(description, "a material", {"colour", "opacity"});
+        const auto members = membersOf(description, "a material", {"colour", "opacity", "cutout"});
         if (!members) return members.error();
         const JsonValue* colour = find(description, "colour");
         if (!colour) return wrong(description, fmt::format("the material '{}' needs a 'colour'", shown(name)));
@@ -136,9 +138,30 @@ Problem SceneFileReader::readMaterials(const JsonValue& document)
             if (!(*d >= 0 && *d <= 1)) return wrong(*opacity, "'opacity' must be from 0 to 1");
             material.opacity = static_cast<float>(*d);
         }
+        if (const JsonValue* cutout = find(description, "cutout")) {
+            const Result<Cutout> holes = cutoutOf(*cutout);
+            if (!holes) return holes.error();
+            material.cutout = *holes;
+        }
         m_materials.emplace(name, material);
     }
     return {};
+}
+
+Result<Cutout> SceneFileReader::cutoutOf(const JsonValue& value) const
+{
+    const auto members = membersOf(value, "a cut-out", {"pattern", "size"});
+    if (!members) return members.error();
+    const JsonValue* pattern = find(value, "pattern");
+    const JsonValue* size    = find(value, "size");
+    if (!pattern || !pattern->text() || !size) return wrong(value, "a cut-out needs a 'pattern' and a 'size'");
+    const auto word = std::ranges::find(kCutoutWords, *pattern->text());
+    if (word == kCutoutWords.end())
+        return wrong(*pattern, fmt::format("'{}' is no pattern: choose one of {}", shown(*pattern->text()), fmt::join(kCutoutWords, ", ")));
+    const Result<double> cell = realOf(*size, m_path, "size");
+    if (!cell) return cell.error();
+    if (!(*cell > 0)) return wrong(*size, "'size' must be more than 0");
+    return Cutout{static_cast<CutoutPattern>(word - kCutoutWords.begin()), *cell};
 }
 
 Problem SceneFileReader::readMeshes(const JsonValue& document)
@@ -198,6 +221,7 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
             if (const auto own = m_materials.find(material.name); own != m_materials.end()) {
                 material.diffuse  = own->second.colour;
                 material.opacity  = own->second.opacity;
+                material.cutout   = own->second.cutout;
                 own->second.used = true;
             }
         mesh = std::move(changed);
@@ -240,6 +264,8 @@ Problem SceneFileReader::readInstance(const JsonValue& value)
             return wrong(*material, fmt::format("there is no material '{}' in 'materials'", shown(*material->text())));
         if (own->second.opacity < 1)
             return wrong(*material, "the opacity of an instance is its mesh's: name an opaque material");
+        if (own->second.cutout)
+            return wrong(*material, "the cut-out of an instance is its mesh's: name a material without one");
         own->second.used = true;
         instance.colour  = own->second.colour;
     } else if (colour && colour->text()) {

@@ -55,6 +55,25 @@ protected:
 
 bool says(const Error& error, const std::string& words) { return error.sentence.find(words) != std::string::npos; }
 
+TEST_F(SceneFile, ACutOutBelongsToTheMaterialOfAMesh)
+{
+    const auto flag = [](const std::string& cutout, const std::string& instance = "{\"mesh\": \"f\"}") {
+        return "{\"materials\": {\"cloth\": {\"colour\": [1, 0, 0], \"cutout\": " + cutout +
+               "}},\n\"meshes\": {\"f\": {\"obj\": \"models/flag.obj\"}},\n\"instances\": [" + instance + "]}";
+    };
+    const auto scene = load(flag("{\"pattern\": \"holes\", \"size\": 0.25}"));
+    ASSERT_TRUE(scene.ok()) << scene.error().text();
+    const Mesh& mesh = *scene->meshes[0];
+    EXPECT_TRUE(mesh.isCutOut(0));
+    EXPECT_EQ(mesh.materialOf(PolygonId{0}).cutout, (Cutout{CutoutPattern::Holes, 0.25}));
+    EXPECT_NE(scene->digest, load(flag("{\"pattern\": \"holes\", \"size\": 0.5}"))->digest);
+
+    EXPECT_TRUE(says(refused(flag("{\"pattern\": \"lace\", \"size\": 1}")), "choose one of checker, stripes, holes"));
+    EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\", \"size\": 0}")), "more than 0"));
+    EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\"}")), "needs a 'pattern' and a 'size'"));
+    EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\", \"size\": 1}", "{\"mesh\": \"f\", \"material\": \"cloth\"}")), "its mesh's"));
+}
+
 TEST_F(SceneFile, EveryPartOfTheFormatIsRead)
 {
     const auto scene = load(R"({

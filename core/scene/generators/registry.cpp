@@ -19,6 +19,7 @@
     file(city)                       \
     file(soup)                       \
     file(layers)                     \
+    file(cutouts)                    \
     file(walls)                      \
     file(glass)                      \
     file(rows)                       \
