@@ -9,8 +9,6 @@
 namespace zscope::cli {
 namespace {
 
-constexpr const char* kDefaultAlgorithm = "zbuffer";
-
 std::vector<std::string> presetNames()
 {
     std::vector<std::string> names;
@@ -73,8 +71,8 @@ void HowOptions::add(CLI::App& parser, Algorithms algorithms)
     const std::string which = joined(presetNames());
     parser
         .add_option("--algorithm", m_algorithm,
-                    one ? fmt::format("Which algorithm draws: {} (default {})", which, kDefaultAlgorithm)
-                        : fmt::format("Which algorithms: all, or some of {} (default {})", which, kDefaultAlgorithm))
+                    one ? fmt::format("Which algorithm draws: {} (default {})", which, kDefaultPreset)
+                        : fmt::format("Which algorithms: all, or some of {} (default {})", which, kDefaultPreset))
         ->type_name(one ? "NAME" : "NAME[,NAME...]|all")
         ->group("How");
     parser.add_option("--set", m_set, "Change one choice of the algorithm, see 'list choices' (repeatable)")
@@ -160,7 +158,7 @@ Result<How> HowOptions::read() const
         for (const FaultEntry& entry : faults()) words.emplace_back(entry.word);
         return unknownWord("fault", *m_fault, words);
     }
-    const std::string algorithm = m_algorithm.value_or(std::string(fault ? fault->preset : kDefaultAlgorithm));
+    const std::string algorithm = m_algorithm.value_or(std::string(fault ? fault->preset : kDefaultPreset));
     if (m_algorithms == Algorithms::One && (algorithm == "all" || listOf(algorithm).size() != 1))
         return unknownWord("algorithm", algorithm, presetNames());
     auto algorithms = algorithmsOf(algorithm);

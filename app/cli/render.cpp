@@ -70,6 +70,7 @@ Json jsonOf(const DepthWork& work)
             {"nodes_entered", work.nodesEntered},
             {"nodes_drawn", work.nodesDrawn},
             {"nodes_dropped", work.nodesDropped},
+            {"nodes_recalled", work.nodesRecalled},
             {"triangles_outside", work.trianglesOutside},
             {"triangles_hidden_by_node", work.trianglesHiddenByNode},
             {"triangles_hidden", work.trianglesHidden},
@@ -110,7 +111,10 @@ Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& draw
     for (const StageTime& stage : drawn.report.stages)
         stages.push_back({{"name", wordOf(stage.stage)}, {"ms", stage.ms}, {"ran", stage.ran}, {"why", stage.why}});
     const VisibilityBuffer& visible = drawn.frame.visible;
+    const FrameReport& report = drawn.report;
     return {{"algorithm", algorithm},
+            {"chosen", report.chosen.empty() ? Json(nullptr) : Json(report.chosen)},
+            {"why", report.why.empty() ? Json(nullptr) : Json(report.why)},
             {"threads", drawn.report.threads},
             {"simd", wordOf(drawn.report.simd)},
             {"scene",
@@ -137,6 +141,7 @@ std::string summaryOf(const std::string& algorithm, const Scene& scene, const Dr
                                    visible.width(), visible.height(), grouped(scene.triangleCount()),
                                    grouped(coveredPixels(visible)), drawn.report.frameMs, drawn.report.threads,
                                    drawn.report.threads == 1 ? "" : "s", wordOf(drawn.report.simd));
+    if (!drawn.report.why.empty()) text += drawn.report.why + "\n";
     Table stages({{"stage", Table::Align::Left}, {"ms"}, {"why", Table::Align::Left}});
     for (const StageTime& stage : drawn.report.stages)
         stages.row({std::string(wordOf(stage.stage)), stage.ran ? fmt::format("{:.3f}", stage.ms) : "-", stage.why});

@@ -21,6 +21,19 @@ struct NodePlace {
     const TreeNode& node;
 };
 
+/// One of the passes over the scene begins; methods that need a single one do not say so.
+struct PassStarted {
+    int pass;  // 1: what the last frame saw; 2: everything, against what the first left
+};
+
+/// A node that was visible in the last frame and reaches the view is about to be drawn, its own triangles, unasked.
+struct NodeRecalled {
+    static constexpr Grain grain = Grain::Node;
+    NodePlace              place;   // in the mesh tree of an instance
+    const Tree&            instances;
+    const TreeNode&        holder;  // the node of `instances` that holds the instance
+};
+
 /// A node has been judged. `query` is what the pyramid was asked, or nullptr if it was not.
 struct NodeJudged {
     static constexpr Grain grain = Grain::Node;

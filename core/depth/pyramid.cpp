@@ -18,6 +18,8 @@ void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, F
     m_visible  = &visible;
     m_firstRow = firstRow;
     m_endRow   = endRow;
+    m_width    = visible.width();
+    m_isComplete = false;
     constexpr int kTile = 1 << kTileLevel;
     int width = (visible.width() + kTile - 1) / kTile, height = (endRow - firstRow + kTile - 1) / kTile;
     std::size_t count = 0;
@@ -64,6 +66,19 @@ PixelBox Pyramid::tileAt(int x, int y) const
 {
     const int left = x >> kTileLevel << kTileLevel, top = m_firstRow + ((y - m_firstRow) >> kTileLevel << kTileLevel);
     return {left, top, left + (1 << kTileLevel), top + (1 << kTileLevel)};
+}
+
+void Pyramid::complete()
+{
+    allTouched();
+    refresh(levels() - 1, 0, 0, Untold{});  // reaches every cell below
+    m_isComplete = true;
+}
+
+bool Pyramid::continues(const VisibilityBuffer& visible, int firstRow, int endRow)
+{
+    m_visible = &visible;
+    return m_isComplete && m_width == visible.width() && m_firstRow == firstRow && m_endRow == endRow;
 }
 
 /// The pixels of a cell that lie in the box.

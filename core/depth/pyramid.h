@@ -11,6 +11,8 @@
 //            pyramid was reset as masked, cover(): tiles know two depths and a mask, and no pixel is ever read
 // Promise    a cell is never nearer than the true farthest depth of its pixels: depths only grow, so an old value is
 //            too far at worst. hides() may say no of a hidden box, never yes of one that could win a pixel
+// Frozen     complete() brings every cell up to date and ends the upkeep: from then on the cells alone answer, whatever
+//            becomes of the pixels. For methods that ask about the frame before
 // Cost       query: at most 2 x 2 cells of one level, more only where undecided; touched(): constant for small boxes;
 //            push(): 64 pixels per tile and 4 cells per level that changes
 // Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993; docs/correctness.md, rules 1 to 3
@@ -83,6 +85,10 @@ public:
     void cover(const PixelBox& box, const Shape& shape, const FarthestOver& farthestOver, const Told& told);
     /// All depths may have grown.
     void allTouched();
+    /// The frame is over and will be asked about when its pixels are gone.
+    void complete();
+    /// Whether it is complete() and of a picture of this shape; if so, `visible` is the picture that is being drawn now.
+    bool continues(const VisibilityBuffer& visible, int firstRow, int endRow);
 
     /// True if nothing at depth `nearest` or farther, inside `box` (not empty, inside the region), could win a pixel.
     bool hides(const PixelBox& box, float nearest) { return ask(box, nearest).hidden; }
@@ -142,6 +148,8 @@ private:
     const VisibilityBuffer* m_visible  = nullptr;
     int                     m_firstRow = 0;
     int                     m_endRow   = 0;
+    int                     m_width    = 0;
+    bool                    m_isComplete = false;
     std::vector<Level>      m_levels;  // from kTileLevel up
     std::vector<std::array<int, 2>> m_changed;      // tiles that the triangle at hand has changed
     int                     m_cellsRead = 0;  // by the query at hand

@@ -58,6 +58,7 @@ bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float near
     if (at(level).stale.at(x, y) && isBehind(nearest, refresh(level, x, y, told))) return true;
 
     // Undecided: something in the cell is as far or farther. Is it inside the shape?
+    if (level == kTileLevel && m_isComplete) return false;  // its pixels are another frame's now
     if (level == kTileLevel && m_isMasked) return false;  // its pixels are nobody's to read
     if (level == kTileLevel) return pixelsHide(pixelsOf(level, x, y, box), nearest, shape);
     const int below = level - 1;

@@ -43,7 +43,7 @@ struct ScanConvert {
     const Rules&     rules;
     const Probe&     probe;
 
-    void operator()(std::span<const ScreenTriangle> triangles) const
+    DrawnTriangles operator()(std::span<const ScreenTriangle> triangles) const
     {
         const auto unshaded = [](const ScreenTriangle&) { return UnshadedFragments(); };
         const auto early    = [this](const ScreenTriangle& triangle) {
@@ -52,24 +52,32 @@ struct ScanConvert {
         const auto late = [this](const ScreenTriangle& triangle) {
             return ShadedFragments<ShadingMoment::BeforeTest>(*stripe.painter, triangle.rank());
         };
+        DrawnTriangles all;
         const bool shades = pass.shading != ShadingMoment::Never;
         if (pass.keep == Keep::DepthOnly)
-            convert<Keep::DepthOnly>(triangles, unshaded);
+            all = convert<Keep::DepthOnly>(triangles, unshaded);
         else if (pass.keep == Keep::Equal)
-            shades ? convert<Keep::Equal>(triangles, early) : convert<Keep::Equal>(triangles, unshaded);
+            all = shades ? convert<Keep::Equal>(triangles, early) : convert<Keep::Equal>(triangles, unshaded);
         else if (pass.shading == ShadingMoment::BeforeTest)
-            convert<Keep::Nearest>(triangles, late);
+            all = convert<Keep::Nearest>(triangles, late);
         else
-            shades ? convert<Keep::Nearest>(triangles, early) : convert<Keep::Nearest>(triangles, unshaded);
+            all = shades ? convert<Keep::Nearest>(triangles, early) : convert<Keep::Nearest>(triangles, unshaded);
         clock.lap(Stage::Raster);
+        return all;
     }
 
 private:
     template <Keep kKeep, class FragmentsOf>
-    void convert(std::span<const ScreenTriangle> triangles, const FragmentsOf& fragmentsOf) const
+    DrawnTriangles convert(std::span<const ScreenTriangle> triangles, const FragmentsOf& fragmentsOf) const
     {
+        DrawnTriangles all;
         for (const ScreenTriangle& triangle : triangles) {
-            if (occlusion.asksTriangles && isHidden(triangle)) continue;
+            if (occlusion.asksTriangles && isHidden(triangle)) {
+                ++all.hidden;
+                all.hiddenPixels += pixelsOf(triangle.box);
+                continue;
+            }
+            ++all.drawn;
             probe(TriangleReached{triangle});
             if (triangle.cutOut)
                 fill<kKeep>(triangle, DiscardingFragments(fragmentsOf(triangle),
@@ -78,6 +86,7 @@ private:
                 fill<kKeep>(triangle, fragmentsOf(triangle));
             probe(TriangleFinished{triangle.id});
         }
+        return all;
     }
 
     template <Keep kKeep, class Fragments>
@@ -99,6 +108,10 @@ private:
         return askPyramid(*occlusion.pyramid, triangle.box, triangle.depth.nearest, shape, rules, probe);
     }
 
+    static std::uint64_t pixelsOf(const PixelBox& box)
+    {
+        return static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0);
+    }
     bool isHidden(const ScreenTriangle& triangle) const
     {
         const PyramidQuery query = occlusion.asksByShape ? ask(triangle, TriangleCover(triangle, rules.notOwned()))
@@ -112,7 +125,27 @@ private:
     }
 };
 
-/// One pass over the scene in the pipeline's order.
+/// First what the last frame saw, unasked; then everything else, against the pyramid over the first.
+template <class Scan, class Rules, class Probe>
+void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees,
+                   const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
+{
+    using Convert = ScanConvert<Scan, Rules, Probe>;
+    scratch.memory.begin(trees);
+    probe(PassStarted{1});
+    const Occlusion blind;
+    const Convert   drawAll{pass, stripe, blind, clock, rules, probe};
+    FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, probe, &scratch.memory).drawRemembered();
+    scratch.pyramid.allTouched();
+    clock.lap(Stage::Upkeep);
+
+    probe(PassStarted{2});
+    const Convert drawUnhidden{pass, stripe, occlusion, clock, rules, probe};
+    FrontToBack(stripe, scratch, trees, occlusion, clock, drawUnhidden, rules, probe, &scratch.memory).visitScene();
+    scratch.memory.finish();
+}
+
+/// The scene in the pipeline's order.
 template <class Scan, class Rules, class Probe>
 void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, StripeScratch& scratch,
               const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
@@ -125,7 +158,11 @@ void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, 
     const TreeKind    kind  = pipeline.order == Order::Octree ? TreeKind::Octree : TreeKind::Bvh;
     const SceneTrees& trees = treesOf(stripe.scene, kind);
     clock.lap(Stage::Build);
-    FrontToBack(stripe, scratch, trees, occlusion, clock, convert, rules, probe).visitScene();
+    if (pipeline.coherence != Coherence::TwoPass) {
+        FrontToBack(stripe, scratch, trees, occlusion, clock, convert, rules, probe).visitScene();
+        return;
+    }
+    drawTwoPasses<Scan>(pass, stripe, scratch, trees, occlusion, clock, rules, probe);
 }
 
 inline AfterDrawing afterDrawing(const Pipeline& pipeline)
@@ -155,7 +192,9 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     probe(StageStarted{Stage::Clear});
     stripe.visible.clearRows(stripe.firstRow, stripe.endRow);
     if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
-    if (hasPyramid || hasTiles)
+    const bool asksLast  = pipeline.coherence == Coherence::LastPyramid;
+    const bool continues = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
+    if ((hasPyramid || hasTiles) && !continues)
         scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault, pipeline.upkeep == Upkeep::Masked);
     clock.lap(Stage::Clear);
     probe(StageFinished{Stage::Clear});
@@ -172,17 +211,23 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
         }
     }
 
+    if (asksLast && !continues) scratch.pyramid.complete();  // no frame before: empty cells hide nothing
     probe(StageStarted{Stage::Raster});
     const Occlusion occlusion{.pyramid       = hasPyramid ? &scratch.pyramid : nullptr,
                               .asksNodes     = asksNodes(pipeline.cull),
                               .asksTriangles = asksTriangles(pipeline.cull),
                               .asksByShape   = pipeline.query == TriangleQuery::Triangle,
-                              .afterDrawing  = afterDrawing(pipeline)};
+                              .afterDrawing  = asksLast ? AfterDrawing::Nothing : afterDrawing(pipeline)};
     const Pass      pass{.keep    = hasPrepass ? Keep::Equal : Keep::Nearest,
                          .shading = shading,
                          .tiles   = hasTiles ? &scratch.pyramid : nullptr};
     drawPass<Scan>(pipeline, pass, stripe, scratch, occlusion, clock, rules, probe);
     probe(StageFinished{Stage::Raster});
+    if (asksLast) {
+        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault);
+        scratch.pyramid.complete();
+        clock.lap(Stage::Upkeep);
+    }
 }
 
 /// Enters the triangles of a batch, or one face after another, in the edge table.

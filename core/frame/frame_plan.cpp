@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include "core/base/memory.h"
+#include "core/frame/auto_choice.h"
 
 namespace zscope {
 
@@ -38,8 +39,19 @@ Result<FramePlan> planFrame(const DrawRequest& request)
                                          std::to_string(request.camera.height) + " needs " + std::to_string(needed >> 20) +
                                          " MiB, more than the limit of " + std::to_string(limit >> 20) + " MiB"};
     }
-    const int wanted = request.threads > 0 ? request.threads : omp_get_num_procs();
+    // What the last frame's pyramid hides would depend on where the borders between the stripes stood.
+    const bool isOneStripe = request.pipeline.coherence == Coherence::LastPyramid;
+    const int  wanted      = isOneStripe ? 1 : request.threads > 0 ? request.threads : omp_get_num_procs();
     return FramePlan{std::clamp(wanted, 1, std::max(1, request.camera.height)), simd};
+}
+
+DrawRequest repeatable(const DrawRequest& request)
+{
+    if (request.pipeline.chooser != Chooser::Measured) return request;
+    const SceneNumbers numbers = numbersOf(*request.scene, request.camera, 1);
+    DrawRequest        first   = request;
+    first.pipeline             = chosenInstead(request.pipeline, AutoChoice::firstPreset(numbers));
+    return first;
 }
 
 namespace {
@@ -58,6 +70,8 @@ StageReason reasonForPrepass(DepthMoment moment)
 
 StageReason reasonForUpkeep(const Pipeline& pipeline)
 {
+    if (pipeline.coherence == Coherence::LastPyramid) return {true, "the whole pyramid, when the frame is over, for the next one"};
+    if (pipeline.coherence == Coherence::TwoPass) return {true, "all cells made stale after the first pass; then recomputed when a query meets them: counted with cull and raster"};
     switch (pipeline.upkeep) {
     case Upkeep::None:
         return pipeline.depth == DepthMoment::ZCull ? StageReason{true, "stale tiles, when one is read: counted with raster"}

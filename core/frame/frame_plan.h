@@ -20,6 +20,10 @@ struct FramePlan {
 /// Errors: Usage (composition, SIMD target, thread count), Limit (memory).
 Result<FramePlan> planFrame(const DrawRequest& request);
 
+/// The request that stands for this one in a run that must depend on its inputs only: a measured choice becomes the first
+/// one, which nothing has been measured for. Others stay as they are.
+DrawRequest repeatable(const DrawRequest& request);
+
 struct StageReason {
     bool        runs;
     std::string why;  // one clause

@@ -25,8 +25,10 @@ struct DepthWork {
     std::uint64_t nodesDrawn   = 0;  // of those entered: have triangles (or instances) of their own
     std::uint64_t nodesDropped = 0, trianglesDropped = 0;  // too small on the screen: an approximation
 
+    std::uint64_t nodesRecalled = 0;  // drawn before the visit, because the last frame saw them; they are visited all the same
+
     std::uint64_t trianglesOutside = 0, trianglesHiddenByNode = 0;  // skipped with a node
-    std::uint64_t trianglesHidden = 0, trianglesDrawn = 0;          // in nodes drawn: hidden one by one, or rasterised
+    std::uint64_t trianglesHidden = 0, trianglesDrawn = 0;          // in nodes drawn or recalled: hidden one by one, or rasterised
 
     std::uint64_t queries = 0, cellsRead = 0;  // of the pyramid, about nodes and about triangles
 };

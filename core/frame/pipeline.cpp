@@ -24,6 +24,7 @@ std::string joined(std::span<const ChoiceEntry> choices)
 std::span<const AxisEntry> axes()
 {
     static constexpr std::array kAxes{
+        AxisEntry{"chooser", "What decides between methods", kChooserChoices},
         AxisEntry{"order", "In which order the scene is visited", kOrderChoices},
         AxisEntry{"cull", "What is skipped before it becomes pixels", kCullChoices},
         AxisEntry{"upkeep", "How the pyramid is kept true to the depth buffer", kUpkeepChoices},
@@ -32,6 +33,7 @@ std::span<const AxisEntry> axes()
         AxisEntry{"depth", "When depth is tested and fragments are shaded", kDepthChoices},
         AxisEntry{"shading-cost", "What shading a fragment costs", kShadingCostChoices},
         AxisEntry{"transparency", "In which order transparent surfaces are blended", kTransparencyChoices},
+        AxisEntry{"coherence", "What a frame takes over from the one before", kCoherenceChoices},
         AxisEntry{"snap", "How finely corners are snapped", kSnapChoices},
         AxisEntry{"vertices", "In which numbers vertices are transformed", kVertexChoices},
         AxisEntry{"depth-numbers", "How a fragment's depth is found", kDepthNumberChoices},
@@ -50,6 +52,7 @@ namespace {
 template <class Pipe, class Use>
 bool withAxis(Pipe& pipeline, std::string_view axis, const Use& use)
 {
+    if (axis == "chooser") return use(pipeline.chooser), true;
     if (axis == "order") return use(pipeline.order), true;
     if (axis == "cull") return use(pipeline.cull), true;
     if (axis == "upkeep") return use(pipeline.upkeep), true;
@@ -58,6 +61,7 @@ bool withAxis(Pipe& pipeline, std::string_view axis, const Use& use)
     if (axis == "depth") return use(pipeline.depth), true;
     if (axis == "shading-cost") return use(pipeline.cost), true;
     if (axis == "transparency") return use(pipeline.transparency), true;
+    if (axis == "coherence") return use(pipeline.coherence), true;
     if (axis == "snap") return use(pipeline.approximation.snap), true;
     if (axis == "vertices") return use(pipeline.approximation.vertex), true;
     if (axis == "depth-numbers") return use(pipeline.approximation.depth), true;
@@ -138,7 +142,7 @@ bool drawsFaces(const Pipeline& pipeline) { return pipeline.scan == Scan::SweepP
 
 Claim claimOf(const Pipeline& pipeline)
 {
-    if (!pipeline.usesExactRules() || pipeline.transparency != BlendOrder::Sorted) return Claim::Approximate;
+    if (!pipeline.usesExactRules() || pipeline.coherence == Coherence::LastPyramid || pipeline.transparency != BlendOrder::Sorted) return Claim::Approximate;
     return drawsFaces(pipeline) ? Claim::ExactByFace : Claim::Exact;
 }
 
@@ -159,6 +163,16 @@ std::vector<Grain> grainsOf(const Pipeline& pipeline)
 }
 
 namespace {
+
+/// Whether only the chooser, what shading and blending do, the approximations and the fault differ from a plain z-buffer's.
+bool leavesChoicesOpen(const Pipeline& pipeline)
+{
+    return pipeline == Pipeline{.chooser       = pipeline.chooser,
+                                .cost          = pipeline.cost,
+                                .transparency  = pipeline.transparency,
+                                .approximation = pipeline.approximation,
+                                .fault         = pipeline.fault};
+}
 
 /// Why the approximations and the fault do not fit the rest, or nothing.
 std::optional<std::string> explainMisfit(const Pipeline& pipeline)
@@ -187,6 +201,8 @@ std::optional<std::string> explainMisfit(const Pipeline& pipeline)
 
 std::optional<std::string> explainInvalid(const Pipeline& pipeline)
 {
+    if (pipeline.chooser == Chooser::Measured && !leavesChoicesOpen(pipeline))
+        return "What is measured makes the choices itself: leave order, cull, upkeep, query, scan, depth and coherence as they are, or choose chooser=composed";
     if (auto misfit = explainMisfit(pipeline)) return misfit;
     const bool asks = asksNodes(pipeline.cull) || asksTriangles(pipeline.cull);
     if (pipeline.query == TriangleQuery::Triangle && !asksTriangles(pipeline.cull))
@@ -195,6 +211,7 @@ std::optional<std::string> explainInvalid(const Pipeline& pipeline)
         if (pipeline.order != Order::Submitted) return "A sweep sorts the scene by lines itself: choose order=submitted";
         if (asks || pipeline.upkeep != Upkeep::None) return "A sweep keeps no depth buffer to build a pyramid on: choose cull=frustum and upkeep=none";
         if (shadesFragments(pipeline.depth)) return "A sweep decides each line once and shades it once: choose depth=deferred";
+        if (pipeline.coherence != Coherence::None) return "A sweep visits no nodes to remember: choose coherence=none";
         return std::nullopt;
     }
     if (pipeline.depth == DepthMoment::ZCull && pipeline.scan != Scan::HalfSpace)
@@ -207,6 +224,11 @@ std::optional<std::string> explainInvalid(const Pipeline& pipeline)
     if (pipeline.upkeep == Upkeep::AfterPrepass && pipeline.depth != DepthMoment::Prepass) return "There is no pre-pass to build the pyramid after: choose depth=prepass or upkeep=on-query";
     const bool followsWrites = pipeline.upkeep != Upkeep::None && pipeline.upkeep != Upkeep::AfterPrepass;
     if (followsWrites && pipeline.depth == DepthMoment::Prepass) return "After a pre-pass depths no longer change: choose upkeep=after-prepass";
+    if (pipeline.coherence == Coherence::LastPyramid && !asks) return "Nobody would ask the last frame's pyramid: choose a cull by nodes or triangles, or coherence=none";
+    if (pipeline.coherence == Coherence::TwoPass && !asksNodes(pipeline.cull)) return "Only nodes that the pyramid is asked about are remembered: choose a cull by nodes, or coherence=none";
+    const bool testsTwice = pipeline.depth == DepthMoment::Prepass || pipeline.depth == DepthMoment::ZCull;
+    if (pipeline.coherence != Coherence::None && testsTwice) return "Between frames only one test of depth is at work: choose depth=deferred, late or early, or coherence=none";
+    if (pipeline.coherence != Coherence::None && pipeline.upkeep != Upkeep::OnQuery) return "What a frame takes over is brought up to date as a whole: choose upkeep=on-query, or coherence=none";
     return std::nullopt;
 }
 

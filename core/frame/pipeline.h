@@ -39,11 +39,17 @@ constexpr int  operationsOf(ShadingCost cost)
 {
     return cost == ShadingCost::None ? 0 : cost == ShadingCost::Ten ? 10 : cost == ShadingCost::Hundred ? 100 : 1000;
 }
+/// What a frame takes over from the one before.
+enum class Coherence { None, TwoPass, LastPyramid };
 
 constexpr bool asksNodes(Cull cull) { return cull == Cull::Nodes || cull == Cull::NodesAndTriangles; }
 constexpr bool asksTriangles(Cull cull) { return cull == Cull::Triangles || cull == Cull::NodesAndTriangles; }
 
+/// Who makes the choices: the pipeline itself, or core/frame/auto_choice.h from what earlier frames cost.
+enum class Chooser { Composed, Measured };
+
 struct Pipeline {
+    Chooser       chooser = Chooser::Composed;
     Order         order  = Order::Submitted;
     Cull          cull   = Cull::Frustum;
     Upkeep        upkeep = Upkeep::None;
@@ -51,6 +57,7 @@ struct Pipeline {
     Scan          scan   = Scan::HalfSpace;
     DepthMoment   depth  = DepthMoment::Deferred;
     ShadingCost   cost   = ShadingCost::None;
+    Coherence     coherence     = Coherence::None;
     BlendOrder    transparency = BlendOrder::Sorted;  // in a scene that has transparent surfaces
     Approximation approximation = {};          // each of its members is an axis
     Fault         fault  = Fault::None; // see core/frame/faults.h
@@ -96,10 +103,14 @@ struct Preset {
     constexpr bool isExact() const { return claim == Claim::Exact; }
 };
 std::span<const Preset> presets();
+/// What draws where nobody has said how.
+inline constexpr std::string_view kDefaultPreset = "auto";
 const Preset*           findPreset(std::string_view name);  // nullptr: no preset has this name
 /// The name of the preset that the pipeline is, or of the one that comes closest with what differs: "zbuffer+near=drop".
 std::string nameOf(const Pipeline& pipeline);
 
+/// Of a measured pipeline, these three speak of the z-buffer, with which it begins where little is in view; what a larger
+/// scene begins with may have more grains, see repeatable() in core/frame/frame_plan.h.
 Family             familyOf(const Pipeline& pipeline);
 /// It draws whole faces as they were read, so that the ids in its pictures are those of faces' first triangles.
 bool               drawsFaces(const Pipeline& pipeline);

@@ -23,6 +23,8 @@ inline constexpr std::array kPresets{
            {.order = Order::Octree, .cull = Cull::NodesAndTriangles, .upkeep = Upkeep::OnQuery}},
     Preset{"hzb-bvh", "Hierarchical z-buffer over a bounding volume hierarchy",
            {.order = Order::Bvh, .cull = Cull::NodesAndTriangles, .upkeep = Upkeep::OnQuery}},
+    Preset{"two-pass", "Last frame's visible nodes first, then the rest against the pyramid they left",
+           {.order = Order::Octree, .cull = Cull::NodesAndTriangles, .upkeep = Upkeep::OnQuery, .coherence = Coherence::TwoPass}},
     Preset{"hzb-simple", "Pre-pass, pyramid built once, every triangle tested against it",
            {.cull = Cull::Triangles, .upkeep = Upkeep::AfterPrepass, .depth = DepthMoment::Prepass}},
     Preset{"hzb-bvh-prepass", "Pre-pass, pyramid built once, nodes of a BVH and triangles tested against it",
@@ -31,6 +33,8 @@ inline constexpr std::array kPresets{
     Preset{"interval", "Interval scanline: the nearest polygon between two edges, without a z-buffer", {.scan = Scan::SweepIntervals}},
     Preset{"interval-polygon", "Interval scanline over polygons as they were read, of any number of corners", {.scan = Scan::SweepPolygons},
            Claim::ExactByFace},
+    Preset{"auto", "Whichever of zbuffer, hzb-octree, hzb-bvh, two-pass (and scanline, if little is in view) drew earlier frames fastest",
+           {.chooser = Chooser::Measured}},
 };
 
 }  // namespace zscope

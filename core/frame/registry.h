@@ -8,7 +8,12 @@
 
 namespace zscope {
 
-/// In the order of enum Order, and so on for the others.
+/// In the order of enum Chooser, and so on for the others.
+inline constexpr std::array kChooserChoices{
+    ChoiceEntry{"composed", "The choices on the other axes"},
+    ChoiceEntry{"measured", "Whichever of several presets drew earlier frames fastest"},
+};
+
 inline constexpr std::array kOrderChoices{
     ChoiceEntry{"submitted", "As submitted: instance after instance, triangle after triangle"},
     ChoiceEntry{"octree", "Front to back through an octree"},
@@ -49,6 +54,12 @@ inline constexpr std::array kShadingCostChoices{
     ChoiceEntry{"10-operations", "A chain of 10 dependent operations per fragment"},
     ChoiceEntry{"100-operations", "A chain of 100 dependent operations per fragment"},
     ChoiceEntry{"1000-operations", "A chain of 1000 dependent operations per fragment"},
+};
+
+inline constexpr std::array kCoherenceChoices{
+    ChoiceEntry{"none", "Every frame begins from nothing"},
+    ChoiceEntry{"two-pass", "Last frame's visible nodes first, then the rest against the pyramid they left"},
+    ChoiceEntry{"last-pyramid", "Everything against the last frame's pyramid, whatever has moved since: approximate"},
 };
 
 inline constexpr std::array kScanChoices{

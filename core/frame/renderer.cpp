@@ -9,6 +9,7 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include "core/frame/auto_choice.h"
 #include "core/frame/blend.h"
 #include "core/frame/frame_plan.h"
 #include "core/frame/kernels.h"
@@ -31,9 +32,31 @@ std::string_view wordOf(Simd simd)
     return entry == simdTargets().end() ? "auto" : entry->word;
 }
 
+namespace {
+
+/// A measured choice, and what it was measured on.
+struct Measured {
+    std::weak_ptr<const PreparedScene> scene;
+    int                                width = 0, height = 0;
+    FramePlan                          plan;
+    FaceCulling                        faceCulling = FaceCulling::None;
+    Pipeline                           pipeline;
+    std::optional<AutoChoice>          choice;
+
+    bool isOf(const DrawRequest& request, const FramePlan& now) const
+    {
+        const bool sameScene = !scene.owner_before(request.scene) && !request.scene.owner_before(scene);
+        return choice && sameScene && width == request.camera.width && height == request.camera.height && plan.threads == now.threads &&
+               plan.simd == now.simd && faceCulling == request.faceCulling && pipeline == request.pipeline;
+    }
+};
+
+}  // namespace
+
 struct Renderer::Workspace {
     std::vector<StripeScratch> scratch;  // one per thread
     StripeBorders              borders;
+    Measured                   measured;
 };
 
 Renderer::Renderer() : m_workspace(std::make_unique<Workspace>()) {}
@@ -64,9 +87,44 @@ std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<
     return times;
 }
 
+FrameCost costOf(const FrameReport& report)
+{
+    const auto ms = [&report](Stage stage) { return report.stages[static_cast<std::size_t>(stage)].ms; };
+    return {.whole    = report.frameMs,
+            .geometry = ms(Stage::Transform) + ms(Stage::Setup),
+            .culling  = ms(Stage::Cull) + ms(Stage::Upkeep),
+            .raster   = ms(Stage::Raster)};
+}
+
 }  // namespace
 
 Result<FrameReport> Renderer::draw(const DrawRequest& request, Frame& frame)
+{
+    return request.pipeline.chooser == Chooser::Measured ? drawMeasured(request, frame) : drawComposed(request, frame);
+}
+
+Result<FrameReport> Renderer::drawMeasured(const DrawRequest& request, Frame& frame)
+{
+    const Result<FramePlan> plan = planFrame(request);
+    if (!plan) return plan.error();
+    Measured& measured = m_workspace->measured;
+    if (!measured.isOf(request, *plan)) {
+        measured = {request.scene, request.camera.width, request.camera.height, *plan, request.faceCulling, request.pipeline,
+                    AutoChoice(numbersOf(*request.scene, request.camera, plan->threads))};
+    }
+    AutoChoice& choice   = *measured.choice;
+    DrawRequest composed = request;
+    composed.pipeline    = chosenInstead(request.pipeline, choice.preset());
+    Result<FrameReport> report = drawComposed(composed, frame);
+    if (!report) return report;
+    report->chosen  = choice.preset().name;
+    report->why     = choice.why();
+    report->isTrial = choice.isTrial();
+    choice.drawn(costOf(*report));
+    return report;
+}
+
+Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& frame)
 {
     const Result<FramePlan> plan = planFrame(request);
     if (!plan) return plan.error();

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -64,6 +65,11 @@ struct FrameReport {
     std::vector<NamedCount> bytes;    // of every structure of the frame
     int                     threads = 1;
     Simd                    simd    = Simd::Scalar;
+
+    // Of a pipeline that is measured (the preset `auto`); else empty.
+    std::string_view chosen;           // the preset that drew this frame
+    std::string      why;              // one sentence
+    bool             isTrial = false;  // it was drawn to learn how long that takes
 };
 
 class Renderer {
@@ -80,6 +86,9 @@ public:
     Result<FrameWork> count(const DrawRequest& request);
 
 private:
+    Result<FrameReport> drawComposed(const DrawRequest& request, Frame& frame);
+    Result<FrameReport> drawMeasured(const DrawRequest& request, Frame& frame);
+
     struct Workspace;
     std::unique_ptr<Workspace> m_workspace;  // scratch memory, reused frame after frame
 };

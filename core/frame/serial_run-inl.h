@@ -1,6 +1,8 @@
 // A frame drawn by one thread over one stripe, with a probe: the serial driver around the same kernels that draw at
 // full speed. A probe that stops unwinds through here.
 //
+// Measured   what chooses by measuring is drawn by its first choice: see repeatable()
+// Coherence  a method that takes something over from the frame before has that frame drawn first, unobserved
 // Promise    a run that is not stopped leaves the very picture that Renderer::draw() makes
 #if defined(ZSCOPE_SERIAL_RUN_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_SERIAL_RUN_INL_H
@@ -14,6 +16,7 @@
 #include "core/frame/blend-inl.h"
 #include "core/frame/drivers-inl.h"
 #include "core/frame/frame_plan.h"
+#include "core/frame/kernels.h"
 #include "core/frame/renderer.h"
 #include "core/probe/probe.h"
 #include "core/shade/shade-inl.h"
@@ -33,10 +36,21 @@ inline void shadeWhole(const DrawRequest& request, Frame& frame)
     shadeRows(painterOf(request, frame), frame.visible, 0, request.camera.height);
 }
 
+/// What a method with coherence takes over from the frame before: one of the same request, so that the run that follows
+/// depends on its inputs only.
+inline void drawUnobserved(const DrawRequest& request, const Stripe& whole, StripeScratch& scratch, StageClock& clock)
+{
+    if (request.pipeline.usesExactRules())
+        return kernelsOf(Simd::Scalar).drawStripe(request.pipeline, whole, scratch, clock);
+    const ChosenRules rules(request.pipeline.approximation, request.pipeline.fault, request.camera);
+    drawStripeByRulesOf(Simd::Scalar)(request.pipeline, rules, whole, scratch, clock);
+}
+
 /// `frame` and `scratch` stay as the run left them, finished or not.
 template <class Probe>
-void runSerially(const DrawRequest& request, Frame& frame, StripeScratch& scratch, const Probe& probe)
+void runSerially(const DrawRequest& asked, Frame& frame, StripeScratch& scratch, const Probe& probe)
 {
+    const DrawRequest request = repeatable(asked);
     const Camera&    camera = request.camera;
     const Projection projection(camera);
     frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
@@ -48,6 +62,7 @@ void runSerially(const DrawRequest& request, Frame& frame, StripeScratch& scratc
     StageClock   clock;
     const Stripe whole{*request.scene, projection, request.faceCulling, frame.visible, 0, camera.height,
                        {.report = {}, .cancel = request.cancel}, painter ? &*painter : nullptr};
+    if (request.pipeline.coherence != Coherence::None) drawUnobserved(request, whole, scratch, clock);
     if (request.pipeline.usesExactRules())
         drawStripe(request.pipeline, whole, scratch, clock, ExactRules{}, probe);
     else

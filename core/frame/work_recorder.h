@@ -6,7 +6,9 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/stages.h"
@@ -63,6 +65,16 @@ public:
         m_polygonsDrawn += e.isDrawn;
     }
 
+    /// What is drawn ahead of a node's verdict is no longer there to be outside or hidden with it.
+    void observe(const NodeRecalled& e)
+    {
+        DepthWork& work = at(e.place);
+        ++work.nodesRecalled;
+        m_here = &work;
+        const std::uint32_t own = e.place.node.size();
+        for (const TreeNode* node = &e.place.node; node; node = node->parent) m_ahead[{e.place.instance, node}] += own;
+        m_ahead[{e.place.instance, nullptr}] += own;
+    }
     void observe(const NodeJudged& e)
     {
         if (m_inPrepass) return;
@@ -178,6 +190,7 @@ private:
                 {"batches_drawn", m_batches},
                 {"batches_outside", m_batchesOutside},
                 {"vertices_transformed", m_vertices},
+                {"nodes_recalled", total(&DepthWork::nodesRecalled)},
                 {"nodes_visited", total(&DepthWork::nodesVisited)},
                 {"nodes_outside", total(&DepthWork::nodesOutside)},
                 {"nodes_hidden", total(&DepthWork::nodesHidden)},
@@ -259,13 +272,20 @@ private:
         work->cellsRead += cells;
     }
 
+    /// Of those that are still to be drawn.
     std::uint64_t trianglesBelow(const NodePlace& place) const
     {
-        if (!place.isInstanceTree) return place.node.size();
+        if (!place.isInstanceTree) return place.node.size() - ahead(place.instance, &place.node);
         std::uint64_t triangles = 0;
         for (const std::uint32_t item : place.tree.allItems(place.node))
-            triangles += m_scene.meshOf(InstanceId{item}).triangles.size();
+            triangles += m_scene.meshOf(InstanceId{item}).triangles.size() - ahead(InstanceId{item}, nullptr);
         return triangles;
+    }
+    std::uint64_t ahead(InstanceId instance, const TreeNode* node) const
+    {
+        if (m_ahead.empty()) return 0;
+        const auto found = m_ahead.find({instance, node});
+        return found == m_ahead.end() ? 0 : found->second;
     }
 
     const Scene&                 m_scene;
@@ -276,6 +296,8 @@ private:
     std::uint64_t                m_polygonsDrawn = 0;
     std::array<std::deque<DepthWork>, 2> m_depths;          // instance tree, mesh trees; [depth]
     DepthWork*                           m_here = nullptr;  // of the node whose triangles are being drawn, if any
+    /// Triangles drawn ahead of the visit, below each node of an instance's mesh tree; nullptr: in the whole instance.
+    std::map<std::pair<InstanceId, const TreeNode*>, std::uint64_t> m_ahead;
     std::optional<TriangleId>    m_lastPart;
     bool                         m_lastPartHidden = false;
     std::uint64_t m_drawnInPrepass = 0, m_hidden = 0, m_queries = 0, m_cells = 0;

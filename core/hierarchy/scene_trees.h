@@ -18,6 +18,8 @@ public:
     SceneTrees(const Scene& scene, TreeKind kind);
 
     const Tree& instances() const { return *m_instances; }
+    /// A token that no other trees have or will have, for as long as anybody holds it.
+    std::weak_ptr<const void> identity() const { return m_identity; }
     /// The tree of a mesh; made by the first thread that asks.
     const Tree& mesh(MeshId mesh) const;
 
@@ -25,6 +27,7 @@ public:
 
 private:
     const Scene&                               m_scene;
+    std::shared_ptr<const void>                m_identity = std::make_shared<char>();
     TreeKind                                   m_kind;
     std::unique_ptr<const Tree>                m_instances;
     mutable std::mutex                         m_mutex;

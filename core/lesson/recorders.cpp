@@ -144,12 +144,32 @@ NodeRow& HierarchyRecorder::rowOf(const NodePlace& place)
     return m_state.nodes.back();
 }
 
+NodeRow& HierarchyRecorder::rowWithAncestors(const NodePlace& place)
+{
+    if (place.node.parent) rowWithAncestors({place.isInstanceTree, place.instance, place.tree, *place.node.parent});
+    return rowOf(place);
+}
+
+void HierarchyRecorder::observe(const NodeRecalled& e)
+{
+    m_instanceNode = rowWithAncestors({true, {}, e.instances, e.holder}).id;
+    NodeRow& row   = rowWithAncestors(e.place);
+    row.verdict    = NodeVerdict::Drawn;
+    row.pass       = m_state.pass;
+    m_state.now    = row.id;
+    m_state.query.reset();
+    m_state.asked.clear();
+}
+
 void HierarchyRecorder::observe(const NodeJudged& e)
 {
     NodeRow& row = rowOf(e.place);
+    const bool wasDrawn = row.verdict == NodeVerdict::Drawn;  // by the first of two passes
+    if (!wasDrawn) row.pass = m_state.pass;
     row.verdict  = e.verdict == Verdict::Outside  ? NodeVerdict::Outside
                    : e.verdict == Verdict::Hidden ? NodeVerdict::Hidden
                    : e.verdict == Verdict::Small  ? NodeVerdict::Small
+                   : wasDrawn                     ? NodeVerdict::Drawn
                                                   : NodeVerdict::Entered;
     m_state.now  = row.id;
     if (e.query) return;  // heard when it was asked

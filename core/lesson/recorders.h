@@ -100,6 +100,8 @@ class HierarchyRecorder {
 public:
     /// A pre-pass visits the tree too, but what it met is forgotten when the visit that counts begins.
     void observe(const StageStarted& e);
+    void observe(const PassStarted& e) { m_state.pass = e.pass; }
+    void observe(const NodeRecalled& e);
     void observe(const NodeJudged& e);
     void observe(const NodeOpened& e);
     void observe(const NodeDrawn& e);
@@ -112,12 +114,15 @@ public:
 private:
     /// The row of a node, new (and waiting) if it was not known.
     NodeRow& rowOf(const NodePlace& place);
+    /// The same of a node whose ancestors may not be known either.
+    NodeRow& rowWithAncestors(const NodePlace& place);
 
     HierarchyState                                        m_state;
     std::map<std::pair<std::int64_t, const TreeNode*>, int> m_ids;  // (instance or -1, node) to row
     int m_instanceNode = -1;  // of the tree over the instances: the one whose instances are being visited
 };
 static_assert(observes<HierarchyRecorder, StageStarted> && observes<HierarchyRecorder, NodeJudged> &&
+              observes<HierarchyRecorder, PassStarted> && observes<HierarchyRecorder, NodeRecalled> &&
               observes<HierarchyRecorder, NodeOpened> && observes<HierarchyRecorder, NodeDrawn> &&
               observes<HierarchyRecorder, PyramidAsked> && observes<HierarchyRecorder, CellUpdated>);
 
@@ -131,6 +136,7 @@ public:
 
     void observe(const StageStarted& e) { m_stage = e.stage; }
     void observe(const StageFinished& e) { m_stage = e.stage, m_moment = Moment::StageOver; }
+    void observe(const NodeRecalled&) { m_moment = Moment::NodeOver; }
     void observe(const NodeJudged&) { m_moment = Moment::NodeOver; }
     void observe(const TriangleFinished&) { m_moment = Moment::TriangleOver; }
     void observe(const PyramidAsked&) { m_moment = Moment::QueryOver; }

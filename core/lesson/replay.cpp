@@ -17,7 +17,7 @@ namespace {
 
 std::optional<Error> cannotStep(const DrawRequest& request, Grain grain)
 {
-    const std::vector<Grain> grains = grainsOf(request.pipeline);
+    const std::vector<Grain> grains = grainsOf(repeatable(request).pipeline);
     if (std::ranges::find(grains, grain) != grains.end()) return std::nullopt;
     std::string words;
     for (const Grain has : grains) words += (words.empty() ? "" : ", ") + std::string(wordOf(has));
@@ -113,7 +113,8 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.event     = stop.lastGrain();
         state.stage     = moment.stage();
         state.sweep     = sweep.state();
-        const bool hasCells = m_request.pipeline.upkeep != Upkeep::None || m_request.pipeline.depth == DepthMoment::ZCull;
+        const Pipeline pipeline = repeatable(m_request).pipeline;
+        const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
         state.hierarchy = hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
         state.triangle  = triangle.state();
         state.span      = pixel.span();
@@ -121,7 +122,9 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = pixel.pixel();
         if (moment.moment() == MomentRecorder::Moment::TileOver) state.tile = pixel.tile();
         state.blend     = moment.blend();
-        state.sentence  = sentenceFor(state, m_request.pipeline, moment.moment(), m_request.scene->scene().triangleCount());
+        state.sentence  = sentenceFor(state, pipeline, moment.moment(), m_request.scene->scene().triangleCount());
+        if (m_request.pipeline.chooser == Chooser::Measured)
+            state.sentence += " (auto has measured nothing here: its steps are those of " + nameOf(pipeline) + ", its first choice.)";
         return state;
     } catch (const std::bad_alloc&) {
         return outOfMemory();

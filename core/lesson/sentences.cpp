@@ -106,13 +106,18 @@ std::string nodeOver(const HierarchyState& hierarchy)
     const NodeRow&    node = hierarchy.nodes[static_cast<std::size_t>(hierarchy.now)];
     const std::string name = node.instance ? fmt::format("Node {} of instance {}", node.path, grouped(node.instance->value))
                                            : fmt::format("Node {} of the instances", node.path);
+    if (hierarchy.pass == 1) return name + " was visible in the last frame: the first pass draws it without asking.";
+    const bool wasDrawn = hierarchy.pass == 2 && node.pass == 1;
+    const std::string fate  = wasDrawn ? " The first pass has drawn it, and it " : "";
     if (node.verdict == NodeVerdict::Outside) return name + " lies outside the view: nothing in it is looked at.";
     if (node.verdict == NodeVerdict::Small) return name + " has fewer pixels on the screen than this approximation keeps: it is left out.";
-    if (!hierarchy.query) return name + " is entered: it may be in view, and nobody can say that it is hidden.";
+    if (!hierarchy.query) return name + " is entered: it may be in view, and nobody can say that it is hidden." + (wasDrawn ? fate + "stays remembered." : "");
     const PyramidQuery& q = *hierarchy.query;
     const std::string size = fmt::format(" covers {} x {} pixels, so level {} of the pyramid is asked: farthest there {:.7g}, node at most {:.7g}:",
                                          q.box.x1 - q.box.x0, q.box.y1 - q.box.y0, q.level, q.value, q.nearest);
-    return name + size + (q.hidden ? " hidden, and skipped with all that is in it." : " not hidden, so it is entered.");
+    if (wasDrawn) return name + size + (q.hidden ? " hidden." + fate + "is forgotten." : " not hidden." + fate + "stays remembered.");
+    const std::string which = hierarchy.pass == 2 ? " by what the first pass left" : "";
+    return name + size + (q.hidden ? " hidden" + which + ", and skipped with all that is in it." : " not hidden" + which + ", so it is entered.");
 }
 
 std::string queryOver(const HierarchyState& hierarchy, const Pipeline& pipeline)

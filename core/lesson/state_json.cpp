@@ -52,6 +52,7 @@ Json toJson(const NodeRow& node)
               {"box", {{"min", {node.box.min.x, node.box.min.y, node.box.min.z}}, {"max", {node.box.max.x, node.box.max.y, node.box.max.z}}}},
               {"path", node.path}};
     json["instance"] = node.instance ? Json(node.instance->value) : Json(nullptr);
+    if (node.pass > 0) json["pass"] = node.pass;
     return json;
 }
 
@@ -104,6 +105,7 @@ void addHierarchy(Json& json, const HierarchyState& hierarchy)
 {
     json["nodes"] = listOf(hierarchy.nodes);
     json["node"]  = hierarchy.now;
+    if (hierarchy.pass > 0) json["pass"] = hierarchy.pass;
     json["query"] = nullptr;
     if (hierarchy.query) {
         const PyramidQuery& q = *hierarchy.query;

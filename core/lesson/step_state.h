@@ -101,6 +101,7 @@ struct NodeRow {
     int         parent = -1;  // id of the node above, over both levels of the hierarchy; -1: the root
     int         depth  = 0;   // of the whole hierarchy: a mesh's root stands one below the node that holds its instance
     NodeVerdict verdict = NodeVerdict::Waiting;
+    int         pass    = 0;     // methods of two passes: the one in which its triangles were drawn, or else in which it was judged
     Bounds      box;                      // in the space of the tree: the world's, or the mesh's
     std::optional<InstanceId> instance;   // whose mesh tree it belongs to; nothing: the tree over the instances
     std::string path;                     // "0.3.6": the slots taken from the tree's root; from 8 on they straddle planes
@@ -109,7 +110,8 @@ struct NodeRow {
 /// The hierarchy as far as the run has come.
 struct HierarchyState {
     std::vector<NodeRow>        nodes;
-    int                         now = -1;     // id of the node judged last, or being asked about
+    int                         now = -1;     // id of the node judged last, or recalled, or being asked about
+    int                         pass = 0;     // methods of two passes: the one that the run is in
     std::optional<PyramidQuery> query;        // what the pyramid was asked last
     std::string                 asked;        // "node" or "triangle"
     std::optional<TriangleId>   askedAbout;   // of a triangle

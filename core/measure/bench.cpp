@@ -111,6 +111,11 @@ private:
         }
         for (int frame = 0; frame < m_request.warmUp; ++frame)
             if (const auto report = m_renderer.draw(draw, m_frame); !report) return report.error();
+        for (bool isTrial = first->isTrial; isTrial;) {
+            const auto report = m_renderer.draw(draw, m_frame);
+            if (!report) return report.error();
+            isTrial = report->isTrial;
+        }
 
         std::vector<FrameReport> reports;
         for (int frame = 0; frame < m_request.frames; ++frame) {
@@ -118,6 +123,7 @@ private:
             if (!report) return report.error();
             reports.push_back(*std::move(report));
         }
+        row.chosen = reports.back().chosen;
         summarise(std::move(reports), row);
         return row;
     }
@@ -192,6 +198,7 @@ std::string benchToJson(std::span<const BenchRow> rows)
         for (const NamedCount& counter : row.counters) counters[counter.name] = counter.value;
         list.push_back({{"scene", row.scene},
                         {"algorithm", row.algorithm},
+                        {"chosen", row.chosen.empty() ? Json(nullptr) : Json(row.chosen)},
                         {"threads", row.threads},
                         {"simd", wordOf(row.simd)},
                         {"verified", row.wrongPixels ? Json(*row.wrongPixels == 0) : Json(nullptr)},

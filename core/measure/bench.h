@@ -1,7 +1,7 @@
 // Times algorithms on a scene: verified first, then timed without a probe, then explained by counters.
 //
 // Runs       every algorithm with every thread count and vector target; each has warm-up frames, then `frames` timed
-//            ones of the shaded picture. Counters come from a separate run and never slow a timed one
+//            ones of the shaded picture; one that chooses by trials has them behind it before. Counters come from a separate run and never slow a timed one
 // Quantiles  nearest rank, so every figure is a time that was measured; the stage times are those of the median
 //            frame and add up to it
 // Threads    one render thread, OpenMP inside; nothing else should run meanwhile
@@ -46,6 +46,7 @@ struct BenchRequest {
 struct BenchRow {
     std::string scene;
     std::string algorithm;
+    std::string chosen;       // `auto`: by which preset the last timed frame was drawn
     int         threads = 1;  // as used
     Simd        simd    = Simd::Scalar;
 

@@ -78,6 +78,38 @@ bool isWorse(const ErrorFigures& a, const ErrorFigures& b)
     return std::tuple(a.wrongPixels(), a.depthBitsDiffer) > std::tuple(b.wrongPixels(), b.depthBitsDiffer);
 }
 
+/// A measured choice may fall on a method that does.
+bool remembersFrames(const Pipeline& pipeline)
+{
+    return pipeline.coherence != Coherence::None || pipeline.chooser == Chooser::Measured;
+}
+
+/// The same place, looking the other way: a cut for whoever remembers the frame before.
+Camera turnedAway(Camera camera)
+{
+    camera.right   = -camera.right;
+    camera.forward = -camera.forward;
+    return camera;
+}
+
+/// Draws the request again, after another view if `cut`, and keeps the worse of these figures and `figures`.
+Result<Done> judgeAgain(const Truth& truth, const VerifyRequest& request, Renderer& renderer, const DrawRequest& draw, bool cut,
+                        Frame& frame, const Picture& first, ErrorFigures& figures)
+{
+    if (cut) {
+        DrawRequest away = draw;
+        away.camera      = turnedAway(draw.camera);
+        if (const auto report = renderer.draw(away, frame); !report) return report.error();
+    }
+    if (const auto report = renderer.draw(draw, frame); !report) return report.error();
+    const Picture again = pictureOf(frame.visible);
+    if (again == first) return Done{};
+    const auto worse = figuresOf(truth, request, draw.pipeline, again);
+    if (!worse) return worse.error();
+    if (isWorse(*worse, figures)) figures = *worse;
+    return Done{};
+}
+
 bool skipsMoreThanBatches(const Pipeline& pipeline)
 {
     return canAuditCulls(pipeline) && (pipeline.order != Order::Submitted || asksTriangles(pipeline.cull));
@@ -130,11 +162,10 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                 if (truth->colours && !drawsFaces(draw.pipeline)) colours = compareColours(*truth->colours, frame.colour);
                 auto          figures = figuresOf(*truth, request, draw.pipeline, first);
                 if (!figures) return figures.error();
-                if (const auto again = renderer.draw(draw, frame); !again) return again.error();
-                if (const Picture second = pictureOf(frame.visible); second != first) {
-                    auto worse = figuresOf(*truth, request, draw.pipeline, second);
-                    if (!worse) return worse.error();
-                    if (isWorse(*worse, *figures)) figures = std::move(worse);
+                for (const bool cut : {false, true}) {
+                    if (cut && !remembersFrames(draw.pipeline)) continue;
+                    const auto done = judgeAgain(*truth, request, renderer, draw, cut, frame, first, *figures);
+                    if (!done) return done.error();
                 }
                 if (!audit && skipsMoreThanBatches(draw.pipeline)) {
                     const auto audited = auditCulls(draw, frame.visible, visible);

@@ -7,6 +7,8 @@
 //            planes, so the eye is taken into the tree's own space. What straddles the planes has no exact place between
 //            the octants: it comes before the first octant whose box is farther from the eye. BVH: the nearer box first.
 //            Instances of one node: the nearer box first. Triangles of one batch, where they are large: the nearer first
+// Recall     with a memory of the last frame: what it saw is drawn first, unasked, in the order in which it came then; the
+//            visit that follows judges it again, to learn whether it stays remembered, but does not draw it twice (NodeMemory)
 // Promise    skips only what cannot win a pixel (StripeVolume, NodeReach, Pyramid); a node that reaches before the near
 //            plane, as one that holds the eye does, is always entered
 // Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993
@@ -19,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -50,7 +53,7 @@ template <class Consume, class Rules, class Probe>
 class FrontToBack {
 public:
     FrontToBack(const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees, const Occlusion& occlusion,
-                StageClock& clock, const Consume& consume, const Rules& rules, const Probe& probe)
+                StageClock& clock, const Consume& consume, const Rules& rules, const Probe& probe, NodeMemory* memory = nullptr)
         : m_stripe(stripe),
           m_scene(stripe.scene.scene()),
           m_scratch(scratch),
@@ -59,7 +62,8 @@ public:
           m_clock(clock),
           m_consume(consume),
           m_rules(rules),
-          m_probe(probe)
+          m_probe(probe),
+          m_memory(memory)
     {
     }
 
@@ -70,6 +74,7 @@ public:
         const Affine     world;
         const PlacedTree placed = place(instances, world, true, {});
         visit(placed, instances.root(), [&](const TreeNode& node) {
+            m_probe(NodeDrawn{placed.place(node)});
             auto& waiting = m_scratch.instances;
             waiting.clear();
             for (const std::uint32_t item : instances.ownItems(node))
@@ -77,8 +82,25 @@ public:
             std::ranges::sort(waiting, [](const WaitingInstance& a, const WaitingInstance& b) {
                 return std::pair(a.distance, a.instance.value) < std::pair(b.distance, b.instance.value);
             });
-            for (const WaitingInstance& next : waiting) visitInstance(next.instance);
+            for (const WaitingInstance& next : waiting) visitInstance(next.instance, node);
         });
+        m_clock.lap(Stage::Cull);
+    }
+
+    /// What is left of the last frame's view, before anything else has been drawn.
+    void drawRemembered()
+    {
+        std::optional<PlacedTree> placed;
+        for (const RememberedNode& last : m_memory->lastFrame()) {
+            if (m_stripe.progress.cancelled()) return;
+            const Instance& instance = m_scene.instances[last.instance.value];
+            if (!placed || placed->instance != last.instance)
+                placed.emplace(place(m_trees.mesh(instance.mesh), instance.toWorld, false, last.instance));
+            if (m_memory->isItsTurn(last) || placed->volume.misses(last.node->bounds)) continue;
+            m_memory->drawnAhead(last);
+            m_probe(NodeRecalled{placed->place(*last.node), m_trees.instances(), *last.holder});
+            drawOwn(*placed, *last.node);
+        }
         m_clock.lap(Stage::Cull);
     }
 
@@ -93,26 +115,37 @@ private:
                 eye, isInstanceTree, instance};
     }
 
-    void visitInstance(InstanceId id)
+    void visitInstance(InstanceId id, const TreeNode& holder)
     {
         const Instance& instance = m_scene.instances[id.value];
-        const Mesh&     mesh     = m_scene.meshOf(id);
         const Tree&     tree     = m_trees.mesh(instance.mesh);
         if (tree.isEmpty()) return;
-        const PlacedTree placed  = place(tree, instance.toWorld, false, id);
-        const Affine*    toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
+        const PlacedTree placed = place(tree, instance.toWorld, false, id);
         visit(placed, tree.root(), [&](const TreeNode& node) {
-            const MeshBatches& batches = tree.batchesOf(node, mesh);
-            m_probe(TransparentLeftOut{id, static_cast<std::uint32_t>(tree.ownItems(node).size() - batches.triangles.size())});
-            for (const Batch& batch : batches.batches) {
-                if (m_stripe.progress.cancelled()) return;
-                m_clock.lap(Stage::Cull);
-                setUpBatch(BatchPlace{batches, batch, toWorld, m_scene.firstTriangle[id.value]}, id, m_stripe, m_scratch,
-                           m_clock, m_rules, m_probe);
-                sortIfLarge(m_scratch.triangles);
-                m_consume(m_scratch.triangles.view());
-            }
+            const bool isDrawnAhead = m_memory && m_memory->isDrawnAhead(id, node);
+            if (!isDrawnAhead) m_probe(NodeDrawn{placed.place(node)});
+            const bool isWorthIt = isDrawnAhead || NodeMemory::isWorthIt(drawOwn(placed, node));
+            if (m_memory && isWorthIt) m_memory->remember({id, &holder, &node});
         });
+    }
+
+    /// The node's own triangles, batch by batch.
+    DrawnTriangles drawOwn(const PlacedTree& placed, const TreeNode& node)
+    {
+        const Mesh&        mesh    = m_scene.meshOf(placed.instance);
+        const MeshBatches& batches = placed.tree.batchesOf(node, mesh);
+        const Affine*      toWorld = placed.toWorld.isIdentity() ? nullptr : &placed.toWorld;
+        DrawnTriangles     all;
+        m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size() - batches.triangles.size())});
+        for (const Batch& batch : batches.batches) {
+            if (m_stripe.progress.cancelled()) break;
+            m_clock.lap(Stage::Cull);
+            setUpBatch(BatchPlace{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]}, placed.instance, m_stripe,
+                       m_scratch, m_clock, m_rules, m_probe);
+            sortIfLarge(m_scratch.triangles);
+            all.add(m_consume(m_scratch.triangles.view()));
+        }
+        return all;
     }
 
     /// Nearest first where it pays: a triangle that is hidden saves more pixels than its place in the order costs. The
@@ -129,8 +162,8 @@ private:
         });
     }
 
-    template <class DrawOwn>
-    void visit(const PlacedTree& placed, const TreeNode& node, const DrawOwn& drawOwn)
+    template <class DrawItems>
+    void visit(const PlacedTree& placed, const TreeNode& node, const DrawItems& drawItems)
     {
         if (m_stripe.progress.cancelled() || judge(placed, node) != Verdict::Entered) return;
         const Tree& tree = placed.tree;
@@ -138,11 +171,8 @@ private:
         auto children = inOrder(placed, node);
         if (m_rules.visitsFarFirst()) std::reverse(children.nodes.begin(), children.nodes.begin() + children.count);
         m_probe(NodeOpened{placed.place(node), std::span(children.nodes).first(children.count)});
-        if (!tree.ownItems(node).empty()) {
-            m_probe(NodeDrawn{placed.place(node)});
-            drawOwn(node);
-        }
-        for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], drawOwn);
+        if (!tree.ownItems(node).empty()) drawItems(node);
+        for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], drawItems);
     }
 
     Verdict judge(const PlacedTree& placed, const TreeNode& node)
@@ -234,6 +264,7 @@ private:
     const Consume&    m_consume;
     const Rules&      m_rules;
     const Probe&      m_probe;
+    NodeMemory*       m_memory;  // nullptr: nothing is remembered
 };
 
 }  // namespace zscope::HWY_NAMESPACE

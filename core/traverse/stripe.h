@@ -17,6 +17,7 @@
 #include "core/sweep/active_polygons.h"
 #include "core/sweep/blend_scratch.h"
 #include "core/sweep/edge_table.h"
+#include "core/traverse/node_memory.h"
 
 namespace zscope {
 
@@ -52,6 +53,7 @@ struct StripeScratch {
     FaceScratch      faces;    // methods that draw whole faces only
     Pyramid          pyramid;  // hierarchical methods only
     BlendScratch     blend;    // scenes with transparent surfaces only
+    NodeMemory       memory;   // methods with coherence only
 
     std::vector<WaitingInstance> instances;  // hierarchical methods only
     std::vector<std::uint32_t>   open;       // interval method only: polygons open at the interval at hand
@@ -60,7 +62,7 @@ struct StripeScratch {
     {
         return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
                open.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes() +
-               blend.bytes();
+               blend.bytes() + memory.bytes();
     }
 };
 

@@ -116,6 +116,7 @@ constexpr Relaxed kRelaxed[] = {
     {"cells", "one-level", "hzb-bvh-prepass", "soccer-field?count=300"},
     {"small-nodes", "drop-below-4", "hzb-octree", "city"},
     {"small-nodes", "drop-below-16", "octree-frustum", "city"},
+    {"coherence", "last-pyramid", "hzb-octree", "city"},
 };
 
 TEST(Approximations, EachPublishesItsErrorWhereTheDefinitionsChoiceHasNone)

@@ -1,8 +1,10 @@
 // The hard cases of the pyramid, docs/correctness.md, D1 to D9. Its cells are held to brute force in the test of its own;
-// here the frames are: every preset, and how much each of them hid. D8 waits for a method that uses the last frame.
+// here the frames are: every preset, and how much each of them hid. D8 is about frames that follow one another; what else may
+// change between frames is in the coherence test.
 
 #include <algorithm>
 
+#include "core/measure/error_figures.h"
 #include "tests/agreement/hard_support.h"
 
 namespace zscope::hardcase {
@@ -147,6 +149,94 @@ TEST(HardD, D7AStripAsWideAsThePictureIsSeenInItsLastPixel)
                 ASSERT_EQ(picture.depth.at(x, y), last ? (y >= 2 && y < 5 ? 0.0625f : 0.0f) : y >= 1 && y < 6 ? 0.125f : 0.0f);
             }
         expectCounters(hard);
+    }
+}
+
+/// The case's camera turned about its own up axis by whole quarters.
+Camera turned(Camera camera, int quarters)
+{
+    for (; quarters > 0; --quarters) {
+        const dvec3 right = camera.right;
+        camera.right   = -camera.forward;
+        camera.forward = right;
+    }
+    return camera;
+}
+
+/// The sheet behind the wall, without the wall.
+HardCase withoutWall(const HardCase& hard)
+{
+    return only(hard, [&hard](std::uint32_t id) { return !isWall(hard, id); });
+}
+
+TEST(HardD, D8AfterACutAHalfTurnAndARemovedOccluderTwoPassesAreExactInEveryFrame)
+{
+    const HardCase wall = hardCase("D1?level=5"), open = withoutWall(wall), hole = hardCase("D2?x=63&y=64");
+    struct View {
+        const char*     what;
+        const HardCase& hard;
+        Camera          camera;
+    };
+    Camera nearer = wall.camera;
+    nearer.eye += 0.5 * nearer.near * nearer.forward;
+    const View way[] = {{"first", wall, wall.camera},
+                        {"again", wall, wall.camera},
+                        {"after a half-turn", wall, turned(wall.camera, 2)},
+                        {"back", wall, wall.camera},
+                        {"after a cut", wall, nearer},
+                        {"after a quarter", wall, turned(nearer, 1)},
+                        {"before the wall again", wall, wall.camera},
+                        {"without the wall", open, open.camera},
+                        {"with it again", wall, wall.camera},
+                        {"another wall with a hole", hole, hole.camera},
+                        {"which has become larger", hole, nearer}};
+    for (const Preset& preset : presets()) {
+        if (!preset.isExact() || preset.pipeline.coherence == Coherence::None) continue;
+        for (const int threads : {1, 2, 3}) {
+            Renderer renderer;
+            Frame    frame;
+            for (const View& view : way) {
+                const auto expected = referencePicture(*view.hard.scene, view.camera, FaceCulling::None);
+                ASSERT_TRUE(expected.ok());
+                DrawRequest request;
+                request.scene    = view.hard.prepared;
+                request.camera   = view.camera;
+                request.pipeline = preset.pipeline;
+                request.threads  = threads;
+                ASSERT_TRUE(renderer.draw(request, frame).ok());
+                EXPECT_TRUE(*expected == pictureOf(frame.visible)) << preset.name << ", " << threads << " threads, " << view.what;
+            }
+        }
+    }
+    const auto shown = referencePicture(*open.scene, open.camera, FaceCulling::None);
+    EXPECT_TRUE(std::ranges::any_of(shown->ids.values(), [](std::int64_t id) { return id >= 0; })) << "the wall hid something";
+}
+
+/// The same way without the second pass: what has come out from behind the wall is missing for a frame, and then it is there.
+TEST(HardD, D8WithoutASecondPassTheOccluderHidesForOneFrameAfterItIsGone)
+{
+    const HardCase wall = hardCase("D1?level=5"), open = withoutWall(wall);
+    Pipeline       lagging  = findPreset("hzb-octree")->pipeline;
+    lagging.coherence       = Coherence::LastPyramid;
+    EXPECT_EQ(claimOf(lagging), Claim::Approximate);
+    for (const int threads : {1, 2, 3}) {
+        Renderer   renderer;
+        Frame      frame;
+        const auto wrongAfter = [&](const HardCase& hard) {
+            DrawRequest request;
+            request.scene    = hard.prepared;
+            request.camera   = hard.camera;
+            request.pipeline = lagging;
+            request.threads  = threads;
+            EXPECT_TRUE(renderer.draw(request, frame).ok());
+            const auto expected = referencePicture(*hard.scene, hard.camera, FaceCulling::None);
+            return compare(*expected, pictureOf(frame.visible)).wrongPixels();
+        };
+        EXPECT_EQ(wrongAfter(wall), 0u) << "a first frame has nothing to be misled by";
+        EXPECT_EQ(wrongAfter(wall), 0u) << "nothing has moved";
+        const std::uint64_t lag = wrongAfter(open);
+        EXPECT_EQ(lag, 32u * 32u) << threads << " threads: the whole sheet is missing";
+        EXPECT_EQ(wrongAfter(open), 0u) << "a frame later it is there";
     }
 }
 

@@ -142,7 +142,10 @@ TEST_F(Cli, StatisticsAddUpAndNameEveryStage)
     const Answer answer = run({"render", kScene, "--size", "320x200", "--stats", path("s.json")});
     ASSERT_EQ(answer.status, 0) << answer.err;
     const json stats = json::parse(contentsOf(path("s.json")));
-    EXPECT_EQ(stats["algorithm"], "zbuffer");
+    EXPECT_EQ(stats["algorithm"], "auto");
+    EXPECT_EQ(stats["chosen"], "zbuffer");
+    EXPECT_NE(stats["why"].get<std::string>().find("auto begins with zbuffer"), std::string::npos) << stats["why"];
+    EXPECT_NE(answer.out.find("auto begins with zbuffer"), std::string::npos) << answer.out;
     EXPECT_EQ(stats["picture"]["width"], 320);
     EXPECT_EQ(stats["picture"]["height"], 200);
     EXPECT_GT(stats["picture"]["covered"].get<int>(), 0);

@@ -282,6 +282,29 @@ TEST(Pyramid, PushingKeepsEveryCellTheMinimumOfItsPixelsAndStopsAtTheFirstLevelT
         }
 }
 
+TEST(Pyramid, ACompleteOneAnswersByItsCellsAloneHoweverThePixelsChange)
+{
+    Screen screen(67, 41);
+    screen.draw({0, 0, 67, 20}, 0.5f);
+    screen.pyramid.complete();
+    EXPECT_TRUE(screen.pyramid.continues(screen.visible, 0, 41));
+    EXPECT_FALSE(screen.pyramid.continues(screen.visible, 0, 40)) << "another stripe";
+    VisibilityBuffer next;
+    next.resize(67, 41, DepthEncoding::withBackground(kEmpty));
+    next.clearRows(0, 41);
+    ASSERT_TRUE(screen.pyramid.continues(next, 0, 41));
+    EXPECT_TRUE(screen.pyramid.hides({3, 0, 60, 16}, 0.25f)) << "whole tiles of what was drawn, though the pixels are empty now";
+    EXPECT_FALSE(screen.pyramid.hides({3, 0, 60, 18}, 0.25f)) << "a tile that was half drawn hides nothing, nor does its drawn half";
+    EXPECT_FALSE(screen.pyramid.hides({3, 0, 60, 16}, 0.5f));
+    for (int y = 0; y < 41; ++y) std::fill_n(next.depthRow(y), 67, 0.9f);
+    EXPECT_FALSE(screen.pyramid.hides({3, 24, 60, 32}, 0.25f)) << "nothing was there";
+    VisibilityBuffer wider;
+    wider.resize(68, 41, DepthEncoding::withBackground(kEmpty));
+    EXPECT_FALSE(screen.pyramid.continues(wider, 0, 41));
+    screen.pyramid.reset(next, 0, 41);
+    EXPECT_FALSE(screen.pyramid.continues(next, 0, 41)) << "a frame that is being drawn";
+}
+
 TEST(Pyramid, BackgroundHidesOnlyWhatTheFarTestDrops)
 {
     Screen screen(20, 20);

@@ -268,6 +268,51 @@ TEST(Replay, AfterALineOfTheScanlineMethodItsLinesAreFinishedAndThoseBelowAreBac
     }
 }
 
+TEST(Replay, TheStepsOfTwoPassesSayInWhichPassANodeWasDrawn)
+{
+    const SeenScene seen = builtinScene("city?blocks=2", 64, 48);
+    Replay          replay(seen.request(findPreset("two-pass")->pipeline));
+    const auto      count = *replay.count(Grain::Node);
+    int             recalled = 0, again = 0;
+    for (std::uint64_t k = 0; k < count; ++k) {
+        const StepState state = stateAt(replay, Grain::Node, k);
+        if (state.event != Grain::Node) continue;
+        SCOPED_TRACE("step " + std::to_string(k) + ": " + state.sentence);
+        ASSERT_TRUE(state.hierarchy.has_value());
+        const NodeRow& now = state.hierarchy->nodes[static_cast<std::size_t>(state.hierarchy->now)];
+        if (state.hierarchy->pass == 1) {
+            ++recalled;
+            EXPECT_EQ(again, 0) << "the first pass comes first";
+            EXPECT_EQ(now.verdict, NodeVerdict::Drawn);
+            EXPECT_EQ(now.pass, 1);
+            EXPECT_TRUE(now.instance.has_value());
+            EXPECT_FALSE(state.hierarchy->query.has_value()) << "nobody is asked";
+            EXPECT_NE(state.sentence.find("was visible in the last frame"), std::string::npos);
+        } else {
+            EXPECT_EQ(state.hierarchy->pass, 2);
+            again += now.pass == 1;
+            EXPECT_EQ(state.sentence.find("The first pass has drawn it") != std::string::npos, now.pass == 1);
+        }
+    }
+    EXPECT_GT(recalled, 0);
+    EXPECT_GT(again, 0) << "what the first pass drew is judged by the second";
+    EXPECT_LE(again, recalled);
+    const std::string json = stateToJson(stateAt(replay, Grain::Node, count - 1));
+    for (const char* part : {"\"pass\": 1", "\"pass\": 2"}) EXPECT_NE(json.find(part), std::string::npos) << part;
+    EXPECT_EQ(stateToJson(stateAt(replay, Grain::Stage, 0)).find("\"pass\""), std::string::npos);
+}
+
+TEST(Replay, AMeasuredChoiceIsSteppedThroughAsItsFirstAndSaysSo)
+{
+    const SeenScene seen = smallScenes().front();
+    Replay          measured(seen.request(findPreset("auto")->pipeline)), first(seen.request(findPreset("zbuffer")->pipeline));
+    ASSERT_EQ(*measured.count(Grain::Pixel), *first.count(Grain::Pixel));
+    const StepState state = stateAt(measured, Grain::Pixel, 3), same = stateAt(first, Grain::Pixel, 3);
+    EXPECT_EQ(pictureOf(state.frame.visible), pictureOf(same.frame.visible));
+    EXPECT_EQ(state.algorithm, "auto");
+    EXPECT_EQ(state.sentence, same.sentence + " (auto has measured nothing here: its steps are those of zbuffer, its first choice.)");
+}
+
 TEST(Replay, WithoutShadingAskedForAStepIsShadedForTheLessonAllTheSame)
 {
     const SeenScene seen   = smallScenes().front();

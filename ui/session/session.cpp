@@ -25,7 +25,7 @@ bool has(const std::vector<Grain>& grains, Grain grain) { return std::ranges::fi
 Session::Session(const DrawSettings& settings, QObject* parent)
     : QObject(parent), m_settings(settings), m_engine(std::make_shared<Engine>()), m_worker(std::make_unique<Worker>())
 {
-    m_now.pipeline = presets().front().pipeline;
+    m_now.pipeline = findPreset(kDefaultPreset)->pipeline;
     m_now.grain    = naturalGrain(m_now.pipeline);
     m_wish.grain = m_wish.counted = m_now.grain;
 

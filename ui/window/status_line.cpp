@@ -54,7 +54,8 @@ void StatusLine::present(const Snapshot& shown, Changes what)
         const std::string name   = nameOf(frame.pipeline);
         const Preset*     preset = findPreset(name);
         m_algorithm->setText(QString::fromStdString(name));
-        m_algorithm->setToolTip(preset ? QString::fromUtf8(preset->title.data(), static_cast<qsizetype>(preset->title.size())) : QString());
+        m_algorithm->setToolTip(!frame.report.why.empty() ? QString::fromStdString(frame.report.why)
+                                : preset ? QString::fromUtf8(preset->title.data(), static_cast<qsizetype>(preset->title.size())) : QString());
         m_time->setText(milliseconds(frame.report.frameMs));
         m_time->setToolTip(tr("One frame at full speed; replaying up to this step took %1")
                                .arg(shown.step ? milliseconds(shown.step->replayMs) : QStringLiteral("–")));

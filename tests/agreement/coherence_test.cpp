@@ -1,0 +1,181 @@
+// What a frame takes over from the one before changes its work and never its picture: one renderer draws frame after frame
+// while camera, size, threads, algorithm and scene change under it, and every frame is the z-buffer's.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "core/measure/verify.h"
+#include "core/scene/load.h"
+#include "tests/agreement/agreement_support.h"
+#include "tests/agreement/soups.h"
+
+namespace zscope::tests {
+namespace {
+
+std::shared_ptr<const PreparedScene> load(const std::string& word)
+{
+    auto loaded = loadScene(word);
+    EXPECT_TRUE(loaded.ok()) << word << ": " << (loaded.ok() ? "" : loaded.error().text());
+    return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(*std::move(loaded)));
+}
+
+/// At street level round the middle of the city, looking along the way; every tenth frame is a cut to somewhere else.
+Camera onTheWay(const Bounds& bounds, int frame, int width, int height)
+{
+    const dvec3  centre = 0.5 * (bounds.min + bounds.max), size = bounds.max - bounds.min;
+    const double turn   = 0.02 * frame + 2.1 * (frame / 10);
+    ViewRequest  view;
+    view.eye    = dvec3{centre.x + 0.3 * size.x * std::cos(turn), bounds.min.y + 0.03 * size.y * (1 + frame % 4), centre.z + 0.3 * size.z * std::sin(turn)};
+    view.target = *view.eye + dvec3{-std::sin(turn), 0.05, std::cos(turn)};
+    view.width  = width;
+    view.height = height;
+    const auto camera = makeCamera(view, bounds);
+    EXPECT_TRUE(camera.ok()) << (camera.ok() ? "" : camera.error().text());
+    return *camera;
+}
+
+/// One renderer for the z-buffer, which forgets everything, and one for the method under test.
+class Pair {
+public:
+    DrawRequest request;
+
+    /// Draws `request` by both; how many pixels are covered.
+    std::uint64_t expectSame(const std::string& what)
+    {
+        DrawRequest plain = request;
+        plain.pipeline    = findPreset("zbuffer")->pipeline;
+        EXPECT_TRUE(m_plain.draw(plain, m_expected).ok()) << what;
+        EXPECT_TRUE(m_renderer.draw(request, m_frame).ok()) << what;
+        const Picture expected = pictureOf(m_expected.visible);
+        EXPECT_TRUE(expected == pictureOf(m_frame.visible)) << what << ": the picture is another";
+        return compare(expected, expected).covered;
+    }
+
+private:
+    Renderer m_plain, m_renderer;
+    Frame    m_expected, m_frame;
+};
+
+DrawRequest requestFor(std::shared_ptr<const PreparedScene> scene, const Camera& camera, const Pipeline& pipeline)
+{
+    DrawRequest request;
+    request.scene    = std::move(scene);
+    request.camera   = camera;
+    request.pipeline = pipeline;
+    request.shade    = false;
+    return request;
+}
+
+std::vector<Preset> coherentPresets()
+{
+    std::vector<Preset> coherent;
+    for (const Preset& preset : presets())
+        if (preset.isExact() && (preset.pipeline.coherence != Coherence::None || preset.pipeline.chooser == Chooser::Measured)) coherent.push_back(preset);
+    return coherent;
+}
+
+TEST(Coherence, EveryFrameOfAWayThroughTheCityIsTheZBuffers)
+{
+    const auto scene = load("builtin:city?blocks=4");
+    ASSERT_FALSE(coherentPresets().empty());
+    for (const Preset& preset : coherentPresets()) {
+        Pair          pair;
+        std::uint64_t covered = 0;
+        for (int frame = 0; frame < static_cast<int>(shareOf(30)); ++frame) {
+            pair.request         = requestFor(scene, onTheWay(scene->scene().bounds, frame, 160, 100), preset.pipeline);
+            pair.request.threads = 2;
+            covered += pair.expectSame(std::string(preset.name) + ", frame " + std::to_string(frame));
+        }
+        EXPECT_GT(covered, 10000u);
+    }
+}
+
+TEST(Coherence, SizeThreadsTreeAndAlgorithmMayChangeBetweenFrames)
+{
+    const auto scene = load("builtin:city?blocks=2");
+    Pair       pair;
+    for (int frame = 0; frame < 24; ++frame) {
+        const Pipeline pipelines[] = {findPreset("two-pass")->pipeline, *withChoice(findPreset("two-pass")->pipeline, "order", "bvh"),
+                                      findPreset("hzb-octree")->pipeline, findPreset("two-pass")->pipeline};
+        const int      sizes[][2]  = {{96, 64}, {96, 64}, {33, 129}, {1, 1}, {160, 31}};
+        const auto&    size        = sizes[frame % 5];
+        pair.request         = requestFor(scene, onTheWay(scene->scene().bounds, frame, size[0], size[1]), pipelines[frame / 2 % 4]);
+        pair.request.threads = 1 + frame % 3;
+        pair.expectSame("frame " + std::to_string(frame));
+    }
+}
+
+/// The scene of the frame before is gone when the next is made: nodes of the new one may stand where those of the old one
+/// stood, and a memory that trusted addresses would draw them, or worse.
+TEST(Coherence, AnotherSceneIsNotTakenForTheLastOne)
+{
+    Pair          pair;
+    std::uint64_t covered = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        const Soup soup      = makeSoup(soupKinds()[seed % 5], seed, 61, 43, 900);
+        pair.request         = requestFor(std::make_shared<const PreparedScene>(soup.scene), soup.camera, findPreset("two-pass")->pipeline);
+        pair.request.threads = 1;
+        covered += pair.expectSame(soup.what);
+        covered += pair.expectSame(soup.what + " again");
+        pair.request.scene.reset();
+    }
+    EXPECT_GT(covered, 1000u);
+}
+
+std::map<std::string, std::uint64_t> countersOf(const DrawRequest& request)
+{
+    const Result<FrameWork>              work = Renderer().count(request);
+    std::map<std::string, std::uint64_t> counters;
+    EXPECT_TRUE(work.ok());
+    for (const NamedCount& count : work->counters) counters[count.name] = count.value;
+    return counters;
+}
+
+/// Whatever it tries and keeps, it draws one picture and says by what.
+TEST(Coherence, AMeasuredChoiceSaysWhatDrewTheFrameAndWhy)
+{
+    const auto  scene  = load("builtin:city?blocks=2");
+    const auto  camera = cameraFor(scene->scene(), 96, 64);
+    Renderer    renderer;
+    Frame       frame;
+    DrawRequest request = requestFor(scene, camera, findPreset("auto")->pipeline);
+    request.threads     = 1;
+    std::string last;
+    int         trials = 0;
+    for (int i = 0; i < 30; ++i) {
+        const auto report = renderer.draw(request, frame);
+        ASSERT_TRUE(report.ok());
+        ASSERT_NE(findPreset(report->chosen), nullptr) << report->chosen;
+        EXPECT_NE(report->why.find(report->chosen), std::string::npos) << report->why;
+        if (i == 0) { EXPECT_EQ(report->chosen, "zbuffer"); }
+        if (!report->isTrial) last = report->why;
+        trials += report->isTrial;
+    }
+    EXPECT_GE(trials, 4) << "each candidate at least once";
+    EXPECT_TRUE(last.starts_with("auto keeps ")) << last;
+    request.camera.width = 95;
+    EXPECT_TRUE(renderer.draw(request, frame)->isTrial) << "another size, other times";
+    request.pipeline = findPreset("zbuffer")->pipeline;
+    EXPECT_EQ(renderer.draw(request, frame)->chosen, "");
+}
+
+/// A wall before a ball, from afar: what the last frame saw is the wall.
+TEST(Coherence, WhatWasSeenIsDrawnWithoutAQuestionAndTheRestIsHiddenByIt)
+{
+    const auto   scene  = load("builtin:wall-and-city?blocks=3");
+    const Camera camera = cameraFor(scene->scene(), 160, 100);
+    auto         plain  = countersOf(requestFor(scene, camera, findPreset("hzb-octree")->pipeline));
+    auto         twice  = countersOf(requestFor(scene, camera, findPreset("two-pass")->pipeline));
+    EXPECT_EQ(plain["nodes_recalled"], 0u);
+    EXPECT_GT(twice["nodes_recalled"], 0u);
+    EXPECT_LE(twice["nodes_entered"], plain["nodes_entered"]) << "the second visit asks a pyramid that is finished";
+    EXPECT_LT(twice["pyramid_queries"], plain["pyramid_queries"]) << "nobody asks about the triangles of the first pass";
+    EXPECT_EQ(twice["triangles_in"], plain["triangles_in"]);
+}
+
+}  // namespace
+}  // namespace zscope::tests
