@@ -1,6 +1,8 @@
 #include "core/measure/verify.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <random>
 #include <tuple>
 #include <utility>
@@ -84,7 +86,7 @@ bool remembersFrames(const Pipeline& pipeline)
     return pipeline.coherence != Coherence::None || pipeline.chooser == Chooser::Measured;
 }
 
-/// The same place, looking the other way: a cut for whoever remembers the frame before.
+/// The same place, looking the other way.
 Camera turnedAway(Camera camera)
 {
     camera.right   = -camera.right;
@@ -92,14 +94,32 @@ Camera turnedAway(Camera camera)
     return camera;
 }
 
-/// Draws the request again, after another view if `cut`, and keeps the worse of these figures and `figures`.
-Result<Done> judgeAgain(const Truth& truth, const VerifyRequest& request, Renderer& renderer, const DrawRequest& draw, bool cut,
-                        Frame& frame, const Picture& first, ErrorFigures& figures)
+/// The same place, turned by a quarter of the picture's width.
+Camera turnedAside(Camera camera)
 {
-    if (cut) {
-        DrawRequest away = draw;
-        away.camera      = turnedAway(draw.camera);
-        if (const auto report = renderer.draw(away, frame); !report) return report.error();
+    const double angle = std::atan(0.5 * camera.width / (camera.height * camera.focal));
+    const dvec3  right = camera.right;
+    camera.right       = std::cos(angle) * right + std::sin(angle) * camera.forward;
+    camera.forward     = std::cos(angle) * camera.forward - std::sin(angle) * right;
+    return camera;
+}
+
+/// What a frame that is judged again comes after: the same view (nothing), and for whoever remembers the frame before also a
+/// cut, and a view from which the camera has just turned.
+std::vector<std::optional<Camera>> viewsBefore(const DrawRequest& draw)
+{
+    if (!remembersFrames(draw.pipeline)) return {std::nullopt};
+    return {std::nullopt, turnedAway(draw.camera), turnedAside(draw.camera)};
+}
+
+/// Draws the request again, after the view `before` if there is one, and keeps the worse of these figures and `figures`.
+Result<Done> judgeAgain(const Truth& truth, const VerifyRequest& request, Renderer& renderer, const DrawRequest& draw,
+                        const std::optional<Camera>& before, Frame& frame, const Picture& first, ErrorFigures& figures)
+{
+    if (before) {
+        DrawRequest other = draw;
+        other.camera      = *before;
+        if (const auto report = renderer.draw(other, frame); !report) return report.error();
     }
     if (const auto report = renderer.draw(draw, frame); !report) return report.error();
     const Picture again = pictureOf(frame.visible);
@@ -162,9 +182,8 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                 if (truth->colours && !drawsFaces(draw.pipeline)) colours = compareColours(*truth->colours, frame.colour);
                 auto          figures = figuresOf(*truth, request, draw.pipeline, first);
                 if (!figures) return figures.error();
-                for (const bool cut : {false, true}) {
-                    if (cut && !remembersFrames(draw.pipeline)) continue;
-                    const auto done = judgeAgain(*truth, request, renderer, draw, cut, frame, first, *figures);
+                for (const std::optional<Camera>& before : viewsBefore(draw)) {
+                    const auto done = judgeAgain(*truth, request, renderer, draw, before, frame, first, *figures);
                     if (!done) return done.error();
                 }
                 if (!audit && skipsMoreThanBatches(draw.pipeline)) {

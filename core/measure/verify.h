@@ -3,8 +3,9 @@
 //
 // Promise    the reference is made once; every row compares all pixels, or the same sampled pixels
 // Frames     every row draws two, with a renderer of its own: a first one, and one that may use what the first left behind.
-//            Of a method with coherence it draws two more: one that looks the other way, and the same again, which is what
-//            the first one looks like after a cut. A picture that differs from the first is judged too, and the worst is the row's
+//            Of a method with coherence it draws four more: the same again after one that looks the other way, a cut, and
+//            after one a quarter of the picture to the side. A picture that differs from the first is judged too, and the
+//            worst of them is the row's
 // Culling    a stream method that skips more than batches outside the view is audited as well, once: its verdicts against
 //            the triangles that the reference shows (core/measure/cull_audit.h)
 // Colours    of a scene with transparent surfaces are judged too, unless pixels are sampled

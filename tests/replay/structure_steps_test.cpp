@@ -112,11 +112,15 @@ TEST(StructureSteps, EveryQuestionIsAStepWhoseVerdictIsThatOfEachPixelOfItsRecta
                     return;
                 }
                 ASSERT_GE(hierarchy.now, 0);
-                EXPECT_EQ(hierarchy.nodes[static_cast<std::size_t>(hierarchy.now)].verdict, NodeVerdict::Waiting)
-                    << "nothing has followed from the answer yet";
+                const NodeVerdict verdict = hierarchy.nodes[static_cast<std::size_t>(hierarchy.now)].verdict;
+                const bool isRecalled = verdict == NodeVerdict::Drawn && preset.pipeline.coherence == Coherence::TwoPass;
+                EXPECT_TRUE(verdict == NodeVerdict::Waiting || isRecalled) << "nothing has followed from the answer yet";
             });
             EXPECT_EQ(static_cast<std::uint64_t>(events), counterOf(seen, preset, "pyramid_queries")) << preset.name;
-            EXPECT_EQ(asked["triangle"] > 0, asksTriangles(preset.pipeline.cull)) << preset.name;
+            // The scene stands still: a second pass may find all that is seen drawn by the first, which asks nothing.
+            if (preset.pipeline.coherence == Coherence::None) {
+                EXPECT_EQ(asked["triangle"] > 0, asksTriangles(preset.pipeline.cull)) << preset.name;
+            }
             nodes[std::string(preset.name)] += asked["node"];
         }
     }
