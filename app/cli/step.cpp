@@ -18,7 +18,7 @@ struct StepOptions {
     ViewOptions                view;
     HowOptions                 how;
     std::optional<std::string> grain, at, state, picture;
-    bool                       count = false;
+    bool                       count = false, levels = false;
 };
 
 /// What is asked of the steps: their number, or one of them.
@@ -45,6 +45,7 @@ Result<Asked> askedBy(const StepOptions& options)
     asked.grain = *grain;
     if (options.count == options.at.has_value()) return usage("say either --count or --at K");
     if (options.count && (options.state || options.picture)) return usage("--count writes no files: say --at K");
+    if (options.levels && !options.state) return usage("--levels adds to a state: say with --state where it goes");
     if (options.at) {
         const auto step = wholeNumber(*options.at, "--at", 0, std::numeric_limits<std::int64_t>::max());
         if (!step) return step.error();
@@ -77,7 +78,8 @@ Result<Exit> step(const StepOptions& options, Session& session)
     if (!state) return state.error();
     if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
     if (options.state)
-        if (const auto done = writeFile(*options.state, stateToJson(*state)); !done) return done.error();
+        if (const auto done = writeFile(*options.state, stateToJson(*state, options.levels ? PyramidCells::Written : PyramidCells::Left)); !done)
+            return done.error();
     if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
     if (options.picture) {
         const auto texts = reproducingTexts(session.reproducingCommand(), scene->scene->digest);
@@ -103,6 +105,7 @@ Command addStep(CLI::App& parent)
     parser->add_option("--state", options->state, "The algorithm's state at that step")
         ->type_name("FILE.json")
         ->group("Output");
+    parser->add_flag("--levels", options->levels, "Put the values of the pyramid's levels into the state")->group("Output");
     parser->add_option("-o,--output", options->picture, "The picture at that step, PNG")
         ->type_name("FILE")
         ->group("Output");

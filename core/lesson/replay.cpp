@@ -15,6 +15,18 @@ namespace zscope {
 
 namespace {
 
+/// The stored levels of the pyramid as the run left them.
+std::vector<Grid<float>> cellsOf(const Pyramid& pyramid)
+{
+    std::vector<Grid<float>> cells;
+    for (int level = Pyramid::kTileLevel; level < pyramid.levels(); ++level) {
+        const GridView<const float> stored = pyramid.stored(level);
+        Grid<float>& copy = cells.emplace_back(stored.width, stored.height);
+        for (int y = 0; y < stored.height; ++y) std::ranges::copy(stored.row(y), copy.view().row(y).begin());
+    }
+    return cells;
+}
+
 std::optional<Error> cannotStep(const DrawRequest& request, Grain grain)
 {
     const std::vector<Grain> grains = grainsOf(repeatable(request).pipeline);
@@ -116,6 +128,7 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         const Pipeline pipeline = repeatable(m_request).pipeline;
         const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
         state.hierarchy = hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
+        if (state.hierarchy && hasCells) state.hierarchy->cells = cellsOf(scratch.pyramid);
         state.triangle  = triangle.state();
         state.span      = pixel.span();
         state.interval  = interval.state();

@@ -17,8 +17,10 @@
 
 namespace zscope {
 
+/// Whether the JSON of a step holds the value of every stored cell of the pyramid, or only the sizes of its levels.
+enum class PyramidCells { Left, Written };
 /// The JSON of `zscope-cli step --state`.
-std::string stateToJson(const StepState& state);
+std::string stateToJson(const StepState& state, PyramidCells cells = PyramidCells::Left);
 
 class Replay {
 public:

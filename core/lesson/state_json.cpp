@@ -101,7 +101,15 @@ Json toJson(const IntervalState& interval)
     return json;
 }
 
-void addHierarchy(Json& json, const HierarchyState& hierarchy)
+/// Row by row, from the top.
+Json rowsOf(const Grid<float>& cells)
+{
+    Json rows = Json::array();
+    for (int y = 0; y < cells.height(); ++y) rows.push_back(Json(std::vector<float>(cells.view().row(y).begin(), cells.view().row(y).end())));
+    return rows;
+}
+
+void addHierarchy(Json& json, const HierarchyState& hierarchy, PyramidCells cells)
 {
     json["nodes"] = listOf(hierarchy.nodes);
     json["node"]  = hierarchy.now;
@@ -118,17 +126,22 @@ void addHierarchy(Json& json, const HierarchyState& hierarchy)
     if (const auto& cell = hierarchy.update)
         json["update"] = {{"level", cell->level}, {"x", cell->x}, {"y", cell->y}, {"before", cell->before}, {"after", cell->after}};
     json["pyramid"] = {{"levels", hierarchy.levels}};
+    if (cells == PyramidCells::Left) return;
+    Json stored = Json::array();
+    for (std::size_t i = 0; i < hierarchy.cells.size(); ++i)
+        stored.push_back({{"level", Pyramid::kTileLevel + static_cast<int>(i)}, {"farthest", rowsOf(hierarchy.cells[i])}});
+    json["pyramid"]["stored"] = std::move(stored);
 }
 
 }  // namespace
 
-std::string stateToJson(const StepState& state)
+std::string stateToJson(const StepState& state, PyramidCells cells)
 {
     Json json{{"algorithm", state.algorithm}, {"grain", wordOf(state.grain)}, {"step", state.step.value},
               {"count", state.count},         {"sentence", state.sentence},   {"event", wordOf(state.event)},
               {"stage", wordOf(state.stage)}};
     if (state.sweep) addSweep(json, *state.sweep);
-    if (state.hierarchy) addHierarchy(json, *state.hierarchy);
+    if (state.hierarchy) addHierarchy(json, *state.hierarchy, cells);
     if (state.triangle) json["triangle"] = toJson(*state.triangle);
     if (state.interval) json["interval"] = toJson(*state.interval);
     if (state.span) json["span"] = toJson(*state.span);

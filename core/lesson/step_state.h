@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/grid.h"
 #include "core/base/ids.h"
 #include "core/base/stages.h"
 #include "core/depth/pyramid.h"
@@ -117,6 +118,8 @@ struct HierarchyState {
     std::optional<TriangleId>   askedAbout;   // of a triangle
     std::optional<CellWrite>    update;       // the cell of the pyramid that was written last
     std::vector<std::array<int, 2>> levels;   // width and height of each level of the pyramid; empty: there is none
+    std::vector<Grid<float>>        cells;    // of each level that is stored, the finest (Pyramid::kTileLevel) first, as it
+                                              // stands: a stale cell is too far at worst; none before the frame is cleared
 };
 
 /// Everything a lesson shows of one step; a value.

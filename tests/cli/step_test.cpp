@@ -147,5 +147,38 @@ TEST_F(Cli, TheScanlineStateHoldsItsTables)
     EXPECT_TRUE(sawEdges);
 }
 
+TEST_F(Cli, LevelsPutsTheValuesOfThePyramidIntoTheState)
+{
+    const long last = countOf("hzb-octree", "query") - 1;
+    const auto stateWith = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"--at", std::to_string(last), "--state", path("s.json")};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(run(stepping("hzb-octree", "query", words)).status, 0);
+        return json::parse(contentsOf(path("s.json")));
+    };
+    EXPECT_FALSE(stateWith({})["pyramid"].contains("stored"));
+    const json  pyramid = stateWith({"--levels"})["pyramid"];
+    const auto& stored  = pyramid["stored"];
+    ASSERT_FALSE(stored.empty());
+    EXPECT_EQ(stored.back()["farthest"].size(), 1u) << "the top is one cell";
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        const json& size = pyramid["levels"][stored[i]["level"].get<std::size_t>()];
+        const json& rows = stored[i]["farthest"];
+        ASSERT_EQ(rows.size(), size[1].get<std::size_t>());
+        for (const json& row : rows) ASSERT_EQ(row.size(), size[0].get<std::size_t>());
+        if (i == 0) continue;
+        // No cell is nearer than the farthest of its four children, stale or not.
+        const json& below = stored[i - 1]["farthest"];
+        for (std::size_t y = 0; y < rows.size(); ++y)
+            for (std::size_t x = 0; x < rows[y].size(); ++x)
+                for (std::size_t j = 0; j < 4; ++j) {
+                    const std::size_t childY = 2 * y + j / 2, childX = 2 * x + j % 2;
+                    if (childY >= below.size() || childX >= below[0].size()) continue;
+                    EXPECT_LE(rows[y][x].get<float>(), below[childY][childX].get<float>());
+                }
+    }
+    EXPECT_EQ(run(stepping("hzb-octree", "query", {"--at", "0", "--levels"})).status, 2);
+}
+
 }  // namespace
 }  // namespace zscope::cli_test
