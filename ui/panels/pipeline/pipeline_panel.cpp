@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
@@ -55,6 +56,9 @@ PipelinePanel::PipelinePanel(Session& session, QWidget* parent) : Panel(session,
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(inside);
+    // The scroll bar takes its width from the choices, which must not be cut off.
+    inside->ensurePolished();
+    scroll->setMinimumWidth(inside->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scroll);
@@ -70,7 +74,7 @@ void PipelinePanel::addAxes(QGridLayout& grid)
         name->setToolTip(translated(axis.title));
         combo->setAccessibleName(translated(axis.title));
         combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        combo->setMinimumContentsLength(8);
+        combo->setMinimumContentsLength(10);
         combo->setObjectName("compact");
         for (const ChoiceEntry& choice : axis.choices) {
             combo->addItem(text(choice.word));
