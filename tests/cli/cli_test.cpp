@@ -171,7 +171,7 @@ TEST_F(Cli, HelpDoesNotPromiseWhatDoesNotExist)
     std::string all = run({"--help"}).out;
     for (const char* command : {"render", "info", "export", "verify", "step", "bench", "list"})
         all += run({command, "--help"}).out;
-    for (const char* absent : {"--peers", "--experiment", "--levels", "--pixel"})
+    for (const char* absent : {"--peers", "--experiment", "--pixel"})
         EXPECT_EQ(all.find(absent), std::string::npos) << absent;
     for (const char* absent : {"explain", "compare", "merge"})
         EXPECT_EQ(all.find("\n  " + std::string(absent)), std::string::npos) << absent;
