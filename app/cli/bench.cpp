@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/bench_scenes.h"
 #include "app/cli/bench_tables.h"
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
@@ -18,7 +19,7 @@ struct BenchOptions {
     std::vector<std::string>   scenes;
     ViewOptions                view;
     std::optional<std::string> suite, algorithms, threads, simd, frames, memoryLimit, json, csv;
-    bool                       noVerify = false;
+    bool                       noVerify = false, noShade = false, noCount = false;
 };
 
 constexpr std::int64_t kMaxFrames     = 1'000'000;
@@ -37,33 +38,20 @@ Result<const Suite*> suiteOf(const BenchOptions& options)
     return unknownWord("suite", *options.suite, valid);
 }
 
-struct BenchScene {
-    std::string      word;
-    std::string_view view = {};
-};
-
-/// What was said replaces what the suite would have drawn.
-std::vector<BenchScene> scenesOf(const BenchOptions& options, const Suite* suite)
-{
-    std::vector<BenchScene> scenes;
-    for (const std::string& word : options.scenes) scenes.push_back({word});
-    if (scenes.empty())
-        for (const SuiteScene& scene : suite->scenes) scenes.push_back({std::string(scene.word), scene.view});
-    return scenes;
-}
-
 /// Everything of the request that does not depend on the scene.
 Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, Session& session)
 {
     BenchRequest request;
     request.verify   = !options.noVerify;
+    request.count    = !options.noCount;
+    request.pictures = options.noShade ? BenchPictures::Unshaded : suite ? suite->pictures : BenchPictures::Shaded;
     request.progress = session.progress();
 
     const std::string byDefault  = suite ? fmt::format("{}", fmt::join(suite->algorithms, ",")) : "all";
     const auto        algorithms = algorithmsOf(options.algorithms.value_or(byDefault));
     if (!algorithms) return algorithms.error();
     for (const NamedPipeline& each : *algorithms) request.algorithms.push_back({each.name, each.pipeline, each.claim});
-    if (suite) request.threads = {suite->threads};
+    if (suite) request.threads.assign(suite->threads.begin(), suite->threads.end());
     if (options.threads) {
         request.threads.clear();
         for (const std::string& word : listOf(*options.threads)) {
@@ -102,19 +90,23 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
     Result<BenchRequest> request = requestOf(options, *suite, session);
     if (!request) return request.error();
 
+    const auto scenes = benchScenesOf(options.scenes, *suite);
+    if (!scenes) return scenes.error();
+
     std::vector<BenchRow> rows;
-    for (const auto& [word, viewName] : scenesOf(options, *suite)) {
-        const auto scene = cli::loadScene(word, session, request->memoryLimit, kWarningsShown);
+    for (const BenchScene& each : *scenes) {
+        const auto scene = cli::loadScene(each.word, session, request->memoryLimit, kWarningsShown);
         if (!scene) return scene.error();
-        const auto view = words->of(**scene, viewName);
+        const auto view = each.viewOf(**scene, *words);
         if (!view) return view.error();
+        if (each.isStandIn) session.note(fmt::format("'{}' stands in for a model that is not here: {}", each.word, each.title));
         request->scene       = *scene;
         request->camera      = view->camera;
         request->faceCulling = view->faceCulling;
         Result<std::vector<BenchRow>> measured = bench(*request);
         if (!measured) return measured.error();
         for (BenchRow& row : *measured) {
-            if (!viewName.empty()) row.scene += fmt::format(" ({})", viewName);
+            row.scene = each.nameFor(**scene);
             rows.push_back(std::move(row));
         }
     }
@@ -144,6 +136,8 @@ Command addBench(CLI::App& parent)
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
+    parser->add_flag("--no-shade", options->noShade, "Time ids and depth alone, without shading");
+    parser->add_flag("--no-count", options->noCount, "Do not count the work behind the times");
     parser->add_flag("--no-verify", options->noVerify, "Do not compare the pictures with the reference first");
     parser->add_option("--csv", options->csv, "The table as CSV")->type_name("FILE.csv")->group("Output");
     parser->add_option("--json", options->json, "The table with stages and counters, JSON")

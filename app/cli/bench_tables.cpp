@@ -20,6 +20,9 @@ std::string pictureOf(const BenchRow& row)
     return *row.wrongPixels == 0 ? "verified" : fmt::format("{} wrong", *row.wrongPixels);
 }
 
+/// What the time is for.
+std::string drawnOf(const BenchRow& row) { return row.shaded ? "shaded" : "ids, depth"; }
+
 std::uint64_t counted(const BenchRow& row, std::string_view name)
 {
     const auto found = std::ranges::find(row.counters, name, &NamedCount::name);
@@ -30,7 +33,7 @@ std::uint64_t counted(const BenchRow& row, std::string_view name)
 std::string againstBaseline(const BenchRow& row, std::span<const BenchRow> rows)
 {
     for (const BenchRow& other : rows) {
-        const bool alike = other.scene == row.scene && other.threads == row.threads && other.simd == row.simd;
+        const bool alike = other.scene == row.scene && other.threads == row.threads && other.simd == row.simd && other.shaded == row.shaded;
         if (alike && other.algorithm == kSuiteBaseline && other.medianMs > 0) return fmt::format("{:.2f}", row.medianMs / other.medianMs);
     }
     return "";
@@ -46,10 +49,10 @@ std::string shareOf(std::uint64_t part, std::uint64_t whole)
 std::string benchTableOf(std::span<const BenchRow> rows)
 {
     Table table({{"scene", Table::Align::Left}, {"algorithm", Table::Align::Left}, {"threads"},
-                 {"simd", Table::Align::Left}, {"picture", Table::Align::Left}, {"best ms"}, {"median"}, {"q1"}, {"q3"},
+                 {"simd", Table::Align::Left}, {"drawn", Table::Align::Left}, {"picture", Table::Align::Left}, {"best ms"}, {"median"}, {"q1"}, {"q3"},
                  {"transform"}, {"setup"}, {"build"}, {"raster"}, {"shade"}});
     for (const BenchRow& row : rows)
-        table.row({row.scene, row.algorithm, std::to_string(row.threads), std::string(wordOf(row.simd)), pictureOf(row),
+        table.row({row.scene, row.algorithm, std::to_string(row.threads), std::string(wordOf(row.simd)), drawnOf(row), pictureOf(row),
                    ms(row.bestMs), ms(row.medianMs), ms(row.q1Ms), ms(row.q3Ms), ms(msOf(row, Stage::Transform)),
                    ms(msOf(row, Stage::Setup)), ms(msOf(row, Stage::Build)), ms(msOf(row, Stage::Raster)),
                    ms(msOf(row, Stage::Shade))});
@@ -63,12 +66,12 @@ std::string suiteTableOf(std::span<const BenchRow> rows)
         if (std::ranges::any_of(rows, [stage](const BenchRow& row) { return msOf(row, stage) > 0; })) stages.push_back(stage);
 
     std::vector<Table::Column> columns{{"scene", Table::Align::Left}, {"algorithm", Table::Align::Left}, {"threads"},
-                                       {"picture", Table::Align::Left}, {"median ms"}, {fmt::format("/ {}", kSuiteBaseline)}};
+                                       {"drawn", Table::Align::Left}, {"picture", Table::Align::Left}, {"median ms"}, {fmt::format("/ {}", kSuiteBaseline)}};
     for (const Stage stage : stages) columns.push_back({std::string(wordOf(stage))});
     for (const char* title : {"in view", "culled by node", "by triangle", "share", "nodes"}) columns.push_back({title});
     Table table(std::move(columns));
     for (const BenchRow& row : rows) {
-        std::vector<std::string> cells{row.scene, row.algorithm, std::to_string(row.threads), pictureOf(row), ms(row.medianMs),
+        std::vector<std::string> cells{row.scene, row.algorithm, std::to_string(row.threads), drawnOf(row), pictureOf(row), ms(row.medianMs),
                                        againstBaseline(row, rows)};
         for (const Stage stage : stages) cells.push_back(ms(msOf(row, stage)));
         const std::uint64_t inView = counted(row, "triangles_in") - counted(row, "triangles_outside") - counted(row, "triangles_transparent");

@@ -59,25 +59,38 @@ public:
             m_reference = *std::move(picture);
         }
         std::vector<BenchRow> rows;
-        const std::size_t     runs = m_request.algorithms.size() * m_request.threads.size() * m_request.simd.size();
+        std::vector<bool>     shades;
+        if (m_request.pictures != BenchPictures::Unshaded) shades.push_back(true);
+        if (m_request.pictures != BenchPictures::Shaded) shades.push_back(false);
+        const std::size_t runs = m_request.algorithms.size() * m_request.threads.size() * m_request.simd.size() * shades.size();
         for (const BenchAlgorithm& algorithm : m_request.algorithms) {
-            const auto counters = m_renderer.count(drawRequest(algorithm, 1, Simd::Scalar));
-            if (!counters) return counters.error();
-            for (const int threads : m_request.threads) {
-                for (const Simd simd : m_request.simd) {
-                    m_request.progress.at(static_cast<double>(rows.size()) / static_cast<double>(runs), algorithm.name);
-                    Result<BenchRow> row = time(algorithm, threads, simd);
-                    if (!row) return row.error();
-                    row->counters = counters->counters;
-                    rows.push_back(*std::move(row));
-                }
+            std::vector<NamedCount> counters;
+            if (m_request.count) {
+                auto work = m_renderer.count(drawRequest(algorithm, 1, Simd::Scalar, true));
+                if (!work) return work.error();
+                counters = std::move(work->counters);
             }
+            m_judged.reset();
+            for (const int threads : m_request.threads)
+                for (const Simd simd : m_request.simd)
+                    for (const bool shade : shades) {
+                        m_request.progress.at(static_cast<double>(rows.size()) / static_cast<double>(runs), algorithm.name);
+                        Result<BenchRow> row = time(algorithm, threads, simd, shade);
+                        if (!row) return row.error();
+                        row->counters = counters;
+                        rows.push_back(*std::move(row));
+                    }
         }
         return rows;
     }
 
 private:
-    DrawRequest drawRequest(const BenchAlgorithm& algorithm, int threads, Simd simd) const
+    struct Judged {
+        Picture       picture;
+        std::uint64_t wrong = 0;
+    };
+
+    DrawRequest drawRequest(const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade) const
     {
         return {.scene       = m_scene,
                 .camera      = m_request.camera,
@@ -85,15 +98,16 @@ private:
                 .pipeline    = algorithm.pipeline,
                 .threads     = threads,
                 .simd        = simd,
-                .shade       = true,
+                .shade       = shade,
                 .memoryLimit = m_request.memoryLimit,
                 .cancel      = m_request.progress.cancel};
     }
 
-    Result<BenchRow> time(const BenchAlgorithm& algorithm, int threads, Simd simd)
+    Result<BenchRow> time(const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade)
     {
-        const DrawRequest draw = drawRequest(algorithm, threads, simd);
+        const DrawRequest draw = drawRequest(algorithm, threads, simd, shade);
         BenchRow          row;
+        row.shaded    = shade;
         row.scene     = m_request.scene->name;
         row.algorithm = algorithm.name;
         row.triangles = m_request.scene->triangleCount();
@@ -129,19 +143,23 @@ private:
     }
 
     /// Of the frame just drawn.
-    Result<std::uint64_t> wrongPixels(const BenchAlgorithm& algorithm) const
+    Result<std::uint64_t> wrongPixels(const BenchAlgorithm& algorithm)
     {
-        const Picture picture = pictureOf(m_frame.visible);
+        Picture picture = pictureOf(m_frame.visible);
         if (!drawsFaces(algorithm.pipeline)) return differingPixels(*m_reference, picture);
+        if (m_judged && differingPixels(m_judged->picture, picture) == 0) return m_judged->wrong;
         const auto figures = compareByFace(*m_request.scene, m_request.camera, m_request.faceCulling, *m_reference, picture, m_request.progress);
         if (!figures) return figures.error();
-        return algorithm.claim == Claim::ExactByFace ? figures->wrongCoverage() : figures->wrongPixels();
+        const std::uint64_t wrong = algorithm.claim == Claim::ExactByFace ? figures->wrongCoverage() : figures->wrongPixels();
+        if (!m_judged) m_judged = Judged{std::move(picture), wrong};
+        return wrong;
     }
 
     const BenchRequest&                  m_request;
     std::shared_ptr<const PreparedScene> m_scene;
     double                               m_buildMs = 0;
     std::optional<Picture>               m_reference;
+    std::optional<Judged>                m_judged;  // the first picture of the algorithm at hand, if it draws faces
     Renderer                             m_renderer;
     Frame                                m_frame;
 };
@@ -174,7 +192,8 @@ std::string benchToCsv(std::span<const BenchRow> rows)
     std::string csv = "scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,"
                       "triangles,pixels,build_ms,bytes";
     for (const Stage stage : kStages) csv += fmt::format(",{}", wordOf(stage));
-    csv += '\n';
+    const bool tellsShaded = !std::ranges::all_of(rows, &BenchRow::shaded);
+    csv += tellsShaded ? ",shaded\n" : "\n";
     for (const BenchRow& row : rows) {
         const std::string verified = row.wrongPixels ? (*row.wrongPixels == 0 ? "1" : "0") : "";
         const std::string wrong    = row.wrongPixels ? std::to_string(*row.wrongPixels) : "";
@@ -182,6 +201,7 @@ std::string benchToCsv(std::span<const BenchRow> rows)
                            csvCell(row.algorithm), row.threads, wordOf(row.simd), verified, wrong, row.bestMs,
                            row.medianMs, row.q1Ms, row.q3Ms, row.triangles, row.pixels, row.buildMs, row.bytes);
         for (const double ms : row.stageMs) csv += fmt::format(",{:.6f}", ms);
+        if (tellsShaded) csv += row.shaded ? ",1" : ",0";
         csv += '\n';
     }
     return csv;
@@ -201,6 +221,7 @@ std::string benchToJson(std::span<const BenchRow> rows)
                         {"chosen", row.chosen.empty() ? Json(nullptr) : Json(row.chosen)},
                         {"threads", row.threads},
                         {"simd", wordOf(row.simd)},
+                        {"shaded", row.shaded},
                         {"verified", row.wrongPixels ? Json(*row.wrongPixels == 0) : Json(nullptr)},
                         {"wrong_pixels", row.wrongPixels ? Json(*row.wrongPixels) : Json(nullptr)},
                         {"best_ms", row.bestMs},

@@ -1,7 +1,10 @@
 // Times algorithms on a scene: verified first, then timed without a probe, then explained by counters.
 //
-// Runs       every algorithm with every thread count and vector target; each has warm-up frames, then `frames` timed
-//            ones of the shaded picture; one that chooses by trials has them behind it before. Counters come from a separate run and never slow a timed one
+// Runs       every algorithm with every thread count and vector target, shaded, or ids and depth alone, or both; each has
+//            warm-up frames, then `frames` timed ones; one that chooses by trials has them behind it before. Counters come
+//            from a separate run and never slow a timed one
+// Verified   the first picture of every run. Of methods that draw faces the first of each algorithm is judged against
+//            the reference, which takes long, and the others against that first one
 // Quantiles  nearest rank, so every figure is a time that was measured; the stage times are those of the median
 //            frame and add up to it
 // Threads    one render thread, OpenMP inside; nothing else should run meanwhile
@@ -19,6 +22,7 @@
 #include "core/base/result.h"
 #include "core/base/stages.h"
 #include "core/frame/renderer.h"
+#include "core/measure/suites.h"
 #include "core/scene/scene.h"
 
 namespace zscope {
@@ -38,7 +42,9 @@ struct BenchRequest {
     std::vector<Simd>            simd        = {Simd::Auto};
     int                          warmUp      = 3;    // frames before the timed ones
     int                          frames      = 30;   // timed, at least 1
+    BenchPictures                pictures    = BenchPictures::Shaded;
     bool                         verify      = true; // against the brute-force reference
+    bool                         count       = true; // the work behind the times
     std::uint64_t                memoryLimit = 0;    // bytes; as DrawRequest
     Progress                     progress    = {};
 };
@@ -49,6 +55,7 @@ struct BenchRow {
     std::string chosen;       // `auto`: by which preset the last timed frame was drawn
     int         threads = 1;  // as used
     Simd        simd    = Simd::Scalar;
+    bool        shaded  = true;  // false: ids and depth only
 
     /// Pixels whose id or depth bits differ from the reference, or, of a method that is exact by face, its holes and spills;
     /// nothing: no reference was asked for.
@@ -70,7 +77,7 @@ std::size_t quantileRank(std::size_t count, double p);
 /// Errors: what the renderer refuses, Limit, Cancelled.
 Result<std::vector<BenchRow>> bench(const BenchRequest& request);
 
-/// A header and one line per row, the columns as the command line promises them.
+/// A header and one line per row, the columns as the command line promises them; one more, `shaded`, if a row is not.
 std::string benchToCsv(std::span<const BenchRow> rows);
 std::string benchToJson(std::span<const BenchRow> rows);
 

@@ -84,7 +84,7 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         {{"bench", kScene, "--frames", "0"}, "--frames"},
         {{"bench", kScene, "--threads", "1,x"}, "--threads"},
         {{"bench"}, "SCENE"},
-        {{"bench", "--suite", "speed"}, "four-modes, octree-quadtree or soccer-field"},
+        {{"bench", "--suite", "speed"}, "four-modes, octree-quadtree, soccer-field or peers"},
         {{"list"}, "LIST"},
         {{"list", "colours"}, "algorithms, choices"},
     };

@@ -290,7 +290,7 @@ TEST_F(Cli, VerifyFindsNoDifferenceAndSaysSoInJson)
 TEST_F(Cli, EverySuiteRunsByNameOnItsScenesOrOnOthersAndSetsTimesAgainstTheZBuffer)
 {
     const json suites = json::parse(run({"list", "suites", "--json"}).out);
-    ASSERT_EQ(suites.size(), 3u);
+    ASSERT_EQ(suites.size(), 4u);
     for (const json& suite : suites) {
         const std::string name = suite["name"];
         SCOPED_TRACE(name);
@@ -301,7 +301,9 @@ TEST_F(Cli, EverySuiteRunsByNameOnItsScenesOrOnOthersAndSetsTimesAgainstTheZBuff
         const Answer answer = run({"bench", "--suite", name, "builtin:soccer-field?count=20", "--size", "96x64", "--frames", "1", "--threads", "1",
                                    "--json", path("b.json")});
         ASSERT_EQ(answer.status, 0) << answer.err;
-        const json rows = json::parse(contentsOf(path("b.json")));
+        json rows = json::array();
+        for (const json& row : json::parse(contentsOf(path("b.json"))))
+            if (row["shaded"] == true) rows.push_back(row);
         ASSERT_EQ(rows.size(), suite["algorithms"].size());
         bool hasBaseline = false;
         for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -314,6 +316,51 @@ TEST_F(Cli, EverySuiteRunsByNameOnItsScenesOrOnOthersAndSetsTimesAgainstTheZBuff
             EXPECT_NE(answer.out.find(column), std::string::npos) << column;
         EXPECT_NE(answer.out.find("  1.00  "), std::string::npos) << "the z-buffer against itself";
     }
+}
+
+TEST_F(Cli, SevenScenesAreDrawnForComparisonWithOtherRenderersEachVerifiedShadedAndNot)
+{
+    const Answer answer = run({"bench", "--suite", "peers", "--size", "160x90", "--algorithms", "zbuffer", "--threads", "1", "--frames", "1",
+                               "--no-count", "--csv", path("b.csv"), "--json", path("b.json")});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const json rows = json::parse(contentsOf(path("b.json")));
+    constexpr int kTriangles[] = {69'451, 5'120'000, 516'288, 516'288, 200, 200, 1'000'000};
+    ASSERT_EQ(rows.size(), 2 * std::size(kTriangles));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        SCOPED_TRACE(rows[i]["scene"]);
+        EXPECT_EQ(rows[i]["triangles"], kTriangles[i / 2]);
+        EXPECT_EQ(rows[i]["pixels"], 160 * 90);
+        EXPECT_EQ(rows[i]["verified"], true);
+        EXPECT_EQ(rows[i]["shaded"], i % 2 == 0);
+        EXPECT_EQ(rows[i]["stages"]["shade"] == 0, i % 2 == 1);
+    }
+    const bool standsIn = rows[0]["scene"] == "bunny (stand-in)";
+    EXPECT_EQ(answer.err.find("stands in") != std::string::npos, standsIn) << "a stand-in is said to be one";
+    std::istringstream lines(contentsOf(path("b.csv")));
+    for (std::string line, ending = ",shaded"; std::getline(lines, line); ending = ending == ",1" ? ",0" : ",1") EXPECT_TRUE(line.ends_with(ending)) << line;
+}
+
+TEST_F(Cli, ASuiteSeesItsScenesThroughItsOwnCamerasWithBackFacesCulledUnlessToldOtherwise)
+{
+    const auto counters = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"bench", "--suite", "peers", "--algorithms", "zbuffer", "--threads", "1", "--frames", "1",
+                                       "--no-verify", "--no-shade", "--json", path("b.json")};
+        words.insert(words.end(), more.begin(), more.end());
+        const Answer answer = run(words);
+        EXPECT_EQ(answer.status, 0) << answer.err;
+        std::vector<json> all;
+        for (const json& row : json::parse(contentsOf(path("b.json")))) all.push_back(row["counters"]);
+        return all;
+    };
+    const auto own = counters({"--size", "160x120"});
+    ASSERT_EQ(own.size(), 7u);
+    EXPECT_NEAR(own[1]["triangles_in"].get<double>() - own[1]["triangles_outside"].get<double>(), 1.72e6, 0.1e6) << "of the balls";
+    for (const std::size_t i : {4u, 5u}) EXPECT_EQ(own[i]["pixels_tested"], 160 * 120 * 100) << "each layer covers the picture";
+    EXPECT_GT(own[0]["triangles_back_facing"], 20'000);
+    EXPECT_EQ(own[6]["triangles_back_facing"], 0) << "the grid faces the eye";
+
+    for (const json& all : counters({"--size", "160x120", "--cull", "none"})) EXPECT_EQ(all["triangles_back_facing"], 0);
+    EXPECT_LT(counters({"--eye", "0,0,1000", "--size", "160x120"})[6]["pixels_tested"], 5000) << "a view that is said replaces the file's";
 }
 
 TEST_F(Cli, BenchTablesHaveThePromisedColumns)

@@ -66,7 +66,7 @@ TEST(Generators, EverySceneLoadsByItsWordAndByItsWrittenDefaults)
         }
         EXPECT_EQ(made(name).digest, plain.digest) << name << " is another scene the second time";
     }
-    for (const char* name : {"cubes", "cube", "teapot", "soccer-ball", "soccer-field", "city", "soup", "layers", "wall-and-city", "hole-in-wall",
+    for (const char* name : {"cubes", "cube", "teapot", "soccer-ball", "icosphere", "soccer-field", "city", "soup", "layers", "wall-and-city", "hole-in-wall",
                              "rows", "million", "office-tower"})
         EXPECT_TRUE(names.contains(name)) << name;
 }
@@ -107,7 +107,7 @@ TEST(Generators, MemoryLimitIsToldBeforeMemoryIsTaken)
 {
     const auto before = std::chrono::steady_clock::now();
     for (const char* word : {"teapot?tessellation=1000", "soccer-field?count=1200000", "city?blocks=200", "soup?count=50000000",
-                             "layers?count=1000000", "wall-and-city?blocks=200", "rows?nx=500&ny=500&nz=500", "million?faces=50000000",
+                             "layers?count=1000000", "wall-and-city?blocks=200", "rows?nx=500&ny=500&nz=500", "million?faces=50000000", "icosphere?frequency=700",
                              "office-tower?n=65"}) {
         const auto scene = loadScene(std::string("builtin:") + word, {.memoryLimit = 16 << 20});
         ASSERT_FALSE(scene.ok()) << word;
@@ -192,6 +192,60 @@ TEST(SoccerField, HoldsOneBallOnceAndEveryBallHasAPlaceAndAColour)
     EXPECT_EQ(field.views[0].view.width, 1024);
     EXPECT_EQ(field.views[0].view.height, 768);
     for (const Instance& ball : field.instances) EXPECT_TRUE(ball.colour.has_value());
+}
+
+TEST(Icosphere, HasTwentyTimesTheSquareOfItsFrequencyAllTurnedOutwardsAndClosed)
+{
+    for (const char* word : {"icosphere?frequency=1", "icosphere?frequency=2", "icosphere?frequency=7&bumps=0.3", "icosphere"}) {
+        const Scene       scene = made(word);
+        const Mesh&       ball  = *scene.meshes[0];
+        const std::size_t n     = std::string(word) == "icosphere" ? 16 : std::string(word)[20] - std::size_t{'0'};
+        EXPECT_EQ(ball.triangles.size(), 20 * n * n) << word;
+        EXPECT_EQ(ball.positions.size(), 10 * n * n + 2) << word;
+        EXPECT_EQ(openEdges(ball), 0u) << word;
+        double smallest = 1e9, largest = 0;
+        for (const auto& triangle : ball.triangles) {
+            const dvec3  normal = normalOf(ball, triangle);
+            const double area   = std::sqrt(dot(normal, normal));
+            EXPECT_GT(dot(normal, ball.positions[triangle[0]]), 0) << word;
+            smallest = std::min(smallest, area);
+            largest  = std::max(largest, area);
+        }
+        EXPECT_LT(largest, smallest * (std::string(word).ends_with("0.3") ? 20 : 5)) << word;
+    }
+}
+
+TEST(Icosphere, LeavesTrianglesOutAroundTheBottomOnly)
+{
+    const Scene whole = made("icosphere?frequency=59&bumps=0.25"), open = made("icosphere?frequency=59&bumps=0.25&left-out=169");
+    EXPECT_EQ(whole.triangleCount(), 69'620u);
+    EXPECT_EQ(open.triangleCount(), 69'451u);
+    EXPECT_EQ(openEdges(*open.meshes[0]), 3u * 13);
+    std::set<std::array<double, 3>> left;
+    for (const dvec3& p : open.meshes[0]->positions) left.insert({p.x, p.y, p.z});
+    for (const dvec3& p : whole.meshes[0]->positions) {
+        if (left.contains({p.x, p.y, p.z})) continue;
+        EXPECT_LT(p.y, -0.75 * std::sqrt(dot(p, p)));
+    }
+    EXPECT_EQ(whole.meshes[0]->positions.size() - left.size(), 66u) << "those that only the triangles left out had";
+    EXPECT_EQ(loadScene("builtin:icosphere?frequency=3&left-out=9").error().kind, Trouble::Usage);
+}
+
+TEST(SoccerField, TakesTheOtherBallToTheSamePlaces)
+{
+    const Scene soccer = made("soccer-field"), other = made("soccer-field?ball=icosphere");
+    EXPECT_EQ(other.triangleCount(), 5'120'000u);
+    for (std::size_t i = 0; i < soccer.instances.size(); ++i) EXPECT_EQ(other.instances[i].toWorld, soccer.instances[i].toWorld);
+}
+
+TEST(Million, OneGentleSheetFacesTheEyeEverywhere)
+{
+    const Scene scene = made("million?sheets=1&height=0.75");
+    const Mesh& sheet = *scene.meshes[0];
+    EXPECT_EQ(sheet.triangles.size(), 1'000'000u);
+    std::size_t away = 0;
+    for (const auto& triangle : sheet.triangles) away += dot(normalOf(sheet, triangle), sheet.positions[triangle[0]]) >= 0;  // the eye is at 0
+    EXPECT_EQ(away, 0u);
 }
 
 TEST(SoccerField, GoodPartOfTheBallsIsInTheDefaultView)

@@ -1,7 +1,7 @@
-// builtin:million: one mesh of a million triangles, sixteen waving sheets one behind the other, each of which fills the
-// picture: at every pixel at least sixteen triangles lie behind one another.
+// builtin:million: one mesh of a million triangles, waving sheets one behind the other, each of which fills the picture: with
+// the usual sixteen sheets at least sixteen triangles lie behind one another at every pixel.
 //
-// Faces      16 sheets of 2 r x r cells, two triangles each, with r the largest that keeps within `faces`; a million is met
+// Faces      `sheets` sheets of 2 r x r cells, two triangles each, with r the largest that keeps within `faces`; a million is met
 // Order      the sheets follow one another in seeded disorder, so that the order as submitted neither helps nor harms
 
 #include <array>
@@ -17,19 +17,17 @@ namespace zscope::generated {
 
 namespace {
 
-constexpr std::uint32_t kSheets = 16;
-
-/// Three waves across a sheet; a height between -1.5 and 1.5.
+/// Three waves across a sheet, together between -highest and highest.
 class Waves {
 public:
-    explicit Waves(Random& random)
+    Waves(Random& random, double highest) : m_amplitude(highest / 3)
     {
         for (Wave& wave : m_waves) wave = {random.between(-0.35, 0.35), random.between(-0.35, 0.35), random.unit()};
     }
     double at(double x, double y) const
     {
         double height = 0;
-        for (const Wave& wave : m_waves) height += 0.5 * pointOnCircle(wave.perX * x + wave.perY * y + wave.start)[1];
+        for (const Wave& wave : m_waves) height += m_amplitude * pointOnCircle(wave.perX * x + wave.perY * y + wave.start)[1];
         return height;
     }
 
@@ -38,6 +36,7 @@ private:
         double perX, perY, start;  // in turns
     };
     std::array<Wave, 3> m_waves;
+    double              m_amplitude;
 };
 
 Result<Scene> make(const Arguments& arguments)
@@ -45,23 +44,24 @@ Result<Scene> make(const Arguments& arguments)
     const double faces = static_cast<double>(arguments.whole("faces"));
     const double bytes = meshBytes(0.6 * faces, faces, 3 * faces, faces);
     if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("so many faces", bytes, arguments.memoryLimit);
-    const auto rows = static_cast<std::uint32_t>(std::sqrt(faces / (4 * kSheets)));
+    const auto sheetCount = static_cast<std::uint32_t>(arguments.whole("sheets"));
+    const auto rows = static_cast<std::uint32_t>(std::sqrt(faces / (4.0 * sheetCount)));
     const auto columns = 2 * rows;
 
-    Random                             random(static_cast<std::uint64_t>(arguments.whole("seed")));
-    std::array<std::uint32_t, kSheets> order;
-    for (std::uint32_t i = 0; i < kSheets; ++i) order[i] = i;
-    for (std::uint32_t i = kSheets - 1; i > 0; --i) std::swap(order[i], order[random.below(i + 1)]);
+    Random                     random(static_cast<std::uint64_t>(arguments.whole("seed")));
+    std::vector<std::uint32_t> order(sheetCount);
+    for (std::uint32_t i = 0; i < sheetCount; ++i) order[i] = i;
+    for (std::uint32_t i = sheetCount - 1; i > 0; --i) std::swap(order[i], order[random.below(i + 1)]);
 
     auto sheets  = std::make_shared<Mesh>();
     sheets->name = "million";
     sheets->materials.clear();
-    for (std::uint32_t i = 0; i < kSheets; ++i) sheets->materials.push_back({"sheet " + std::to_string(i), palette::colourOf(i)});
-    for (std::uint32_t made = 0; made < kSheets; ++made) {
+    for (std::uint32_t i = 0; i < sheetCount; ++i) sheets->materials.push_back({"sheet " + std::to_string(i), palette::colourOf(i)});
+    for (std::uint32_t made = 0; made < sheetCount; ++made) {
         const std::uint32_t sheet    = order[made];
         const double        distance = 10 + 4.0 * sheet;  // its waves stay clear of the next one's
         const double        halfX = 1.0 * distance, halfY = 0.55 * distance;
-        const Waves         waves(random);
+        const Waves         waves(random, arguments.real("height"));
         const auto          first = static_cast<std::uint32_t>(sheets->positions.size());
         for (std::uint32_t j = 0; j <= rows; ++j)
             for (std::uint32_t i = 0; i <= columns; ++i) {
@@ -74,7 +74,7 @@ Result<Scene> make(const Arguments& arguments)
                 sheets->addPolygon(std::array{at(i, j), at(i + 1, j), at(i + 1, j + 1)}, MaterialId{sheet});
                 sheets->addPolygon(std::array{at(i, j), at(i + 1, j + 1), at(i, j + 1)}, MaterialId{sheet});
             }
-        arguments.progress.at((made + 1.0) / kSheets, "sheets");
+        arguments.progress.at((made + 1.0) / sheetCount, "sheets");
         if (arguments.progress.cancelled()) return Error{Trouble::Cancelled, "the sheets were not wanted any more"};
     }
 
@@ -95,8 +95,8 @@ Result<Scene> make(const Arguments& arguments)
 std::vector<Generator> million()
 {
     return {{"million",
-             "One mesh of a million faces, sixteen deep at every pixel",
-             {{"faces", WholeNumber{1'000'000, 1000, 50'000'000}}, {"seed", WholeNumber{1, 0, 1'000'000'000}}},
+             "One mesh of a million faces in waving sheets, sixteen deep at every pixel",
+             {{"faces", WholeNumber{1'000'000, 1000, 50'000'000}}, {"seed", WholeNumber{1, 0, 1'000'000'000}}, {"sheets", WholeNumber{16, 1, 64}}, {"height", RealNumber{1.5, 0, 1.5}}},
              make}};
 }
 

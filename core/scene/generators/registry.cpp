@@ -15,6 +15,7 @@
     file(cubes)                      \
     file(teapot)                     \
     file(soccer_ball)                \
+    file(icosphere)                  \
     file(soccer_field)               \
     file(city)                       \
     file(soup)                       \

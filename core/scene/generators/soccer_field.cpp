@@ -1,10 +1,12 @@
-// builtin:soccer-field: one ball at random places of a cube, turned at random; the colour of a ball is its number.
+// builtin:soccer-field: one ball at random places of a cube, turned at random; the colour of a ball is its number. The ball
+// is a soccer ball, or an icosphere of 5,120 triangles.
 //
 // Density    one ball in 64 cubic units, whatever the count; balls may overlap
 // Memory     one mesh and 116 bytes per ball
 
 #include <cmath>
 
+#include "core/scene/generators/icosphere.h"
 #include "core/scene/generators/palette.h"
 #include "core/scene/generators/random.h"
 #include "core/scene/generators/registry.h"
@@ -30,7 +32,7 @@ Result<Scene> make(const Arguments& arguments)
         return tooLarge("a field of so many balls", bytes, arguments.memoryLimit);
 
     Scene scene;
-    scene.meshes.push_back(makeSoccerBall());
+    scene.meshes.push_back(arguments.word("ball") == "soccer" ? makeSoccerBall() : makeIcosphere({}));
     scene.instances.reserve(count);
     const double side = 4 * cubeRoot(static_cast<double>(count));
     const dvec3  half{side / 2, side / 2, side / 2};
@@ -63,7 +65,7 @@ std::vector<Generator> soccer_field()
 {
     return {{"soccer-field",
              "One ball in many places, a colour for each",
-             {{"count", WholeNumber{1000, 1, 1'200'000}}, {"seed", WholeNumber{1, 0, 1'000'000'000}}},
+             {{"count", WholeNumber{1000, 1, 1'200'000}}, {"seed", WholeNumber{1, 0, 1'000'000'000}}, {"ball", OneOf{{"soccer", "icosphere"}}}},
              make}};
 }
 

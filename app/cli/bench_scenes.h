@@ -1,0 +1,34 @@
+// What a benchmark draws: scenes named on the command line, or those of a suite with the views and cameras it gives them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/options.h"
+#include "core/base/result.h"
+#include "core/measure/suites.h"
+
+namespace zscope::cli {
+
+struct BenchScene {
+    std::string                word;
+    std::string                view        = {};  // of the scene's own; empty: its first
+    std::string                title       = {};  // what rows call it; empty: the scene's name and view
+    std::string                cameraFile  = {};
+    std::optional<Camera>      camera      = {};  // of that file
+    std::optional<FaceCulling> faceCulling = {};  // where the command line says nothing
+    bool                       isStandIn   = false;
+
+    std::string nameFor(const Scene& scene) const;
+    /// What was said on the command line goes over the file's camera: a size keeps the rest of it, anything else replaces it.
+    Result<ViewWords::View> viewOf(const Scene& scene, const ViewWords& words) const;
+    /// The words that draw it again, for `render` and `bench`.
+    std::string options() const;
+};
+
+/// Scenes that were said replace those of the suite; suite may be nullptr. Errors: Input when a file of the project is missing.
+Result<std::vector<BenchScene>> benchScenesOf(const std::vector<std::string>& said, const Suite* suite);
+
+}  // namespace zscope::cli
