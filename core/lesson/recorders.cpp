@@ -199,6 +199,13 @@ void HierarchyRecorder::observe(const PyramidAsked& e)
     if (!e.node) m_state.askedAbout = e.triangle;
 }
 
+void HierarchyRecorder::observe(const CellUpdated& e)
+{
+    if (!m_state.climb.empty() && m_state.climb.back().level + 1 != e.write.level) m_state.climb.clear();
+    m_state.climb.push_back(e.write);
+    m_state.update = e.write;
+}
+
 std::optional<HierarchyState> HierarchyRecorder::state(int width, int height, bool hasPyramid) const
 {
     if (m_state.nodes.empty() && !m_state.query && !hasPyramid) return std::nullopt;

@@ -106,7 +106,7 @@ public:
     void observe(const NodeOpened& e);
     void observe(const NodeDrawn& e);
     void observe(const PyramidAsked& e);
-    void observe(const CellUpdated& e) { m_state.update = e.write; }
+    void observe(const CellUpdated& e);
 
     /// Nothing if neither a node nor the pyramid has been met. The levels are those of a picture of the given size.
     std::optional<HierarchyState> state(int width, int height, bool hasPyramid) const;
@@ -125,6 +125,20 @@ static_assert(observes<HierarchyRecorder, StageStarted> && observes<HierarchyRec
               observes<HierarchyRecorder, PassStarted> && observes<HierarchyRecorder, NodeRecalled> &&
               observes<HierarchyRecorder, NodeOpened> && observes<HierarchyRecorder, NodeDrawn> &&
               observes<HierarchyRecorder, PyramidAsked> && observes<HierarchyRecorder, CellUpdated>);
+
+/// Counts the depth tests of every pixel, those of a pre-pass included.
+class TestCounter {
+public:
+    TestCounter(int width, int height) : m_tests(width, height, 0) {}
+
+    void observe(const PixelTested& e) { ++m_tests.at(e.x, e.y); }
+
+    Grid<std::uint32_t> take() { return std::move(m_tests); }
+
+private:
+    Grid<std::uint32_t> m_tests;
+};
+static_assert(observes<TestCounter, PixelTested>);
 
 /// Keeps which stage the run is in, and what the last step was.
 class MomentRecorder {

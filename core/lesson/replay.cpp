@@ -113,8 +113,9 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         IntervalRecorder interval;
         HierarchyRecorder hierarchy;
         MomentRecorder   moment;
+        TestCounter      tests(m_request.camera.width, m_request.camera.height);
         StopAt           stop(grain, step.value);
-        runUntilStopped(m_request, state.frame, scratch, Listening(sweep, interval, hierarchy, triangle, pixel, moment, stop));
+        runUntilStopped(m_request, state.frame, scratch, Listening(sweep, interval, hierarchy, triangle, pixel, tests, moment, stop));
         if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
         if (state.frame.colour.height() == 0) HWY_STATIC_DISPATCH(shadeWhole)(m_request, state.frame);
 
@@ -128,7 +129,10 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         const Pipeline pipeline = repeatable(m_request).pipeline;
         const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
         state.hierarchy = hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
+        if (state.hierarchy && pipeline.order != Order::Submitted)
+            state.hierarchy->tree = pipeline.order == Order::Octree ? TreeKind::Octree : TreeKind::Bvh;
         if (state.hierarchy && hasCells) state.hierarchy->cells = cellsOf(scratch.pyramid);
+        state.tests     = tests.take();
         state.triangle  = triangle.state();
         state.span      = pixel.span();
         state.interval  = interval.state();

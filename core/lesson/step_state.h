@@ -12,6 +12,7 @@
 #include "core/base/ids.h"
 #include "core/base/stages.h"
 #include "core/depth/pyramid.h"
+#include "core/hierarchy/tree.h"
 #include "core/frame/renderer.h"
 #include "core/probe/grain.h"
 #include "core/scan/pixel_events.h"
@@ -111,12 +112,14 @@ struct NodeRow {
 /// The hierarchy as far as the run has come.
 struct HierarchyState {
     std::vector<NodeRow>        nodes;
+    std::optional<TreeKind>     tree;         // nothing: the method visits none
     int                         now = -1;     // id of the node judged last, or recalled, or being asked about
     int                         pass = 0;     // methods of two passes: the one that the run is in
     std::optional<PyramidQuery> query;        // what the pyramid was asked last
     std::string                 asked;        // "node" or "triangle"
     std::optional<TriangleId>   askedAbout;   // of a triangle
     std::optional<CellWrite>    update;       // the cell of the pyramid that was written last
+    std::vector<CellWrite>      climb;        // the way up that it is the end of: each one level above the one before
     std::vector<std::array<int, 2>> levels;   // width and height of each level of the pyramid; empty: there is none
     std::vector<Grid<float>>        cells;    // of each level that is stored, the finest (Pyramid::kTileLevel) first, as it
                                               // stands: a stale cell is too far at worst; none before the frame is cleared
@@ -140,6 +143,7 @@ struct StepState {
     std::optional<TileTested>    tile;      // if the last event was a tile
     std::optional<BlendState>    blend;     // if the last event was a pixel blended
     Frame                        frame;     // as the run left it, shaded
+    Grid<std::uint32_t>          tests;     // per pixel: how many fragments have been offered to its depth test
 };
 
 }  // namespace zscope

@@ -7,7 +7,10 @@
 
 #include "ui/panels/active_edges/active_edges_panel.h"
 #include "ui/panels/depth_test/depth_test_panel.h"
+#include "ui/panels/hierarchy/hierarchy_panel.h"
+#include "ui/panels/observer/observer_panel.h"
 #include "ui/panels/pipeline/pipeline_panel.h"
+#include "ui/panels/pyramid/pyramid_panel.h"
 #include "ui/panels/scene/scene_panel.h"
 #include "ui/panels/timeline/timeline_panel.h"
 
@@ -23,13 +26,23 @@ Panel* make(Session& session)
 bool always(const Pipeline&) { return true; }
 bool sweeps(const Pipeline& pipeline) { return familyOf(pipeline) == Family::Sweep; }
 
+bool keepsPyramid(const Pipeline& pipeline)
+{
+    return pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
+}
+
+bool visitsTree(const Pipeline& pipeline) { return pipeline.order != Order::Submitted; }
+
 constexpr std::array kPanels{
     PanelEntry{"scene", QT_TRANSLATE_NOOP("Panels", "Scene"), Qt::LeftDockWidgetArea, make<ScenePanel>, always},
     PanelEntry{"pipeline", QT_TRANSLATE_NOOP("Panels", "Pipeline"), Qt::LeftDockWidgetArea, make<PipelinePanel>, always},
     PanelEntry{"active-edges", QT_TRANSLATE_NOOP("Panels", "Active edges"), Qt::RightDockWidgetArea,
-               make<ActiveEdgesPanel>, sweeps},
+               make<ActiveEdgesPanel>, sweeps, nullptr, 72},
+    PanelEntry{"pyramid", QT_TRANSLATE_NOOP("Panels", "Pyramid"), Qt::RightDockWidgetArea, make<PyramidPanel>, keepsPyramid, nullptr, 40},
+    PanelEntry{"hierarchy", QT_TRANSLATE_NOOP("Panels", "Hierarchy"), Qt::RightDockWidgetArea, make<HierarchyPanel>, visitsTree, nullptr, 32},
+    PanelEntry{"observer", QT_TRANSLATE_NOOP("Panels", "Observer"), Qt::RightDockWidgetArea, make<ObserverPanel>, visitsTree, "hierarchy", 32},
     PanelEntry{"depth-test", QT_TRANSLATE_NOOP("Panels", "Depth test"), Qt::RightDockWidgetArea, make<DepthTestPanel>,
-               always},
+               always, "hierarchy", 28},
     PanelEntry{"timeline", QT_TRANSLATE_NOOP("Panels", "Timeline"), Qt::BottomDockWidgetArea, make<TimelinePanel>,
                always},
 };

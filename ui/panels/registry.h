@@ -17,6 +17,8 @@ struct PanelEntry {
     Qt::DockWidgetArea area;   // in the Teach layout, in the order of the list
     Panel* (*make)(Session& session);
     bool (*isNeededBy)(const Pipeline& pipeline);  // a panel nothing would be shown in folds away
+    const char* tabbedWith = nullptr;  // the word of the panel whose place it shares, as a tab, in the Teach layout
+    int         share = 1;             // of the height of its area, among those that are needed
 
     QString translatedTitle() const;
 };

@@ -123,6 +123,7 @@ Result<std::shared_ptr<const ShownStep>> Engine::step(std::uint64_t generation, 
     shown->pipeline   = request.pipeline;
     shown->state      = std::move(state).value();
     shown->painted    = paintedBy(layer, shown->state.frame);
+    shown->pyramid    = pyramidOf(shown->state);
     if (m_latest && m_latest->generation == generation) shown->ghosted = ghosted(*shown, *m_latest);
     shown->replayMs =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

@@ -86,6 +86,7 @@ void Session::sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const
 {
     m_now.scene = scene;
     m_now.selectedEdge.reset();
+    m_now.selectedNode.reset();
     if (!keepsCamera) {
         m_now.picked.reset();
         m_control.reset();
@@ -400,6 +401,7 @@ void Session::pick(const std::optional<QPoint>& pixel)
 {
     if (pixel == m_now.picked) return;
     m_now.picked = pixel;
+    if (m_now.hierarchy()) m_now.selectedNode = nodeOfPick(m_now);
     emit changed(Change::Selection);
 }
 
@@ -409,6 +411,34 @@ void Session::nudgePick(const QPoint& by)
     const QPoint  from   = m_now.picked.value_or(QPoint(camera.width / 2, camera.height / 2));
     const QPoint  to     = m_now.picked ? from + by : from;
     pick(QPoint(std::clamp(to.x(), 0, camera.width - 1), std::clamp(to.y(), 0, camera.height - 1)));
+}
+
+void Session::selectLevel(const std::optional<int>& level)
+{
+    if (level == m_now.selectedLevel) return;
+    m_now.selectedLevel = level;
+    emit changed(Change::Selection);
+}
+
+void Session::selectNode(const std::optional<NodeName>& node)
+{
+    if (node == m_now.selectedNode) return;
+    m_now.selectedNode = node;
+    emit changed(Change::Selection);
+}
+
+void Session::showNodes(const VerdictSet& verdicts)
+{
+    if (verdicts == m_now.shownNodes) return;
+    m_now.shownNodes = verdicts;
+    emit changed(Change::Layers);
+}
+
+void Session::setLayers(const Layers& layers)
+{
+    if (layers == m_now.layers) return;
+    m_now.layers = layers;
+    emit changed(Change::Layers);
 }
 
 void Session::selectEdge(const std::optional<EdgeRow>& edge)

@@ -78,6 +78,12 @@ public:
     void pick(const std::optional<QPoint>& pixel);
     void nudgePick(const QPoint& by);
     void selectEdge(const std::optional<EdgeRow>& edge);
+    void selectLevel(const std::optional<int>& level);
+    void selectNode(const std::optional<NodeName>& node);
+
+    /// Which nodes have their boxes shown and stand in the tree.
+    void showNodes(const VerdictSet& verdicts);
+    void setLayers(const Layers& layers);
 
     bool    isIdle() const;
     Player& player() { return m_player; }

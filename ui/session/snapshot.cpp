@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/snapshot.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 
 namespace zscope::ui {
+
+int levelOnShow(const Snapshot& shown)
+{
+    const ShownStep* step = shown.stepOfPicture();
+    if (!step || step->pyramid.levels.empty()) return -1;
+    const int            top = static_cast<int>(step->pyramid.levels.size()) - 1;
+    const HierarchyState& of = *step->state.hierarchy;
+    const int            level = shown.selectedLevel                                         ? *shown.selectedLevel
+                                 : step->state.event == Grain::Update && of.update ? of.update->level
+                                 : of.query                                                  ? of.query->level
+                                                                                             : Pyramid::kTileLevel;
+    return std::clamp(level, 0, top);
+}
 
 std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel)
 {
@@ -32,6 +47,15 @@ std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel)
     if (scene.instances.size() > 1)
         facts.instance = QCoreApplication::translate("PixelFacts", "%1 of %2").arg(instance.value).arg(scene.instances.size());
     return facts;
+}
+
+std::optional<NodeName> nodeOfPick(const Snapshot& shown)
+{
+    const auto            triangle  = pickedTriangle(shown);
+    const HierarchyState* hierarchy = shown.hierarchy();
+    if (!triangle || !hierarchy || !hierarchy->tree || triangle->value >= shown.scene->scene().triangleCount()) return {};
+    const int id = nodeHolding(*triangle, hierarchy->nodes, *shown.scene->prepared, *hierarchy->tree);
+    return id < 0 ? std::nullopt : std::optional(nameOf(hierarchy->nodes[static_cast<std::size_t>(id)]));
 }
 
 std::optional<TriangleId> pickedTriangle(const Snapshot& shown)

@@ -17,6 +17,9 @@
 #include <QString>
 
 #include "core/lesson/layers.h"
+#include "core/lesson/node_boxes.h"
+#include "core/lesson/observer.h"
+#include "core/lesson/pyramid_levels.h"
 #include "core/lesson/replay.h"
 #include "core/scene/load.h"
 #include "ui/camera/camera_control.h"
@@ -46,6 +49,21 @@ struct DrawnFrame {
     std::uint64_t visibleTriangles = 0;  // that own at least one pixel
 };
 
+/// What is drawn over the picture, of what there is to draw.
+struct Layers {
+    bool line     = true;
+    bool edges    = true;
+    bool ghost    = true;  // what is still to come, pale
+    bool triangle = true;
+    bool query    = true;  // what the pyramid was asked last, and the cell that was written last
+    bool boxes    = false; // of the hierarchy's nodes, by verdict
+    bool pyramid  = false; // the cells of the chosen level, with their values
+    bool grid     = true;  // pixel grid and numbers in large pixels
+    bool magnifier = true;
+
+    friend bool operator==(const Layers&, const Layers&) = default;
+};
+
 /// The state after one step, with its picture.
 struct ShownStep {
     std::uint64_t generation = 0;
@@ -53,6 +71,7 @@ struct ShownStep {
     Pipeline      pipeline;
     StepState     state;
     Grid<std::uint32_t> painted;  // the chosen layer; empty: the frame's own colours
+    PyramidPicture pyramid;     // no levels: the method keeps none, or none yet
     QImage        ghosted;      // the step's picture, with what is still to come shown pale
     double        replayMs = 0; // what making it took
 
@@ -68,10 +87,14 @@ struct Snapshot {
     Camera                             camera;     // the newest, perhaps not drawn yet
     ViewRequest                        view;       // what the camera was made from
     Pipeline                           pipeline;   // the chosen one, perhaps not drawn yet
-    const Layer*                       layer = &layers().front();  // what the picture shows of each pixel
+    const Layer*                       layer = &zscope::layers().front();  // what the picture shows of each pixel
     Grain                              grain = Grain::Frame;
     std::optional<QPoint>              picked;
     std::optional<EdgeRow>             selectedEdge;
+    std::optional<int>                 selectedLevel;  // of the pyramid; nothing: that of the last question or update
+    std::optional<NodeName>            selectedNode;
+    VerdictSet                         shownNodes = everyVerdict();  // whose boxes are shown, and rows in the tree
+    Layers                             layers;
     QString                            busy;       // what the worker does; empty: nothing to wait for
     double                             progress = -1;  // in [0, 1], or -1: not known
 
@@ -99,6 +122,11 @@ struct Snapshot {
         if (!step) return nullptr;
         return showsStep || (frame && frame->generation == step->generation) ? step.get() : nullptr;
     }
+    const HierarchyState* hierarchy() const
+    {
+        const ShownStep* shown = stepOfPicture();
+        return shown && shown->state.hierarchy ? &*shown->state.hierarchy : nullptr;
+    }
     const SweepState* sweep() const
     {
         const ShownStep* shown = stepOfPicture();
@@ -106,19 +134,26 @@ struct Snapshot {
     }
 };
 
+/// The level of the pyramid that is large and over the picture: the chosen one, else what the step is about; -1: there is
+/// no pyramid.
+int levelOnShow(const Snapshot& shown);
+/// The node that holds the triangle at the picked pixel; nothing: there is none, or no hierarchy.
+std::optional<NodeName> nodeOfPick(const Snapshot& shown);
+
 enum class Change {
     Scene     = 1,
     Camera    = 2,
     Picture   = 4,   // another frame or step, or which of them is shown
     Pipeline  = 8,   // pipeline or grain
-    Selection = 16,  // picked pixel, selected edge
+    Selection = 16,  // picked pixel, selected edge, level, node
     Busy      = 32,
+    Layers    = 64,  // what is drawn over the picture, and which nodes
 };
 Q_DECLARE_FLAGS(Changes, Change)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 
 inline constexpr Changes kEverything{Change::Scene, Change::Camera, Change::Picture,
-                                     Change::Pipeline, Change::Selection, Change::Busy};
+                                     Change::Pipeline, Change::Selection, Change::Busy, Change::Layers};
 
 /// What can be said of one pixel of the picture on show.
 struct PixelFacts {

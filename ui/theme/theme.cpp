@@ -23,6 +23,8 @@ const Theme& lightTheme()
         .picked = QColor(0x0072B2),
         .pickedTint = QColor(0xDCEBF7),
         .idle = QColor(0x56B4E9),
+        .hidden = QColor(0xB6578F),
+        .outside = QColor(0x7C8794),
         .error = QColor(0xB00020),
         .errorTint = QColor(0xFDECEE),
         .polygons = {QColor(0x56B4E9), QColor(0x0072B2), QColor(0x8FCBB9), QColor(0xA7B4C2), QColor(0xCC9FBA)},
@@ -49,6 +51,8 @@ const Theme& darkTheme()
         .picked = QColor(0x6CB8EE),
         .pickedTint = QColor(0x213A50),
         .idle = QColor(0x56B4E9),
+        .hidden = QColor(0xE096C0),
+        .outside = QColor(0x8B97A5),
         .error = QColor(0xFF6B7D),
         .errorTint = QColor(0x44212A),
         .polygons = {QColor(0x4A9CCB), QColor(0x1C78B4), QColor(0x5FA38F), QColor(0x76828F), QColor(0xA87F98)},
@@ -151,6 +155,15 @@ QString styleSheetOf(const Theme& theme)
         QStatusBar { background: @card; border-top: 1px solid @border; }
         QStatusBar::item { border: none; }
         QStatusBar QLabel { padding: 0 8px; }
+        QTabBar { qproperty-drawBase: 0; }
+        QTabBar::tab { background: transparent; color: @softText; border: 1px solid transparent; border-radius: 5px;
+              padding: 3px 10px; margin: 0 4px 4px 0; }
+        QTabBar::tab:selected { background: @card; color: @text; border-color: @border; }
+        QTabBar::tab:hover { color: @text; }
+        QTabBar::tab:focus { border-color: @picked; }
+        QTreeView { background: @card; border: none; outline: none; selection-background-color: @pickedTint; selection-color: @text; }
+        QTreeView::item { padding: 1px 0; }
+        QCheckBox { spacing: 8px; }
         QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
         QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
         QScrollBar::handle { background: @border; border-radius: 4px; min-height: 24px; min-width: 24px; margin: 1px; }

@@ -35,6 +35,8 @@ struct Theme {
     QColor picked;
     QColor pickedTint;
     QColor idle;        // active edges that are neither of these
+    QColor hidden;      // nodes that the pyramid hides
+    QColor outside;     // nodes that do not reach the view
     QColor error;       // used for nothing else
     QColor errorTint;
     std::array<QColor, 5> polygons;  // intervals of a line, by polygon

@@ -42,9 +42,9 @@ FrameView::FrameView(Session& session, QWidget* parent)
 void FrameView::present(const Snapshot& shown, Changes what)
 {
     m_shown = shown;
-    if (what & (Change::Picture | Change::Scene)) showPicture();
-    if (what & (Change::Picture | Change::Selection | Change::Scene)) {
-        m_overlay = overlayOf(m_shown, m_layers);
+    if (what & (Change::Picture | Change::Scene | Change::Layers)) showPicture();
+    if (what & (Change::Picture | Change::Selection | Change::Scene | Change::Layers)) {
+        m_overlay = overlayOf(m_shown, m_shown.layers);
         placeMagnifier();
         update();
     }
@@ -54,7 +54,7 @@ void FrameView::showPicture()
 {
     const Grid<std::uint32_t>* colours = m_shown.colours();
     if (!colours) m_picture = {};
-    else if (m_shown.showsStep && m_layers.ghost && !m_shown.step->ghosted.isNull()) m_picture = m_shown.step->ghosted;
+    else if (m_shown.showsStep && m_shown.layers.ghost && !m_shown.step->ghosted.isNull()) m_picture = m_shown.step->ghosted;
     else m_picture = imageOf(*colours);
     if (!m_picture.isNull() && m_picture.size() != m_view.picture()) {
         m_view.setPicture(m_picture.size());
@@ -71,15 +71,6 @@ void FrameView::setTool(Tool tool)
     m_tool = tool;
     update();
     emit toolChanged(tool);
-}
-
-void FrameView::setLayers(const Layers& layers)
-{
-    m_layers  = layers;
-    m_overlay = overlayOf(m_shown, m_layers);
-    showPicture();
-    placeMagnifier();
-    update();
 }
 
 void FrameView::fit()
@@ -129,7 +120,7 @@ QImage FrameView::picture(bool decorated) const
 void FrameView::placeMagnifier()
 {
     const std::optional<QPoint> pixel = m_shown.picked ? m_shown.picked : m_hovered;
-    m_magnifier->present(m_shown, m_picture, m_layers.magnifier ? pixel : std::nullopt);
+    m_magnifier->present(m_shown, m_picture, m_shown.layers.magnifier ? pixel : std::nullopt);
     const QSize size = m_magnifier->size();
     QPoint      at(width() - size.width() - 2 * kStep, height() - size.height() - 2 * kStep);
     if (QRect(at, size).adjusted(-2 * kStep, -2 * kStep, 2 * kStep, 2 * kStep).contains(m_last.toPoint()) &&
@@ -162,8 +153,8 @@ void FrameView::paintEvent(QPaintEvent*)
     const QRectF at   = m_view.toView(QRectF(QPointF(0, 0), QSizeF(m_picture.size())));
     if (m_view.zoom() < 1) painter.drawImage(at, m_picture);
     else painter.drawImage(m_view.toView(QRectF(seen)), m_picture, QRectF(seen));
-    if (m_layers.grid && m_view.zoom() >= kGridFrom) paintGrid(painter);
-    if (m_layers.grid && m_view.zoom() >= kValuesFrom * scale) paintValues(painter);
+    if (m_shown.layers.grid && m_view.zoom() >= kGridFrom) paintGrid(painter);
+    if (m_shown.layers.grid && m_view.zoom() >= kValuesFrom * scale) paintValues(painter);
     paintOverlay(painter, m_overlay, m_view, theme, scale);
     painter.restore();
     paintChips(painter);
@@ -206,6 +197,11 @@ void FrameView::paintChips(QPainter& painter) const
     const Theme& theme = themeOf(palette());
     QStringList  chips{m_shown.showsStep ? tr("Step") : tr("Finished picture")};
     if (m_shown.showsStep && !m_overlay.edges.empty()) chips << tr("Active edges");
+    if (m_overlay.boxesWanted > 0)
+        chips << (m_overlay.boxesShown < m_overlay.boxesWanted
+                      ? tr("%1 of %2 node boxes").arg(grouped(m_overlay.boxesShown), grouped(m_overlay.boxesWanted))
+                      : counted(m_overlay.boxesShown, tr("1 node box"), tr("%1 node boxes")));
+    if (m_overlay.cells) chips << tr("Pyramid, level %1").arg(m_overlay.cells->level);
     chips << tr("× %1").arg(decimal(m_view.zoom(), m_view.zoom() < 10 ? 2 : 0));
     if (m_tool == Tool::Camera) chips << tr("Camera");
 

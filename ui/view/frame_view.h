@@ -32,8 +32,6 @@ public:
 
     Tool          tool() const { return m_tool; }
     void          setTool(Tool tool);
-    const Layers& layers() const { return m_layers; }
-    void          setLayers(const Layers& layers);
 
     void fit();
     void oneToOne();
@@ -84,7 +82,6 @@ private:
     Snapshot              m_shown;
     QImage                m_picture;  // borrows from m_shown
     Overlay               m_overlay;
-    Layers                m_layers;
     ViewTransform         m_view;
     Tool                  m_tool = Tool::Inspect;
     Drag                  m_drag = Drag::None;

@@ -2,8 +2,12 @@
 #include "ui/view/overlay.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include <QPainter>
+
+#include "ui/theme/verdicts.h"
 
 namespace zscope::ui {
 
@@ -30,12 +34,94 @@ std::optional<QLineF> segmentOf(const EdgeRow& edge, int y, const QSize& picture
     return QLineF(xAt(top), top, xAt(bottom), bottom);
 }
 
+namespace {
+
+QRect rectOf(const PixelBox& box) { return {box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0}; }
+
+void addPyramid(Overlay& overlay, const Snapshot& shown, const Layers& layers)
+{
+    const int level = levelOnShow(shown);
+    if (level < 0) return;
+    if (layers.pyramid) {
+        overlay.step  = shown.step;
+        overlay.cells = &shown.step->pyramid.levels[static_cast<std::size_t>(level)];
+        overlay.empty = shown.step->pyramid.empty;
+    }
+    if (!layers.query) return;
+    const HierarchyState& hierarchy = *shown.step->state.hierarchy;
+    if (hierarchy.query) overlay.asked = rectOf(hierarchy.query->box);
+    if (hierarchy.update && shown.step->state.event == Grain::Update) {
+        const CellWrite& cell = *hierarchy.update;
+        const int        size = 1 << cell.level;
+        overlay.written = QRect(cell.x * size, cell.y * size, size, size).intersected(QRect(QPoint(0, 0), overlay.picture));
+    }
+}
+
+/// The lines of a node's box, those that no part of the picture can show left out.
+std::vector<QLineF> linesOf(const NodeRow& node, const Snapshot& shown, const QSize& picture)
+{
+    std::vector<QLineF> lines;
+    const QRectF        seen(-1, -1, picture.width() + 2, picture.height() + 2);
+    for (const ScreenLine& line : outlineOf(node, shown.scene->scene(), shown.pictureCamera())) {
+        const bool misses = (line.x0 < seen.left() && line.x1 < seen.left()) || (line.x0 > seen.right() && line.x1 > seen.right()) ||
+                            (line.y0 < seen.top() && line.y1 < seen.top()) || (line.y0 > seen.bottom() && line.y1 > seen.bottom());
+        if (!misses) lines.emplace_back(line.x0, line.y0, line.x1, line.y1);
+    }
+    return lines;
+}
+
+void addBoxes(Overlay& overlay, const Snapshot& shown, const Layers& layers)
+{
+    const HierarchyState* hierarchy = shown.hierarchy();
+    if (!hierarchy || hierarchy->nodes.empty() || !shown.scene) return;
+    const auto& nodes = hierarchy->nodes;
+    if (layers.boxes) {
+        std::array<OverlayBox, 6> byVerdict;
+        std::vector<int>          upperFirst(nodes.size());
+        std::iota(upperFirst.begin(), upperFirst.end(), 0);
+        std::ranges::stable_sort(upperFirst, {}, [&](int id) { return nodes[static_cast<std::size_t>(id)].depth; });
+        for (const int id : upperFirst) {
+            const NodeRow& node    = nodes[static_cast<std::size_t>(id)];
+            const auto     verdict = static_cast<std::size_t>(node.verdict);
+            if (!shown.shownNodes[verdict]) continue;
+            const auto lines = linesOf(node, shown, overlay.picture);
+            if (lines.empty()) continue;
+            ++overlay.boxesWanted;
+            if (overlay.boxesShown >= Overlay::kMostBoxes) continue;
+            ++overlay.boxesShown;
+            byVerdict[verdict].verdict = node.verdict;
+            byVerdict[verdict].lines.insert(byVerdict[verdict].lines.end(), lines.begin(), lines.end());
+        }
+        for (const NodeVerdict verdict : {NodeVerdict::Outside, NodeVerdict::Waiting, NodeVerdict::Entered, NodeVerdict::Small,
+                                          NodeVerdict::Hidden, NodeVerdict::Drawn})
+            if (!byVerdict[static_cast<std::size_t>(verdict)].lines.empty()) overlay.boxes.push_back(std::move(byVerdict[static_cast<std::size_t>(verdict)]));
+    }
+    const auto addOne = [&](int id, OverlayBox::Kind kind) {
+        const NodeRow& node = nodes[static_cast<std::size_t>(id)];
+        overlay.boxes.push_back({linesOf(node, shown, overlay.picture), node.verdict, kind});
+    };
+    const bool isAboutNode = shown.showsStep && hierarchy->now >= 0 && shown.step->state.event <= Grain::Query && !hierarchy->askedAbout;
+    if (isAboutNode && layers.query) addOne(hierarchy->now, OverlayBox::Kind::Now);
+    if (const int id = shown.selectedNode ? rowOf(nodes, *shown.selectedNode) : -1; id >= 0) addOne(id, OverlayBox::Kind::Selected);
+}
+
+}  // namespace
+
+QString cellText(float value, float empty)
+{
+    if (value <= empty) return QStringLiteral("\u2013");
+    const QString text = QString::number(static_cast<double>(value), 'f', 4);
+    return text.startsWith(QLatin1String("0.")) ? text.mid(1) : text;
+}
+
 Overlay overlayOf(const Snapshot& shown, const Layers& layers)
 {
     Overlay overlay;
     overlay.pick = shown.picked;
     if (const VisibilityBuffer* visible = shown.visible()) overlay.picture = {visible->width(), visible->height()};
     const ShownStep* step = shown.stepOfPicture();
+    if (step) addBoxes(overlay, shown, layers);
+    if (step && layers.pyramid && !shown.showsStep) addPyramid(overlay, shown, {.query = false, .pyramid = true});
     if (!step || !shown.showsStep) return overlay;  // the finished picture is shown as it is
 
     if (const SweepState* sweep = shown.sweep(); sweep && sweep->y >= 0) {
@@ -65,13 +151,100 @@ Overlay overlayOf(const Snapshot& shown, const Layers& layers)
         const int y = step->state.sweep ? step->state.sweep->y : step->state.pixel ? step->state.pixel->y : -1;
         if (y >= 0) overlay.span = QRect(span->x0, y, span->x1 - span->x0, 1);
     }
+    addPyramid(overlay, shown, layers);
     if (step->state.pixel) overlay.pixel = QPoint(step->state.pixel->x, step->state.pixel->y);
     return overlay;
 }
 
+namespace {
+
+/// The cells in their colours with the picture shining through, their borders, and their values where they fit.
+void paintCells(QPainter& painter, const Overlay& overlay, const ViewTransform& view, double scale)
+{
+    constexpr double  kValuesFrom = 40, kGridFrom = 5;  // device pixels per cell, times the screen's scale
+    constexpr double  kOpacity    = 0.72;
+    const PyramidLevel& cells  = *overlay.cells;
+    const int           size   = cells.cellSize();
+    const QRect         seen   = view.visiblePixels();
+    if (seen.isEmpty()) return;
+    const QRect  inCells(QPoint(seen.left() / size, seen.top() / size), QPoint(seen.right() / size, seen.bottom() / size));
+    const QImage colours(reinterpret_cast<const uchar*>(cells.colours.values().data()), cells.width(), cells.height(),
+                         cells.width() * static_cast<qsizetype>(sizeof(QRgb)), QImage::Format_RGB32);
+    const auto   placeOf = [&](int x, int y, int w, int h) { return view.toView(QRectF(x * size, y * size, w * size, h * size)); };
+
+    const QRectF whole = view.toView(QRectF(QPointF(0, 0), QSizeF(overlay.picture)));  // the last cells reach beyond it
+    painter.save();
+    painter.setClipRect(whole);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setOpacity(kOpacity);
+    painter.drawImage(placeOf(inCells.left(), inCells.top(), inCells.width(), inCells.height()), colours, QRectF(inCells));
+    painter.setOpacity(1);
+    const double wide = view.zoom() * size;
+    if (wide >= kGridFrom * scale) {
+        painter.setPen(QPen(QColor(255, 255, 255, 90), scale));
+        const QRectF all = placeOf(inCells.left(), inCells.top(), inCells.width(), inCells.height());
+        for (int x = inCells.left(); x <= inCells.right() + 1; ++x) {
+            const double at = view.toView(QPointF(x * size, 0)).x();
+            painter.drawLine(QPointF(at, all.top()), QPointF(at, all.bottom()));
+        }
+        for (int y = inCells.top(); y <= inCells.bottom() + 1; ++y) {
+            const double at = view.toView(QPointF(0, y * size)).y();
+            painter.drawLine(QPointF(all.left(), at), QPointF(all.right(), at));
+        }
+    }
+    if (wide >= kValuesFrom * scale) {
+        QFont font = painter.font();
+        font.setPixelSize(static_cast<int>(std::clamp(wide / 4, 9 * scale, 14 * scale)));
+        painter.setFont(font);
+        for (int y = inCells.top(); y <= inCells.bottom(); ++y) {
+            for (int x = inCells.left(); x <= inCells.right(); ++x) {
+                const bool lags = cells.isStored && cells.lags.at(x, y) != 0;
+                painter.setPen(qGray(cells.colours.at(x, y)) < 120 ? Qt::white : Qt::black);
+                painter.drawText(placeOf(x, y, 1, 1).intersected(whole), Qt::AlignCenter,
+                                 cellText(cells.farthest.at(x, y), overlay.empty) + (lags ? QStringLiteral("*") : QString()));
+            }
+        }
+    }
+    painter.restore();
+}
+
+/// The colour of a verdict; the box of this step in the accent, the selected one framed in it too.
+void paintBoxes(QPainter& painter, const Overlay& overlay, const ViewTransform& view, const Theme& theme, double scale)
+{
+    constexpr std::size_t kFew = 60;  // that many lines can be strong
+    if (overlay.boxes.empty()) return;
+    painter.save();
+    painter.setClipRect(view.toView(QRectF(QPointF(0, 0), QSizeF(overlay.picture))));
+    for (const OverlayBox& box : overlay.boxes) {
+        std::vector<QLineF> lines;
+        lines.reserve(box.lines.size());
+        for (const QLineF& line : box.lines) lines.emplace_back(view.toView(line.p1()), view.toView(line.p2()));
+        const auto draw = [&](const QColor& colour, double width, Qt::PenStyle style) {
+            painter.setPen(QPen(colour, width * scale, style));
+            painter.drawLines(lines.data(), static_cast<int>(lines.size()));
+        };
+        QColor colour = colourOf(box.verdict, theme);
+        if (box.kind == OverlayBox::Kind::Plain && overlay.boxesShown > kFew) colour.setAlpha(150);
+        switch (box.kind) {
+        case OverlayBox::Kind::Plain: draw(colour, 1, box.verdict == NodeVerdict::Hidden ? Qt::DashLine : Qt::SolidLine); break;
+        case OverlayBox::Kind::Now: draw(theme.now, 2, Qt::SolidLine); break;
+        case OverlayBox::Kind::Selected:
+            draw(Qt::white, 5, Qt::SolidLine);
+            draw(colour, 2.5, Qt::SolidLine);
+            break;
+        }
+    }
+    painter.restore();
+}
+
+}  // namespace
+
 void paintOverlay(QPainter& painter, const Overlay& overlay, const ViewTransform& view, const Theme& theme,
                   double scale)
 {
+    if (overlay.cells) paintCells(painter, overlay, view, scale);
+    paintBoxes(painter, overlay, view, theme, scale);
     const auto pen = [scale](const QColor& colour, double width) {
         QPen made(colour, width * scale);
         made.setJoinStyle(Qt::MiterJoin);
@@ -123,6 +296,13 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, const ViewTransform
         const QRectF at = view.toView(QRectF(pixels));
         painter.drawRect(at.adjusted(-width * scale / 2, -width * scale / 2, width * scale / 2, width * scale / 2));
     };
+    if (overlay.asked) {  // dashed: a question changes nothing
+        QPen dashed = pen(theme.now, 2);
+        dashed.setStyle(Qt::DashLine);
+        painter.setPen(dashed);
+        painter.drawRect(view.toView(QRectF(*overlay.asked)));
+    }
+    if (overlay.written) frame(*overlay.written, theme.now, 2);
     if (overlay.span) frame(*overlay.span, theme.now, 2);
     if (overlay.pixel) frame(QRect(*overlay.pixel, QSize(1, 1)), theme.now, 3);
     if (overlay.pick) {  // a ring that stays visible on light and dark, and a cross of four short arms

@@ -20,18 +20,6 @@ class QPainter;
 
 namespace zscope::ui {
 
-/// What of it the user wants to see.
-struct Layers {
-    bool line     = true;
-    bool edges    = true;
-    bool ghost    = true;  // what is still to come, pale
-    bool triangle = true;
-    bool grid     = true;  // pixel grid and numbers in large pixels
-    bool magnifier = true;
-
-    friend bool operator==(const Layers&, const Layers&) = default;
-};
-
 enum class EdgeKind { Active, Entered, Left, Picked, Selected };
 
 struct OverlayEdge {
@@ -39,7 +27,15 @@ struct OverlayEdge {
     EdgeKind kind = EdgeKind::Active;
 };
 
+struct OverlayBox {
+    std::vector<QLineF> lines;   // of a box, or of several that look the same
+    NodeVerdict         verdict = NodeVerdict::Waiting;
+    enum class Kind { Plain, Now, Selected } kind = Kind::Plain;
+};
+
 struct Overlay {
+    static constexpr std::size_t kMostBoxes = 400;  // of the hierarchy, the upper ones; beyond that the picture would be nothing else
+
     QSize                    picture;
     std::optional<int>       line;
     std::vector<OverlayEdge> edges;      // what matters most comes last
@@ -47,9 +43,22 @@ struct Overlay {
     std::optional<QRect>     span;       // the last run of pixels, one line high
     std::optional<QPoint>    pixel;      // of the step
     std::optional<QPoint>    pick;
+
+    std::vector<OverlayBox>  boxes;      // of the nodes: one entry per verdict, then the one of this step, the selected one last
+    std::size_t              boxesShown = 0, boxesWanted = 0;
+
+    // Of the pyramid. The levels outlive the overlay: both are of one step
+    std::shared_ptr<const ShownStep> step;     // holds the level
+    const PyramidLevel*      cells = nullptr;  // whose grid and values are over the picture
+    float                    empty = 0;        // what background holds
+    std::optional<QRect>     asked;            // what the pyramid was asked about
+    std::optional<QRect>     written;          // the cell that was written last, in pixels
 };
 
 Overlay overlayOf(const Snapshot& shown, const Layers& layers);
+
+/// A depth in a cell so narrow that few digits fit: ".4201", or a dash for background.
+QString cellText(float value, float empty);
 
 /// The part of an edge inside the picture; nothing if it misses it. The row's x belongs to the centre of line y.
 std::optional<QLineF> segmentOf(const EdgeRow& edge, int y, const QSize& picture);

@@ -110,6 +110,7 @@ void Actions::makeViewMenu()
         if (!m_session.isIdle()) return m_session.cancelWork();
         m_session.pick({});
         m_session.selectEdge({});
+        m_session.selectNode({});
     });
     menu->addSeparator();
     makeLayersMenu(menu);
@@ -136,17 +137,20 @@ void Actions::makeLayersMenu(QMenu* view)
     const auto toggle = [this](const QString& label, bool Layers::* part) {
         QAction* action = m_layers->addAction(label);
         action->setCheckable(true);
-        action->setChecked(m_view.layers().*part);
-        connect(action, &QAction::toggled, this, [this, part](bool on) {
-            Layers layers = m_view.layers();
+        m_layerToggles.emplace_back(action, part);
+        connect(action, &QAction::triggered, this, [this, part](bool on) {
+            Layers layers = m_session.now().layers;
             layers.*part  = on;
-            m_view.setLayers(layers);
+            m_session.setLayers(layers);
         });
     };
     toggle(tr("Current line"), &Layers::line);
     toggle(tr("Active edges"), &Layers::edges);
     toggle(tr("What is still to come, pale"), &Layers::ghost);
     toggle(tr("Triangle of the step"), &Layers::triangle);
+    toggle(tr("Last question and update of the pyramid"), &Layers::query);
+    toggle(tr("Boxes of the nodes, by verdict"), &Layers::boxes);
+    toggle(tr("Cells of the pyramid, with values"), &Layers::pyramid);
     toggle(tr("Grid and numbers in large pixels"), &Layers::grid);
     toggle(tr("Magnifier"), &Layers::magnifier);
 }
@@ -342,6 +346,8 @@ void Actions::present(const Snapshot& shown, Changes what)
         for (std::size_t i = 0; i < layers().size(); ++i) m_layerChoices[i]->setChecked(&layers()[i] == shown.layer);
         m_cull->setChecked(m_session.settings().faceCulling == FaceCulling::Back);
     }
+    if (what & Change::Layers)
+        for (const auto& [action, part] : m_layerToggles) action->setChecked(shown.layers.*part);
     if (what & Change::Scene) {
         for (QAction* action : m_needScene) action->setEnabled(shown.scene != nullptr);
         showNamedViews(shown);

@@ -77,6 +77,7 @@ private:
     std::vector<QAction*>                      m_inspectOnly, m_cameraOnly, m_needScene;
     std::vector<QAction*>                      m_algorithms;    // in the order of presets()
     std::vector<QAction*>                      m_layerChoices;  // in the order of layers()
+    std::vector<std::pair<QAction*, bool Layers::*>> m_layerToggles;
     QAction *                                  m_open = nullptr, *m_inspect = nullptr, *m_camera = nullptr,
             *m_fit = nullptr, *m_cull = nullptr;
     std::vector<QAction*> m_appearances;

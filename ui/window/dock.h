@@ -24,6 +24,7 @@ public:
     /// Whether the user wants it, seen or folded away for want of anything to show.
     bool isWanted() const { return m_wanted; }
     void setWanted(bool wanted);
+    bool isNeeded() const { return m_needed; }
     void setNeeded(bool needed);
 
 protected:

@@ -22,6 +22,7 @@
 #include <QMimeData>
 #include <QSpinBox>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "ui/panels/registry.h"
@@ -47,6 +48,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setContextMenuPolicy(Qt::NoContextMenu);
 
     makeCentre();
@@ -135,9 +137,38 @@ void MainWindow::placeDocks()
     for (PanelDock* dock : m_docks) {
         dock->setFloating(false);
         addDockWidget(dock->entry().area, dock);
+        if (const char* first = dock->entry().tabbedWith) tabifyDockWidget(this->dock(first), dock);
         dock->setWanted(true);
         dock->setNeeded(dock->entry().isNeededBy(m_session.now().pipeline));
     }
+}
+
+void MainWindow::showNeeded(const Snapshot& shown)
+{
+    bool changed = false;
+    // First away, then in: all at once they would not fit, and a window that has grown does not shrink again.
+    for (const bool needed : {false, true}) {
+        for (PanelDock* dock : m_docks) {
+            if (dock->entry().isNeededBy(shown.pipeline) != needed || dock->isNeeded() == needed) continue;
+            dock->setNeeded(needed);
+            // Above the others of its place, once the tabs are there.
+            if (needed && !dock->entry().tabbedWith) QTimer::singleShot(0, dock, &QWidget::raise);
+            changed = true;
+        }
+    }
+    if (changed) shareHeights();
+}
+
+void MainWindow::shareHeights()
+{
+    QList<QDockWidget*> docks;
+    QList<int>          shares;
+    for (PanelDock* dock : m_docks) {
+        if (!dock->isVisible() || dock->isFloating() || dockWidgetArea(dock) != Qt::RightDockWidgetArea) continue;
+        docks << dock;
+        shares << dock->entry().share;
+    }
+    resizeDocks(docks, shares, Qt::Vertical);
 }
 
 void MainWindow::resetLayout()
@@ -151,7 +182,7 @@ void MainWindow::resetLayout()
     const int side = std::max(width(), 1280);
     resizeDocks(pick({"scene", "active-edges"}), {std::max(240, side * 17 / 100), std::max(440, side * 25 / 100)}, Qt::Horizontal);
     resizeDocks(pick({"scene", "pipeline"}), {42, 58}, Qt::Vertical);
-    resizeDocks(pick({"active-edges", "depth-test"}), {72, 28}, Qt::Vertical);
+    shareHeights();
 }
 
 void MainWindow::restoreLayout()
@@ -197,10 +228,8 @@ void MainWindow::present(Changes what)
     m_view->present(shown, what);
     m_status->present(shown, what);
     m_actions->present(shown, what);
-    for (PanelDock* dock : m_docks) {
-        dock->panel().present(shown, what);
-        if (what & Change::Pipeline) dock->setNeeded(dock->entry().isNeededBy(shown.pipeline));
-    }
+    for (PanelDock* dock : m_docks) dock->panel().present(shown, what);
+    if (what & Change::Pipeline) showNeeded(shown);
     if ((what & Change::Scene) && shown.scene) {
         m_messages->hide();
         m_sceneName->setText(tr("%1 — %2 triangles").arg(shown.scene->title, grouped(shown.scene->scene().triangleCount())));

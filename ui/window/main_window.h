@@ -47,6 +47,8 @@ private:
     void makeCentre();
     void makeDocks();
     void placeDocks();
+    void showNeeded(const Snapshot& shown);
+    void shareHeights();
     void resetLayout();
     void restoreLayout();
     void applyAppearance(Appearance appearance);

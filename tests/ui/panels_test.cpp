@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The panels of the pyramid and of the hierarchy, and the observer, driven by keys and mouse as a person would.
+#include <QAbstractItemModelTester>
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "tests/ui/desk.h"
+#include "ui/panels/hierarchy/hierarchy_panel.h"
+#include "ui/panels/hierarchy/node_model.h"
+#include "ui/panels/observer/observer_panel.h"
+#include "ui/panels/observer/observer_view.h"
+#include "ui/panels/pyramid/level_thumbs.h"
+#include "ui/panels/pyramid/level_view.h"
+#include "ui/panels/pyramid/pyramid_words.h"
+#include "ui/view/overlay.h"
+
+using namespace zscope;
+using namespace zscope::ui;
+
+namespace {
+
+/// The index of a verdict's switch in its bar, which holds them in the order of kVerdicts.
+QToolButton* switchOf(QWidget& panel, const QString& shape)
+{
+    for (auto* button : panel.findChildren<QToolButton*>("verdict"))
+        if (button->text().startsWith(shape)) return button;
+    return nullptr;
+}
+
+int rowsBelow(const QAbstractItemModel& model, const QModelIndex& parent = {})
+{
+    int rows = 0;
+    for (int row = 0; row < model.rowCount(parent); ++row) rows += 1 + rowsBelow(model, model.index(row, 0, parent));
+    return rows;
+}
+
+bool isDrawn(ObserverView& view)
+{
+    return QTest::qWaitFor([&] { return view.isIdle() && view.observer() != nullptr; }, Desk::kLong);
+}
+
+}  // namespace
+
+class PanelsTest final : public QObject {
+    Q_OBJECT
+
+private slots:
+    void panelsThatTheAlgorithmDoesNotNeedFoldAway()
+    {
+        Desk desk("zbuffer");
+        QVERIFY(desk.open("builtin:cubes"));
+        for (const char* panel : {"pyramid", "hierarchy", "observer"}) QVERIFY(!desk.window.dock(panel)->isVisible());
+        desk.session.setPipeline(findPreset("quadtree")->pipeline);
+        QVERIFY(desk.settles());
+        QVERIFY(desk.window.dock("pyramid")->isVisible());
+        QVERIFY(!desk.window.dock("hierarchy")->isVisible());
+        desk.session.setPipeline(findPreset("octree-frustum")->pipeline);
+        QVERIFY(desk.settles());
+        QVERIFY(!desk.window.dock("pyramid")->isVisible());
+        QVERIFY(desk.window.dock("hierarchy")->isVisible());
+    }
+    void theWindowFitsASmallScreenWithEveryAlgorithm()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        for (const Preset& preset : presets()) {
+            desk.session.setPipeline(preset.pipeline);
+            QVERIFY(desk.settles());
+            QTest::qWait(20);
+            const QByteArray size = QByteArray(preset.name.data(), static_cast<qsizetype>(preset.name.size())) + ": " +
+                                    QByteArray::number(desk.window.width()) + " x " + QByteArray::number(desk.window.height());
+            QVERIFY2(desk.window.height() <= 800 && desk.window.width() <= 1280, size.constData());
+        }
+        desk.session.setPipeline(findPreset("hzb-octree")->pipeline);
+        QVERIFY(desk.settles());
+        desk.photograph("small");
+    }
+    void thumbnailsNeverOverlapAndNeverLeaveTheirRoom()
+    {
+        for (const int count : {1, 5, 9, 12, 15}) {
+            for (const int width : {90, 200, 416, 900}) {
+                const ThumbLayout layout = thumbLayout(count, width, {1280, 720}, 6);
+                for (int i = 0; i < count; ++i) {
+                    QVERIFY(layout.placeOf(i, 6).right() < width);
+                    for (int j = 0; j < i; ++j) QVERIFY(!layout.placeOf(i, 6).intersects(layout.placeOf(j, 6)));
+                }
+                QVERIFY(layout.rows * layout.columns >= count);
+                QVERIFY(layout.rows * layout.columns < count + layout.columns);
+            }
+        }
+    }
+    void aClickOnALevelShowsItLargeAndFollowGoesBackToTheStep()
+    {
+        Desk desk("hzb-octree", {1920, 1080});
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3", {640, 360}));
+        QVERIFY(desk.goTo(Grain::Query, 60));
+        auto* panel  = &desk.window.dock("pyramid")->panel();
+        auto* thumbs = panel->findChild<LevelThumbs*>();
+        QVERIFY(desk.session.now().hierarchy()->query);
+        QCOMPARE(levelOnShow(desk.session.now()), desk.session.now().hierarchy()->query->level);
+        const int           count  = static_cast<int>(desk.session.now().step->pyramid.levels.size());
+        const ThumbLayout   layout = thumbLayout(count, thumbs->width(), {640, 360}, 6);
+        QVERIFY(thumbs->height() >= layout.placeOf(count - 1, 6).bottom());  // all of them are seen
+        QTest::mouseClick(thumbs, Qt::LeftButton, {}, layout.placeOf(2, 6).center());
+        QCOMPARE(desk.session.now().selectedLevel, std::optional(2));
+        QTest::keyClick(thumbs, Qt::Key_PageUp);
+        QCOMPARE(levelOnShow(desk.session.now()), 3);
+        for (auto* button : panel->findChildren<QAbstractButton*>())
+            if (button->text() == "Follow the step") QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(!desk.session.now().selectedLevel);
+    }
+    void theWordsTellWhatWasAskedAndWhatWasFound()
+    {
+        Desk desk("hzb-octree");
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3", {640, 360}));
+        bool hidden = false, seen = false;
+        for (int step = 0; step < 200 && !(hidden && seen); step += 3) {
+            QVERIFY(desk.goTo(Grain::Query, step));
+            const HierarchyState* hierarchy = desk.session.now().hierarchy();
+            if (!hierarchy || !hierarchy->query) continue;
+            const PyramidWords words = wordsOf(*hierarchy, desk.session.now().step->pyramid.empty, themeOf(desk.window.palette()));
+            QVERIFY(words.question.contains(QString("%1 × %2 px").arg(hierarchy->query->box.x1 - hierarchy->query->box.x0)
+                                                .arg(hierarchy->query->box.y1 - hierarchy->query->box.y0)));
+            QCOMPARE(words.question.contains("<b>hidden</b>"), hierarchy->query->hidden);
+            (hierarchy->query->hidden ? hidden : seen) = true;
+        }
+        QVERIFY(hidden && seen);
+    }
+    void theLevelLiesOverThePictureWhenAsked()
+    {
+        Desk desk("hzb-octree", {1920, 1080});
+        QVERIFY(desk.open("builtin:office-tower", {1280, 720}));
+        QVERIFY(desk.goTo(Grain::Query, 4000));
+        desk.session.selectLevel(6);
+        const QImage before = desk.window.view().picture(true);
+        auto*        box    = desk.window.dock("pyramid")->findChild<QCheckBox*>();
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+        QVERIFY(desk.session.now().layers.pyramid);
+        const Overlay overlay = overlayOf(desk.session.now(), desk.session.now().layers);
+        QVERIFY(overlay.cells);
+        QCOMPARE(overlay.cells->level, levelOnShow(desk.session.now()));
+        QVERIFY(desk.window.view().picture(true) != before);
+        desk.photograph("pyramid");
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+        QCOMPARE(desk.window.view().picture(true), before);
+    }
+    void aClickOnTheLargeLevelPicksThePixelUnderIt()
+    {
+        Desk desk("quadtree", {1920, 1080});
+        QVERIFY(desk.open("builtin:cubes"));
+        auto* large = desk.window.dock("pyramid")->findChild<LevelView*>();
+        QTest::mouseClick(large, Qt::LeftButton, {}, large->rect().center());
+        QVERIFY(desk.session.now().picked);
+        const QPoint off = *desk.session.now().picked - QPoint(160, 90);
+        const double perPixel = 180.0 / large->height();  // the middle of the widget, to a pixel of the screen
+        QVERIFY(std::abs(off.x()) <= 1 + perPixel && std::abs(off.y()) <= 1 + perPixel);
+    }
+
+    void theNodeModelIsAProperModelAtEveryStep()
+    {
+        Desk desk("hzb-octree");
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3"));
+        NodeModel                model;
+        NodeFilter               filter(model);
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QAbstractItemModelTester filterTester(&filter, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        for (const int step : {0, 1, 2, 7, 20, 5, 60, -1}) {
+            QVERIFY(desk.goTo(Grain::Node, step));
+            model.present(desk.session.now());
+            const HierarchyState* hierarchy = desk.session.now().hierarchy();
+            QCOMPARE(rowsBelow(model), hierarchy ? static_cast<int>(hierarchy->nodes.size()) : 0);
+            QCOMPARE(rowsBelow(filter), rowsBelow(model));
+        }
+        QVERIFY(rowsBelow(model) > 10);
+        filter.setText("0.3");
+        for (int id = 0; id < model.count(); ++id) {
+            const bool kept = filter.mapFromSource(model.indexOf(id)).isValid();
+            if (QString::fromStdString(model.row(id).path).contains("0.3")) QVERIFY(kept);
+        }
+        QVERIFY(rowsBelow(filter) < rowsBelow(model));
+    }
+    void theCountsPerDepthAddUpToTheNodes()
+    {
+        Desk desk("hzb-bvh");
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3"));
+        QVERIFY(desk.goTo(Grain::Node, -1));
+        const auto& nodes = desk.session.now().hierarchy()->nodes;
+        std::size_t sum   = 0;
+        for (const auto& counts : countsByDepth(nodes))
+            for (const std::size_t n : counts) sum += n;
+        QCOMPARE(sum, nodes.size());
+        QCOMPARE(countsByDepth(nodes)[0][static_cast<std::size_t>(nodes[0].verdict)], std::size_t{1});
+    }
+    void theFilterAndTheSwitchesLeaveTheNodesThatWereAskedFor()
+    {
+        Desk desk("hzb-octree");
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3"));
+        QVERIFY(desk.goTo(Grain::Node, -1));
+        auto&     panel = desk.window.dock("hierarchy")->panel();
+        auto*     tree  = panel.findChild<QTreeView*>();
+        const int all   = rowsBelow(*tree->model());
+        auto*     text  = panel.findChild<QLineEdit*>();
+        text->setFocus();
+        QTest::keyClicks(text, "0.1");
+        const int some = rowsBelow(*tree->model());
+        QVERIFY(some > 0 && some < all);
+        text->clear();
+        QCOMPARE(rowsBelow(*tree->model()), all);
+        QToolButton* hidden = switchOf(panel, QStringLiteral("\u00D7"));
+        QVERIFY(hidden);
+        QTest::mouseClick(hidden, Qt::LeftButton);
+        QVERIFY(!desk.session.now().shownNodes[static_cast<std::size_t>(NodeVerdict::Hidden)]);
+        QVERIFY(rowsBelow(*tree->model()) < all);
+    }
+    void aRowFramesItsBoxAndAPickedPixelSelectsItsNode()
+    {
+        Desk desk("hzb-octree", {1920, 1080});
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3", {640, 360}));
+        QVERIFY(desk.goTo(Grain::Node, -1));
+        auto* tree = desk.window.dock("hierarchy")->findChild<QTreeView*>();
+        tree->setCurrentIndex(tree->model()->index(0, 0));
+        QVERIFY(desk.session.now().selectedNode);
+        QCOMPARE(desk.session.now().selectedNode->path, std::string("0"));
+        const auto selectedIn = [&] {
+            const Overlay overlay = overlayOf(desk.session.now(), desk.session.now().layers);
+            return std::ranges::count(overlay.boxes, OverlayBox::Kind::Selected, &OverlayBox::kind);
+        };
+        QCOMPARE(selectedIn(), 1);
+
+        desk.session.pick(QPoint(320, 200));
+        const auto node = nodeOfPick(desk.session.now());
+        QVERIFY(node);
+        QVERIFY(desk.session.now().selectedNode == node);
+        const QModelIndex at = tree->currentIndex();
+        QVERIFY(at.isValid());
+        QVERIFY(at.data().toString().startsWith(QString::fromStdString(node->path)));
+        const int id = rowOf(desk.session.now().hierarchy()->nodes, *node);
+        QVERIFY(desk.session.now().hierarchy()->nodes[static_cast<std::size_t>(id)].verdict == NodeVerdict::Drawn);
+        desk.press(Qt::Key_Escape);
+        QVERIFY(!desk.session.now().selectedNode);
+        QCOMPARE(selectedIn(), 0);
+    }
+    void theBoxesLieOverThePictureByVerdict()
+    {
+        Desk desk("hzb-octree", {1920, 1080});
+        QVERIFY(desk.open("builtin:office-tower", {1280, 720}));
+        QVERIFY(desk.goTo(Grain::Node, 300));
+        for (auto* box : desk.window.dock("hierarchy")->findChildren<QCheckBox*>()) box->click();
+        QVERIFY(desk.session.now().layers.boxes);
+        const Overlay all = overlayOf(desk.session.now(), desk.session.now().layers);
+        QVERIFY(all.boxesShown > 3);
+        desk.photograph("hierarchy");
+        VerdictSet onlyHidden{};
+        onlyHidden[static_cast<std::size_t>(NodeVerdict::Hidden)] = true;
+        desk.session.showNodes(onlyHidden);
+        const Overlay some = overlayOf(desk.session.now(), desk.session.now().layers);
+        QVERIFY(some.boxesWanted < all.boxesWanted);
+        for (const OverlayBox& box : some.boxes) QVERIFY(box.kind != OverlayBox::Kind::Plain || box.verdict == NodeVerdict::Hidden);
+    }
+
+    void theObserverSeesTheFrustumFliesAndSelects()
+    {
+        Desk desk("hzb-octree", {1920, 1080});
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=6", {1280, 720}));
+        QVERIFY(desk.goTo(Grain::Node, -1));
+        auto* dock = desk.window.dock("observer");
+        dock->raise();
+        desk.window.resizeDocks({dock}, {700}, Qt::Horizontal);
+        desk.window.resizeDocks({dock}, {560}, Qt::Vertical);
+        auto* view = dock->findChild<ObserverView*>();
+        QVERIFY(isDrawn(*view));
+        const QImage first = view->grab().toImage();
+
+        const QPoint middle = view->rect().center();
+        QTest::mousePress(view, Qt::LeftButton, {}, middle);
+        QTest::mouseMove(view, middle + QPoint(40, 8));
+        QTest::mouseRelease(view, Qt::LeftButton, {}, middle + QPoint(40, 8));
+        QVERIFY(isDrawn(*view));
+        QTest::qWait(50);
+        QVERIFY(view->grab().toImage() != first);
+        QVERIFY(!desk.session.now().selectedNode);  // a drag is not a click
+
+        QPoint      place;
+        int         node = -1;
+        for (int y = 0; y < view->height() && node < 0; y += 3)
+            for (int x = 0; x < view->width() && node < 0; x += 3)
+                if (const int at = view->nodeAt(QPointF(x, y)); at > 0) node = at, place = QPoint(x, y);
+        QVERIFY(node > 0);
+        QTest::mouseClick(view, Qt::LeftButton, {}, place);
+        QVERIFY(desk.session.now().selectedNode);
+        QVERIFY(*desk.session.now().selectedNode == nameOf(desk.session.now().hierarchy()->nodes[static_cast<std::size_t>(node)]));
+        QVERIFY(isDrawn(*view));
+        desk.session.selectNode({});
+        QVERIFY(isDrawn(*view));
+        desk.photograph("observer");
+    }
+    void aFrozenCullingViewStaysWhileTheCameraMovesOn()
+    {
+        Desk desk("octree-frustum", {1920, 1080});
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3"));
+        QVERIFY(desk.goTo(Grain::Node, -1));
+        auto* dock = desk.window.dock("observer");
+        dock->raise();
+        auto* view = dock->findChild<ObserverView*>();
+        QVERIFY(isDrawn(*view));
+        dock->findChild<QCheckBox*>()->click();
+        const auto before = view->observer();
+        desk.session.moveCamera([](CameraControl& camera) { camera.orbit(0.4, 0); });
+        QVERIFY(desk.settles());
+        QVERIFY(isDrawn(*view));
+        QCOMPARE(view->observer(), before);
+        dock->findChild<QCheckBox*>()->click();
+        QVERIFY(QTest::qWaitFor([&] { return view->isIdle() && view->observer() != before; }, Desk::kLong));
+    }
+};
+
+int main(int argc, char** argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    QApplication::setStyle("Fusion");
+    PanelsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "panels_test.moc"
