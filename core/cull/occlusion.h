@@ -75,7 +75,7 @@ void keepTrue(const Occlusion& occlusion, const ScreenTriangle& triangle, const 
     case AfterDrawing::PushFromFarthest:
         return occlusion.pyramid->pushFrom(triangle.box, fromFarthestCorner(triangle), tellingOfCells(probe));
     case AfterDrawing::Cover:
-        if (triangle.wide || triangle.cutOut) return;  // what it covers is not known here
+        if (triangle.wide || triangle.patterned) return;  // what it covers, or how far back, is not known here
         return occlusion.pyramid->cover(
             triangle.box, TriangleCover(triangle, rules.notOwned()),
             [&](const PixelBox& pixels) { return farthestOver(triangle.depth, pixels, rules); }, tellingOfCells(probe));

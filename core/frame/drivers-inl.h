@@ -15,8 +15,8 @@
 #include "core/cull/occlusion.h"
 #include "core/frame/frame_events.h"
 #include "core/frame/pipeline.h"
-#include "core/scan/cutout-inl.h"
 #include "core/scan/half_space-inl.h"
+#include "core/scan/pattern-inl.h"
 #include "core/shade/fragment-inl.h"
 #include "core/sweep/intervals-inl.h"
 #include "core/sweep/sweep-inl.h"
@@ -79,9 +79,9 @@ private:
             }
             ++all.drawn;
             probe(TriangleReached{triangle});
-            if (triangle.cutOut)
-                fill<kKeep>(triangle, DiscardingFragments(fragmentsOf(triangle),
-                                                          cutoutPlaneOf(stripe.scene.scene(), stripe.projection, triangle.id)));
+            if (triangle.patterned)
+                fill<kKeep>(triangle, PatternedFragments(fragmentsOf(triangle),
+                                                         patternPlaneOf(stripe.scene.scene(), stripe.projection, triangle.id)));
             else
                 fill<kKeep>(triangle, fragmentsOf(triangle));
             probe(TriangleFinished{triangle.id});
@@ -273,14 +273,14 @@ template <class Rules, class Probe>
 void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
                 const Probe& probe)
 {
-    const HoleFinder holes{stripe.scene.scene(), stripe.projection};
+    const PatternFinder patterns{stripe.scene.scene(), stripe.projection};
     switch (pipeline.scan) {
     case Scan::HalfSpace: return drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules, probe);
     case Scan::EdgeWalk: return drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules, probe);
-    case Scan::SweepZLine: return drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, holes, rules), clock, rules, probe);
+    case Scan::SweepZLine: return drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, patterns, rules), clock, rules, probe);
     case Scan::SweepIntervals:
     case Scan::SweepPolygons:
-        return drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, holes, scratch.open, rules), clock, rules, probe);
+        return drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, scratch.open, rules), clock, rules, probe);
     }
 }
 

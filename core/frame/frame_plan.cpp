@@ -83,23 +83,45 @@ StageReason reasonForUpkeep(const Pipeline& pipeline)
     }
 }
 
-/// How many triangles of the scene have holes.
-struct CutOutTriangles {
-    std::uint64_t count = 0;
+/// How many opaque triangles of the scene have holes, and how many a relief.
+struct PatternedTriangles {
+    std::uint64_t cutOut = 0, moved = 0;
 };
 
-std::string aboutHoles(const PreparedScene& scene)
+PatternedTriangles patternedTrianglesOf(const Mesh& mesh)
+{
+    PatternedTriangles all;
+    if (std::ranges::none_of(mesh.materials, &Material::isPatterned)) return all;
+    for (const PolygonId face : mesh.trianglePolygon) {
+        const Material& material = mesh.materialOf(face);
+        if (material.opacity < 1) continue;
+        all.cutOut += material.cutout.has_value();
+        all.moved += material.relief.has_value();
+    }
+    return all;
+}
+
+std::string aboutPatterns(const PreparedScene& scene, DepthMoment moment)
 {
     const auto counted = [&scene] {
-        auto all = std::make_unique<CutOutTriangles>();
-        for (const Instance& instance : scene.scene().instances)
-            all->count += static_cast<std::uint64_t>(std::ranges::count(scene.batchesOf(instance.mesh).cutOut, 1));
+        std::vector<PatternedTriangles> ofMesh;
+        for (const auto& mesh : scene.scene().meshes) ofMesh.push_back(patternedTrianglesOf(*mesh));
+        auto all = std::make_unique<PatternedTriangles>();
+        for (const Instance& instance : scene.scene().instances) {
+            all->cutOut += ofMesh[instance.mesh.value].cutOut;
+            all->moved += ofMesh[instance.mesh.value].moved;
+        }
         return all;
     };
-    const std::uint64_t count = scene.derived().get<CutOutTriangles>(counted).count;
-    if (count == 0) return "";
-    return "; " + std::to_string(count) + (count == 1 ? " triangle can be discarded: its depth is written late"
-                                                      : " triangles can be discarded: their depth is written late");
+    const PatternedTriangles all = scene.derived().get<PatternedTriangles>(counted);
+    const auto triangles = [](std::uint64_t count) { return std::to_string(count) + (count == 1 ? " triangle" : " triangles"); };
+    if (all.cutOut + all.moved == 0) return "; no fragment can be discarded or moved";
+    std::string about;
+    if (all.cutOut > 0) about += "; " + triangles(all.cutOut) + " can be discarded: " + (all.cutOut == 1 ? "its" : "their") + " depth is written late";
+    if (all.moved == 0) return about;
+    about += "; the fragments of " + triangles(all.moved) + " are moved away from the eye: ";
+    return about + (moment == DepthMoment::Late ? "each is shaded, moved and tested once"
+                                                : "an early test, a tile or the pyramid can only say no for where the triangle is; what passes is moved and tested again");
 }
 
 StageReason reasonForShade(const DrawRequest& request)
@@ -132,7 +154,7 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
         if (byFaces) return {true, "whole faces, cut into batches on the first frame and kept"};
         return pipeline.order != Order::Submitted ? StageReason{true, "the hierarchy's nodes, when first entered; kept between frames"}
                                                   : StageReason{false, "no hierarchy is visited"};
-    case Stage::Raster: return {true, (sweeps ? "the sweep, line by line" : "the pixels of every triangle") + aboutHoles(*request.scene)};
+    case Stage::Raster: return {true, (sweeps ? "the sweep, line by line" : "the pixels of every triangle") + aboutPatterns(*request.scene, pipeline.depth)};
     case Stage::Upkeep: return reasonForUpkeep(pipeline);
     case Stage::Shade: return reasonForShade(request);
     case Stage::Other: return {true, "sizing buffers, starting threads, waiting for the slowest; on a first frame also the colours"};

@@ -140,6 +140,8 @@ public:
     {
         m_fragmentsShaded += e.shaded;
         m_fragmentsDiscarded += e.discarded;
+        m_fragmentsMoved += e.moved;
+        m_fragmentsMovedBehind += e.moved && !e.won;
         if (e.keep == Keep::DepthOnly) {
             ++m_prepassPixels;
             return;
@@ -219,6 +221,8 @@ private:
                 {"fragments_tested", m_prepassPixels + m_pixelsTested},
                 {"fragments_shaded", m_fragmentsShaded},
                 {"fragments_discarded", m_fragmentsDiscarded},
+                {"fragments_moved", m_fragmentsMoved},
+                {"fragments_moved_and_hidden", m_fragmentsMovedBehind},
                 {"fragments_transparent", m_transparentFragments},
                 {"fragments_transparent_hidden", m_transparentHidden},
                 {"pixels_blended", m_pixelsBlended}};
@@ -304,6 +308,7 @@ private:
     std::uint64_t m_clipped = 0, m_wide = 0, m_batches = 0, m_batchesOutside = 0, m_vertices = 0;
     std::uint64_t m_edges = 0, m_edgeLines = 0, m_spans = 0, m_prepassPixels = 0, m_pixelsTested = 0, m_pixelsWon = 0;
     std::uint64_t m_tilesRejected = 0, m_fragmentsShaded = 0, m_fragmentsDiscarded = 0;
+    std::uint64_t m_fragmentsMoved = 0, m_fragmentsMovedBehind = 0;
     std::uint64_t m_transparentFragments = 0, m_transparentHidden = 0, m_pixelsBlended = 0;
 };
 

@@ -103,7 +103,7 @@ private:
 std::uint64_t MeshBatches::bytes() const
 {
     return batches.capacity() * sizeof(Batch) + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double) +
-           triangles.capacity() * sizeof(BatchTriangle) + meshTriangle.capacity() * sizeof(std::uint32_t) + cutOut.capacity();
+           triangles.capacity() * sizeof(BatchTriangle) + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
 }
 
 Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
@@ -120,8 +120,8 @@ MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangl
     for (const std::uint32_t t : triangles)
         if (surfaceOf(mesh, t) == wanted) builder.add(t);
     builder.close();
-    if (std::ranges::any_of(mesh.materials, [](const Material& material) { return material.cutout.has_value(); }))
-        for (const std::uint32_t t : out.meshTriangle) out.cutOut.push_back(mesh.isCutOut(t));
+    if (std::ranges::any_of(mesh.materials, &Material::isPatterned))
+        for (const std::uint32_t t : out.meshTriangle) out.patterned.push_back(mesh.isPatterned(t));
     // Lanes read whole vectors: let the last batch be read past its end.
     for (std::vector<double>* axis : {&out.x, &out.y, &out.z}) axis->resize(axis->size() + kBatchPadding);
     return out;

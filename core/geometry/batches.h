@@ -40,10 +40,10 @@ struct MeshBatches {
     std::vector<double>        x, y, z;       // model space
     std::vector<BatchTriangle> triangles;
     std::vector<std::uint32_t> meshTriangle;  // which triangle of the mesh each one is
-    std::vector<std::uint8_t>  cutOut;        // whether it has holes; empty if none has
+    std::vector<std::uint8_t>  patterned;     // whether it has holes or a relief; empty if none has
     Bounds                     bounds;        // of all batches
 
-    bool          isCutOut(std::uint32_t triangle) const { return !cutOut.empty() && cutOut[triangle] != 0; }
+    bool          isPatterned(std::uint32_t triangle) const { return !patterned.empty() && patterned[triangle] != 0; }
     std::uint64_t bytes() const;
 };
 

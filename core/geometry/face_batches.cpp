@@ -36,7 +36,7 @@ public:
         Face face{.firstSide     = static_cast<std::uint32_t>(m_out.sides.size()),
                   .firstEar      = static_cast<std::uint32_t>(m_out.ears.size()),
                   .firstTriangle = first,
-                  .cutOut        = m_mesh.materialOf(polygon).cutout.has_value(),
+                  .patterned     = m_mesh.materialOf(polygon).isPatterned(),
                   .isMended      = m_mesh.isMended(polygon)};
         for (std::uint32_t t = first; t < end; ++t) {
             const auto& [a, b, c] = m_mesh.triangles[t];

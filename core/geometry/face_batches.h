@@ -39,7 +39,7 @@ struct Face {
     std::uint32_t firstEar  = 0;         // likewise, FaceBatches::ears
     std::uint32_t firstTriangle = 0;     // of the mesh
     std::uint32_t plane     = kNoPlane;  // into FaceBatches::planes; a face of one triangle has none, and no sides
-    bool          cutOut    = false;     // it has holes
+    bool          patterned = false;     // it has holes or a relief
     bool          isMended  = false;     // crosses itself or has no area: filled by the even-odd rule, whatever its triangles
 };
 

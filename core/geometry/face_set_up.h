@@ -114,7 +114,7 @@ private:
             const auto& [a, b, c] = ears[i];
             ScreenTriangle triangle;
             const SetUp    fate = setUpTriangle(at(a), at(b), at(c), idOf(f), wide, m_culling, m_region, m_rules, triangle);
-            triangle.cutOut  = m_place.mesh.faces[f].cutOut;
+            triangle.patterned = m_place.mesh.faces[f].patterned;
             if (fate == SetUp::Drawn) m_consume(triangle);
             m_probe(TriangleSetUp{idOf(f, i), fate, false, wide && fate == SetUp::Drawn});
             return fate;
@@ -138,7 +138,7 @@ private:
             m_scratch.parts.clear();
             const SetUp fate = setUpClipped(viewsOf(ears[i]), idOf(f, i), idOf(f), m_projection, m_culling, m_region, m_rules, m_scratch.parts, m_probe);
             for (ScreenTriangle& part : m_scratch.parts.kept()) {
-                part.cutOut = m_place.mesh.faces[f].cutOut;
+                part.patterned = m_place.mesh.faces[f].patterned;
                 m_consume(part);
             }
             return fate;
@@ -194,7 +194,7 @@ private:
             depth.a = depth.b = 0;  // as a triangle without a plane
             depth.c           = depth.nearest;
         }
-        m_consume(ScreenFace{depth, m_seen.top, idOf(f), m_seen.wide, face.isMended, face.cutOut}, std::span<const ScreenSide>(m_scratch.sides));
+        m_consume(ScreenFace{depth, m_seen.top, idOf(f), m_seen.wide, face.isMended, face.patterned}, std::span<const ScreenSide>(m_scratch.sides));
         return SetUp::Drawn;
     }
 

@@ -28,7 +28,7 @@ struct ScreenFace {
     TriangleId id;        // of its first triangle
     bool       wide;      // a corner lies beyond the guard band
     bool       isMended;
-    bool       cutOut;    // it has holes
+    bool       patterned; // it has holes or a relief
 };
 
 /// Takes the planes of one instance's faces from model space to the screen.

@@ -41,7 +41,7 @@ struct ScreenTriangle {
     PixelBox              box;   // inside the region it was set up for
     bool                  wide;  // a corner lies beyond the guard band: use exact 128-bit arithmetic
     bool                  front; // its snapped corners run counter-clockwise to the viewer
-    bool                  cutOut = false;  // it has holes (core/geometry/cutout_plane.h)
+    bool                  patterned = false;  // it has holes or a relief (core/geometry/pattern_plane.h)
 
     std::uint32_t rank() const { return id.value + 1; }
 };
@@ -119,7 +119,7 @@ template <class Rules>
     out.id    = id;
     out.wide  = wide;
     out.front = turn < 0;
-    out.cutOut = false;
+    out.patterned = false;
     return SetUp::Drawn;
 }
 

@@ -32,7 +32,7 @@ template <class Rules, class Probe>
         const SetUp fate = setUpTriangle(vertices.corner(corner[0]), vertices.corner(corner[1]), vertices.corner(corner[2]),
                                          place.idOf(t), false, culling, region, rules, out.next());
         if (fate == SetUp::Drawn) {
-            if (place.mesh.isCutOut(t)) out.next().cutOut = true;
+            if (place.mesh.isPatterned(t)) out.next().patterned = true;
             out.keep();
         }
         probe(TriangleSetUp{place.idOf(t), fate, false, false});
@@ -108,8 +108,8 @@ void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceC
         }
         const std::size_t before = out.view().size();
         setUpClipped(view, place.idOf(t), place.idOf(t), projection, culling, region, rules, out, probe);
-        if (mesh.isCutOut(t))
-            for (ScreenTriangle& part : out.kept().subspan(before)) part.cutOut = true;
+        if (mesh.isPatterned(t))
+            for (ScreenTriangle& part : out.kept().subspan(before)) part.patterned = true;
     }
 }
 

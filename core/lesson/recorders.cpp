@@ -102,7 +102,8 @@ void TriangleRecorder::observe(const PixelTested& e)
 
 void PixelRecorder::observe(const PixelTested& e)
 {
-    PixelState pixel{e.x, e.y, e.triangle, e.depth, e.won, std::nullopt, 0, e.keep, e.shaded, e.discarded};
+    PixelState pixel{e.x, e.y, e.triangle, e.depth, e.won, std::nullopt, 0, e.keep, e.shaded, e.discarded, std::nullopt};
+    if (e.moved) pixel.unmovedDepth = e.unmovedDepth;
     if (e.rivalRank != 0) {
         pixel.rival      = TriangleId{e.rivalRank - 1};
         pixel.rivalDepth = e.rivalDepth;

@@ -172,7 +172,8 @@ std::string intervalOver(const IntervalState& interval, const Pipeline& pipeline
     case IntervalReason::BeyondFar: return where + "; the nearest reaches beyond the far plane, so they are compared pixel by pixel.";
     case IntervalReason::DepthLimited:
         return where + "; a depth is limited to its " + name + "'s corners there, so the ends do not speak for the rest: compared pixel by pixel.";
-    case IntervalReason::HasHoles: return where + "; the nearest has holes and covers nothing whole, so they are compared pixel by pixel.";
+    case IntervalReason::HasPattern:
+        return where + "; the nearest has holes or a relief and covers nothing whole, so they are compared pixel by pixel.";
     case IntervalReason::NoClearLead:
         return where + "; none leads by more than 2 float32 steps at both ends, as where they cross or touch: compared pixel by pixel.";
     case IntervalReason::NotByEnds: return where + "; depths are not stored as they are found, so the ends do not speak for the rest: compared pixel by pixel.";
@@ -195,6 +196,8 @@ std::string shadingOf(const PixelState& p, DepthMoment moment)
     if (p.discarded && moment == DepthMoment::Late) return ", which its shader finds out before the test.";
     if (p.discarded) return "; it passed the test, so nothing may be written before the hole is known.";
     if (moment == DepthMoment::Deferred || p.keep == Keep::DepthOnly) return ".";
+    if (!p.won && p.shaded && p.unmovedDepth && moment != DepthMoment::Late)
+        return "; where its triangle is it passed, so it was shaded, and only its shader knew how far back it lies.";
     if (!p.won) return p.shaded ? "; it was shaded although hidden." : "; it is never shaded.";
     if (!p.shaded) return ".";
     return moment == DepthMoment::Late ? "; its colour was ready before the test." : "; only now is it shaded.";
@@ -204,7 +207,10 @@ std::string shadingOf(const PixelState& p, DepthMoment moment)
 std::string testOf(const PixelState& p, const Pipeline& pipeline)
 {
     const std::string_view name = nameOfPolygons(pipeline, false);
-    const std::string who = fmt::format("Pixel ({}, {}): {} {}, depth {:.7g},", p.x, p.y, name, grouped(p.triangle.value), p.depth);
+    const std::string moved = !p.unmovedDepth                ? ""
+                              : *p.unmovedDepth == p.depth ? " (as its material's relief leaves it)"
+                                                           : fmt::format(" (moved back from {:.7g} by its material's relief)", *p.unmovedDepth);
+    const std::string who = fmt::format("Pixel ({}, {}): {} {}, depth {:.7g}{},", p.x, p.y, name, grouped(p.triangle.value), p.depth, moved);
     if (p.discarded) return who + " lies in a hole of its material: the fragment does not exist";
     if (p.keep == Keep::DepthOnly)
         return who + (p.won ? " is the nearest so far: the pre-pass keeps its depth and asks nobody's name"

@@ -24,6 +24,7 @@ Json toJson(const PixelState& pixel)
     json["rival"] = pixel.rival ? Json{{"triangle", pixel.rival->value}, {"depth", pixel.rivalDepth}} : Json(nullptr);
     json["shaded"]    = pixel.shaded;
     json["discarded"] = pixel.discarded;
+    if (pixel.unmovedDepth) json["unmoved_depth"] = *pixel.unmovedDepth;
     return json;
 }
 
@@ -84,7 +85,7 @@ std::string_view wordOf(IntervalReason reason)
     case IntervalReason::TestedOnce: return "tested-once";
     case IntervalReason::BeyondFar: return "beyond-far";
     case IntervalReason::DepthLimited: return "depth-limited";
-    case IntervalReason::HasHoles: return "has-holes";
+    case IntervalReason::HasPattern: return "has-pattern";
     case IntervalReason::NoClearLead: return "no-clear-lead";
     case IntervalReason::NotByEnds: return "not-by-ends";
     }

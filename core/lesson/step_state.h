@@ -73,6 +73,7 @@ struct PixelState {
     Keep                      keep = Keep::Nearest;
     bool                      shaded    = false;  // its colour was computed with this test
     bool                      discarded = false;  // it lies in a hole of its material
+    std::optional<float>      unmovedDepth;       // of its triangle, where the material's relief changed it
 };
 
 /// A pixel whose transparent surfaces have just been blended.

@@ -107,8 +107,9 @@ double placeInCell(double x) { return x - std::floor(x); }
 
 }  // namespace
 
-Holes::Holes(const Cutout& cutout, const std::array<dvec3, 3>& model, const std::array<dvec3, 3>& view, const Camera& camera)
-    : m_cutout(cutout), m_view(view), m_weight(crossProduct(view[1] - view[0], view[2] - view[0])),
+Patterns::Patterns(const Material& material, const std::array<dvec3, 3>& model, const std::array<dvec3, 3>& view, const Camera& camera)
+    : m_cutout(material.cutout), m_relief(material.relief), m_deepest(m_relief ? std::min(m_relief->depth / camera.near, 0x1p1000) : 0),
+      m_view(view), m_weight(crossProduct(view[1] - view[0], view[2] - view[0])),
       m_halfWidth(camera.width * 0.5), m_halfHeight(camera.height * 0.5), m_focal(m_halfHeight * camera.focal)
 {
     const dvec3  normal = crossProduct(model[1] - model[0], model[2] - model[0]);
@@ -119,21 +120,26 @@ Holes::Holes(const Cutout& cutout, const std::array<dvec3, 3>& model, const std:
     m_second = coordinate(along(left == 2 ? 1 : 2));
 }
 
-Holes::Coordinate Holes::coordinate(const std::array<double, 3>& ofCorner) const
+Patterns::Coordinate Patterns::coordinate(const std::array<double, 3>& ofCorner) const
 {
     const double second = ofCorner[1] - ofCorner[0], third = ofCorner[2] - ofCorner[0];
     const dvec3  p = crossProduct(m_view[2] - m_view[0], m_view[0]), q = crossProduct(m_view[0], m_view[1] - m_view[0]);
     return {ofCorner[0], {second * p.x + third * q.x, second * p.y + third * q.y, second * p.z + third * q.z}};
 }
 
-bool Holes::at(int i, int j) const
+Patterns::Cell Patterns::cellAt(int i, int j, double size) const
 {
     const double x = (i + 0.5) - m_halfWidth, y = m_halfHeight - (j + 0.5);
     const auto   onRay = [&](const dvec3& f) { return (f.x * x + f.y * y) + f.z * m_focal; };
     const double weight = onRay(m_weight);
-    const double a = (m_first.origin + onRay(m_first.gain) / weight) / m_cutout.size;
-    const double b = (m_second.origin + onRay(m_second.gain) / weight) / m_cutout.size;
-    switch (m_cutout.pattern) {
+    return {(m_first.origin + onRay(m_first.gain) / weight) / size, (m_second.origin + onRay(m_second.gain) / weight) / size};
+}
+
+bool Patterns::isHole(int i, int j) const
+{
+    if (!m_cutout) return false;
+    const auto [a, b] = cellAt(i, j, m_cutout->size);
+    switch (m_cutout->pattern) {
     case CutoutPattern::Checker: return placeInCell((std::floor(a) + std::floor(b)) * 0.5) > 0.25;
     case CutoutPattern::Stripes: return placeInCell(a) >= 0.5;
     case CutoutPattern::Holes: break;
@@ -142,8 +148,29 @@ bool Holes::at(int i, int j) const
     return p * p + q * q < 0.09375;
 }
 
-Part::Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera, const std::optional<Holes>& holes)
-    : m_corners(corners), m_holes(holes)
+double Patterns::reliefAt(int i, int j) const
+{
+    const auto [a, b] = cellAt(i, j, m_relief->size);
+    switch (m_relief->pattern) {
+    case ReliefPattern::Bricks: {
+        const double courses = b * 2, course = std::floor(courses);
+        const bool   joint   = placeInCell(a + placeInCell(course * 0.5)) < 0.0625 || courses - course < 0.125;
+        return joint ? 1 : 0;
+    }
+    case ReliefPattern::Louvres: return placeInCell(b) > 0 ? placeInCell(b) : 0;
+    case ReliefPattern::Bowls: break;
+    }
+    const double p = placeInCell(a) - 0.5, q = placeInCell(b) - 0.5, r = p * p + q * q;
+    return r < 0.25 ? 1 - r * 4 : 0;
+}
+
+double Patterns::movedBack(double depth, int i, int j) const
+{
+    return depth / (1 + depth * (m_deepest * reliefAt(i, j)));
+}
+
+Part::Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera, const std::optional<Patterns>& patterns)
+    : m_corners(corners), m_patterns(patterns)
 {
     const auto& [a, b, c] = m_corners;
     m_box = pixelsWithin(std::min({a.xs, b.xs, c.xs}), std::max({a.xs, b.xs, c.xs}), std::min({a.ys, b.ys, c.ys}),
@@ -194,12 +221,27 @@ bool Part::covers(int i, int j) const
     return m_sides[0].at(i, j) >= 0 && m_sides[1].at(i, j) >= 0 && m_sides[2].at(i, j) >= 0 && !isHole(i, j);
 }
 
+double Part::limitedDepth(int i, int j) const
+{
+    if (m_isFlat) return m_hi;
+    const double z = m_a * (i + 0.5) + (m_b * (j + 0.5) + m_c);
+    return z < m_lo ? m_lo : z > m_hi ? m_hi : z;
+}
+
 float Part::depth(int i, int j) const
 {
+    if (m_patterns && m_patterns->hasRelief()) return static_cast<float>(m_patterns->movedBack(limitedDepth(i, j), i, j));
     if (m_isFlat) return m_hi;
     float z = static_cast<float>(m_a * (i + 0.5) + (m_b * (j + 0.5) + m_c));
     z       = z < m_lo ? m_lo : z;
     return z > m_hi ? m_hi : z;
+}
+
+float Part::farthestDepth() const
+{
+    if (!m_patterns || !m_patterns->hasRelief()) return m_lo;
+    // The quotient falls with the depth but for its roundings, which one float32 step outweighs by far.
+    return std::max(0.0f, std::nextafter(static_cast<float>(m_patterns->movedBackWholly(m_lo)), -1.0f));
 }
 
 namespace {
@@ -217,10 +259,10 @@ Fate geometryOf(const Scene& scene, InstanceId instance, std::uint32_t meshTrian
         for (dvec3& q : corners) q = viewSpace(q, scene.instances[instance.value].toWorld, view.camera);
         return corners;
     };
-    std::optional<Holes> holes;
-    if (material.cutout && material.opacity >= 1) {
+    std::optional<Patterns> patterns;
+    if (material.isPatterned() && material.opacity >= 1) {
         const auto face = modelCorners(mesh.firstTriangle[mesh.trianglePolygon[meshTriangle].value]);
-        holes.emplace(*material.cutout, face, seen(face), view.camera);
+        patterns.emplace(material, face, seen(face), view.camera);
     }
     const std::array<dvec3, 3> corners = seen(modelCorners(meshTriangle));
     const Outline outline = clipNear(corners, view.camera.near);
@@ -242,7 +284,7 @@ Fate geometryOf(const Scene& scene, InstanceId instance, std::uint32_t meshTrian
             fate = std::min(fate, Fate::Culled);
         } else {
             fate = Fate::Drawn;
-            parts.emplace_back(part, doubleArea, view.camera, holes);
+            parts.emplace_back(part, doubleArea, view.camera, patterns);
         }
     }
     return fate;

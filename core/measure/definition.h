@@ -63,15 +63,25 @@ struct Side {
     Wide perPixel() const { return Wide{-256} * dy; }
 };
 
-/// Where a triangle has holes: docs/correctness.md, Cut-outs.
-class Holes {
+/// Where a triangle has holes, and how far back its relief lies: docs/correctness.md, Cut-outs and Reliefs.
+class Patterns {
 public:
     /// `model` and `view` are corners of the first triangle of its face in the mesh's space and in view space, before clipping.
-    Holes(const Cutout& cutout, const std::array<dvec3, 3>& model, const std::array<dvec3, 3>& view, const Camera& camera);
+    Patterns(const Material& material, const std::array<dvec3, 3>& model, const std::array<dvec3, 3>& view, const Camera& camera);
 
-    bool at(int i, int j) const;
+    bool   isHole(int i, int j) const;
+    bool   hasRelief() const { return m_relief.has_value(); }
+    double movedBack(double depth, int i, int j) const;
+    /// What the deepest place of the relief would make of it.
+    double movedBackWholly(double depth) const { return depth / (1 + depth * m_deepest); }
 
 private:
+    struct Cell {
+        double a = 0, b = 0;  // coordinates on the face, in cells of a pattern
+    };
+    Cell cellAt(int i, int j, double size) const;
+    /// From 0, on the face, to 1.
+    double reliefAt(int i, int j) const;
     /// A pattern coordinate: `origin` at the first corner, `gain` along the ray through a pixel.
     struct Coordinate {
         double origin = 0;
@@ -79,7 +89,9 @@ private:
     };
     Coordinate coordinate(const std::array<double, 3>& ofCorner) const;
 
-    Cutout               m_cutout;
+    std::optional<Cutout> m_cutout;
+    std::optional<Relief> m_relief;
+    double                m_deepest = 0;  // of the relief, in near distances
     std::array<dvec3, 3> m_view;
     dvec3                m_weight;  // the plane's normal, not of length 1
     Coordinate           m_first, m_second;
@@ -89,24 +101,27 @@ private:
 /// A triangle in front of the near plane, snapped, with area, facing the viewer as the culling asks.
 class Part {
 public:
-    Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera, const std::optional<Holes>& holes = {});
+    Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera, const std::optional<Patterns>& patterns = {});
 
     const std::array<Corner, 3>& corners() const { return m_corners; }  // in the order of the walk
     const std::array<Side, 3>&   sides() const { return m_sides; }
     const PixelBox&              box() const { return m_box; }          // holds every covered pixel
 
     bool  covers(int i, int j) const;  // a hole is not covered
-    bool  isHole(int i, int j) const { return m_holes && m_holes->at(i, j); }
+    bool  isHole(int i, int j) const { return m_patterns && m_patterns->isHole(i, j); }
     float depth(int i, int j) const;
+    /// No fragment of it is farther.
+    float farthestDepth() const;
 
 private:
-    void setPlane();
-    void setSides(Wide doubleArea);
+    void   setPlane();
+    void   setSides(Wide doubleArea);
+    double limitedDepth(int i, int j) const;
 
     std::array<Corner, 3> m_corners;
     std::array<Side, 3>   m_sides;
     PixelBox              m_box;
-    std::optional<Holes>  m_holes;
+    std::optional<Patterns> m_patterns;
     double                m_a = 0, m_b = 0, m_c = 0;  // depth = a x + b y + c at pixel centres
     float                 m_lo = 0, m_hi = 0;         // limits: the nearest and farthest corner
     bool                  m_isFlat = false;           // no plane could be computed: depth is m_hi

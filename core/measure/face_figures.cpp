@@ -66,14 +66,14 @@ public:
         return withoutHoles(std::move(all));
     }
 
-    /// No pixel of the face is farther than this: float32 of its farthest corner.
+    /// No pixel of the face is farther than this: its farthest corner, or how far back a relief moves that.
     float farthestOf(std::uint32_t face) const
     {
         const auto known = m_farthest.find(face);
         if (known != m_farthest.end()) return known->second;
         float farthest = 1;
         forEachPart(face, [&](const Part& part) {
-            for (const Corner& corner : part.corners()) farthest = std::min(farthest, static_cast<float>(corner.depth));
+            farthest = std::min(farthest, part.farthestDepth());
         });
         return m_farthest[face] = farthest;
     }

@@ -3,8 +3,8 @@
 // Depth      float64 until it is stored; limited to the corners' depths, then rounded to float32 (the order does not
 //            matter: rounding is monotone and the limits are float32 values)
 // Winner     larger depth; on equal depth the lower rank. Not-covered lanes offer kNotCovered, which never wins
-// Cut-outs   a fragment in a hole does not exist. Early depth tests first and discards what passed before anything is
-//            written; shading first discards first
+// Patterns   a fragment in a hole does not exist, one in a relief lies farther than its triangle. Early depth tests first, looks
+//            up what passed before anything is written, and tests what was moved again; shading first looks up all
 // Far        free: background holds a value just below everything that may be kept
 #if defined(ZSCOPE_DEPTH_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_DEPTH_TEST_INL_H
@@ -69,51 +69,38 @@ public:
                [[maybe_unused]] int x, [[maybe_unused]] int y, [[maybe_unused]] const Fragments& fragments,
                const Probe& probe) const
     {
-        constexpr ShadingMoment kShading = Fragments::kMoment;
-        auto                    exists   = covered;
-        const F64  d64;
-        const F32  d32;
-        const U32  u32;
-        const auto z     = stored(limited(column + hn::Set(d64, line)));
-        [[maybe_unused]] bool discards = false;  // of one lane
-        if constexpr (Fragments::kDiscards && kShading == ShadingMoment::BeforeTest) {
-            const auto holes = hn::And(covered, fragments.discarded(d64, x, y));
-            discards         = !hn::AllFalse(d64, holes);
-            exists           = hn::AndNot(holes, covered);
-        }
-        const auto depth = hn::DemoteTo(d32, hn::IfThenElse(exists, z, hn::Set(d64, kNotCovered)));
+        if constexpr (Fragments::kPatterned) {
+            offerPatterned(column, line, covered, depthRow, rankRow, x, y, fragments, probe);
+        } else {
+            constexpr ShadingMoment kShading = Fragments::kMoment;
+            const F64  d64;
+            const F32  d32;
+            const U32  u32;
+            const auto z     = stored(limited(column + hn::Set(d64, line)));
+            const auto depth = hn::DemoteTo(d32, hn::IfThenElse(covered, z, hn::Set(d64, kNotCovered)));
 
-        [[maybe_unused]] auto colours = hn::Undefined(u32);
-        if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
+            [[maybe_unused]] auto colours = hn::Undefined(u32);
+            if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
 
-        const auto stored = hn::LoadU(d32, depthRow);
-        const auto holder = hn::LoadU(u32, rankRow);
-        const auto rank   = hn::Set(u32, m_rank);
-        auto       won    = wins(depth, stored, rank, holder);
-        if constexpr (Fragments::kDiscards && kShading != ShadingMoment::BeforeTest) {
-            if (!hn::AllFalse(d32, won)) {  // tested early, but nothing may be written before the holes are known
-                const auto one   = hn::IfThenElse(fragments.discarded(d64, x, y), hn::Set(d64, 1.0), hn::Zero(d64));
-                const auto holes = hn::And(won, hn::DemoteTo(d32, one) > hn::Zero(d32));
-                discards         = !hn::AllFalse(d32, holes);
-                won              = hn::AndNot(holes, won);
+            const auto stored = hn::LoadU(d32, depthRow);
+            const auto holder = hn::LoadU(u32, rankRow);
+            const auto won    = wins(depth, stored, holder);
+            keep(won, depth, stored, holder, depthRow, rankRow);
+
+            if constexpr (kShading == ShadingMoment::BeforeTest) {
+                fragments.keep(u32, hn::RebindMask(u32, won), colours, x, y);
+            } else if constexpr (kShading == ShadingMoment::AfterTest) {
+                if (!hn::AllFalse(d32, won)) fragments.keep(u32, hn::RebindMask(u32, won), fragments.colours(u32, x, y), x, y);
             }
-        }
-        if constexpr (kKeep != Keep::Equal) hn::StoreU(hn::IfThenElse(won, depth, stored), d32, depthRow);
-        if constexpr (kKeep != Keep::DepthOnly)
-            hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, won), rank, holder), u32, rankRow);
 
-        if constexpr (kShading == ShadingMoment::BeforeTest) {
-            fragments.keep(u32, hn::RebindMask(u32, won), colours, x, y);
-        } else if constexpr (kShading == ShadingMoment::AfterTest) {
-            if (!hn::AllFalse(d32, won)) fragments.keep(u32, hn::RebindMask(u32, won), fragments.colours(u32, x, y), x, y);
-        }
-
-        if constexpr (Probe::listens) {
-            static_assert(!Probe::listens || hn::MaxLanes(F64()) == 1, "a run that is listened to uses one lane");
-            if (hn::AllFalse(d64, covered)) return;
-            const bool wins = !hn::AllFalse(d32, won);
-            probe(PixelTested{x, y, TriangleId{m_rank - 1}, hn::GetLane(depth), wins, hn::GetLane(holder), hn::GetLane(stored), kKeep,
-                              kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins), discards});
+            if constexpr (Probe::listens) {
+                static_assert(!Probe::listens || hn::MaxLanes(F64()) == 1, "a run that is listened to uses one lane");
+                if (hn::AllFalse(d64, covered)) return;
+                const bool wins = !hn::AllFalse(d32, won);
+                probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = hn::GetLane(depth), .won = wins,
+                                  .rivalRank = hn::GetLane(holder), .rivalDepth = hn::GetLane(stored), .keep = kKeep,
+                                  .shaded = kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins)});
+            }
         }
     }
 
@@ -129,15 +116,74 @@ public:
     }
 
 private:
-    hn::Mask<F32> wins(hn::Vec<F32> depth, hn::Vec<F32> stored, hn::Vec<U32> rank, hn::Vec<U32> holder) const
+    /// offer() for fragments that a pattern may discard or move. It never moves them nearer, so if a fragment fails where its
+    /// triangle is, it fails; if it passes there, the pattern is looked up and it is tested where it is.
+    template <class Fragments, class Probe>
+    void offerPatterned(Vec64 column, double line, hn::Mask<F64> covered, float* depthRow, std::uint32_t* rankRow, int x, int y,
+                        const Fragments& fragments, const Probe& probe) const
+    {
+        constexpr bool kShadesFirst = Fragments::kMoment == ShadingMoment::BeforeTest;
+        const F64  d64;
+        const F32  d32;
+        const U32  u32;
+        const auto flat   = limited(column + hn::Set(d64, line));
+        const auto bound  = hn::DemoteTo(d32, hn::IfThenElse(covered, stored(flat), hn::Set(d64, kNotCovered)));
+        const auto before = hn::LoadU(d32, depthRow);
+        const auto holder = hn::LoadU(u32, rankRow);
+        const bool moves  = fragments.moves();
+
+        const auto looked = kShadesFirst ? bound > hn::Set(d32, kNotCovered) : moves ? mayWin(bound, before, holder) : wins(bound, before, holder);
+        auto       depth  = bound;
+        auto       exists = looked, won = looked;
+        if (!hn::AllFalse(d32, looked)) {
+            const auto one = hn::IfThenElseZero(fragments.discarded(d64, x, y), hn::Set(d64, 1.0));
+            exists         = hn::AndNot(hn::DemoteTo(d32, one) > hn::Zero(d32), looked);
+            if (moves) depth = hn::DemoteTo(d32, hn::IfThenElse(covered, stored(fragments.moved(d64, flat, x, y)), hn::Set(d64, kNotCovered)));
+            won = hn::And(exists, wins(depth, before, holder));
+            keep(won, depth, before, holder, depthRow, rankRow);
+            if constexpr (Fragments::kMoment != ShadingMoment::Never)
+                if (!hn::AllFalse(d32, exists)) fragments.keep(u32, hn::RebindMask(u32, won), fragments.colours(u32, x, y), x, y);
+        }
+
+        if constexpr (Probe::listens) {
+            if (hn::AllFalse(d64, covered)) return;
+            const bool isLookedAt = !hn::AllFalse(d32, looked), isThere = !hn::AllFalse(d32, exists);
+            probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = hn::GetLane(depth), .won = !hn::AllFalse(d32, won),
+                              .rivalRank = hn::GetLane(holder), .rivalDepth = hn::GetLane(before), .keep = kKeep,
+                              .shaded    = kShadesFirst || (Fragments::kMoment != ShadingMoment::Never && isThere),
+                              .discarded = isLookedAt && !isThere, .moved = isThere && moves, .unmovedDepth = hn::GetLane(bound)});
+        }
+    }
+
+    void keep(hn::Mask<F32> won, hn::Vec<F32> depth, hn::Vec<F32> before, hn::Vec<U32> holder, float* depthRow, std::uint32_t* rankRow) const
     {
         const F32 d32;
+        const U32 u32;
+        if constexpr (kKeep != Keep::Equal) hn::StoreU(hn::IfThenElse(won, depth, before), d32, depthRow);
+        if constexpr (kKeep != Keep::DepthOnly)
+            hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, won), hn::Set(u32, m_rank), holder), u32, rankRow);
+    }
+
+    /// False only for a depth that no farther one wins from, either.
+    hn::Mask<F32> mayWin(hn::Vec<F32> depth, hn::Vec<F32> stored, hn::Vec<U32> holder) const
+    {
+        if constexpr (kKeep == Keep::Equal)
+            return depth >= stored;
+        else
+            return wins(depth, stored, holder);
+    }
+
+    hn::Mask<F32> wins(hn::Vec<F32> depth, hn::Vec<F32> stored, hn::Vec<U32> holder) const
+    {
+        const F32  d32;
+        const auto rank = hn::Set(U32(), m_rank);
         if constexpr (kKeep == Keep::DepthOnly) {
             return depth > stored;
         } else if constexpr (kKeep == Keep::Equal) {
             const auto one  = hn::Set(U32(), 1u);  // makes background, which nobody has claimed yet, the highest rank
             const auto kept = depth > hn::Set(d32, m_empty);  // a depth that the far test dropped equals background's
-            return hn::And(hn::And(depth == stored, kept), hn::RebindMask(d32, rank - one < holder - one));
+            const auto same = hn::And(depth == stored, kept);
+            return hn::And(same, hn::RebindMask(d32, rank - one < holder - one));
         } else {
             return hn::Or(depth > stored, hn::And(depth == stored, hn::RebindMask(d32, rank < holder)));
         }

@@ -2,7 +2,8 @@
 //
 // Interface  colours(u32, x, y): the colours of fragments at the pixels x, x + 1, ...
 //            keep(u32, won, colours, x, y): stores those that won
-//            discarded(d64, x, y), if kDiscards: those that do not exist
+//            if kPatterned: discarded(d64, x, y): those that do not exist; moves(): whether depth is changed; moved(d64, depth, x, y):
+//            what it becomes, which is never nearer (core/scan/pattern-inl.h)
 // Written    where shading is known (core/shade/fragment-inl.h); scan conversion only says when
 #pragma once
 
@@ -15,8 +16,8 @@ enum class ShadingMoment {
 };
 
 struct UnshadedFragments {
-    static constexpr ShadingMoment kMoment   = ShadingMoment::Never;
-    static constexpr bool          kDiscards = false;
+    static constexpr ShadingMoment kMoment    = ShadingMoment::Never;
+    static constexpr bool          kPatterned = false;
 };
 
 }  // namespace zscope

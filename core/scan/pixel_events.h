@@ -44,7 +44,9 @@ struct PixelTested {
     float                  rivalDepth;  // the buffer's value; for background the one just below every kept depth
     Keep                   keep;
     bool                   shaded;      // its colour was computed, before the test or because it passed
-    bool                   discarded;   // it lies in a hole of its material: before the test, or after passing it
+    bool                   discarded = false;  // it lies in a hole of its material: before the test, or after passing it
+    bool                   moved     = false;  // its material's relief was asked: before the test, or after it passed unmoved
+    float                  unmovedDepth = 0;   // if moved: where its triangle is
 };
 
 /// A tile that the triangle may cover has been compared as a whole: the nearest that the triangle could be inside `box`

@@ -20,6 +20,7 @@
 #include "core/base/affine.h"
 #include "core/base/ids.h"
 #include "core/scene/cutout.h"
+#include "core/scene/relief.h"
 
 namespace zscope {
 
@@ -38,6 +39,10 @@ struct Material {
     Rgb         diffuse{0.66f, 0.75f, 0.88f};  // Kd
     float       opacity = 1;                   // d; below 1 the face is outside ids and depth
     std::optional<Cutout> cutout = {};         // holes in the face
+    std::optional<Relief> relief = {};         // fragments that lie farther than the face
+
+    /// Its fragments are looked at one by one, because of holes or a relief.
+    bool isPatterned() const { return cutout || relief; }
 };
 
 /// Axis-aligned box; empty while min > max.
@@ -79,7 +84,7 @@ struct Mesh {
         return std::span(corners).subspan(firstCorner[p.value], firstCorner[p.value + 1] - firstCorner[p.value]);
     }
     const Material& materialOf(PolygonId p) const { return materials[polygonMaterial[p.value].value]; }
-    bool            isCutOut(std::uint32_t triangle) const { return materialOf(trianglePolygon[triangle]).cutout.has_value(); }
+    bool            isPatterned(std::uint32_t triangle) const { return materialOf(trianglePolygon[triangle]).isPatterned(); }
     /// Its triangles are a fan that is no triangulation of its outline.
     bool isMended(PolygonId p) const { return std::ranges::binary_search(mendedFaces, p); }
 

@@ -76,6 +76,11 @@ void addMesh(Digest& digest, const Mesh& mesh)
             digest.add(static_cast<std::uint64_t>(material.cutout->pattern));
             digest.add(material.cutout->size);
         }
+        if (material.relief) {
+            digest.add(static_cast<std::uint64_t>(material.relief->pattern) + 0x52656C696566u);  // no cut-out's pattern
+            digest.add(material.relief->size);
+            digest.add(material.relief->depth);
+        }
     }
 }
 

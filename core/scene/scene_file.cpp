@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -27,6 +28,7 @@ struct FileMaterial {
     Rgb                   colour;
     float                 opacity = 1;
     std::optional<Cutout> cutout  = {};
+    std::optional<Relief> relief  = {};
     int                   line    = 0;
     bool                  used    = false;
 };
@@ -58,7 +60,12 @@ private:
     Problem      checkCount(const JsonValue& value, double count, MeshId mesh) const;
     void          add(Instance instance, bool colourEach);
     Result<Rgb>   colourOf(const JsonValue& value) const;
+    /// Which of `words` the member 'pattern' of a cut-out or relief is.
+    Result<std::size_t> patternOf(const JsonValue& value, std::string_view what, std::span<const std::string_view> words) const;
+    /// A member that is a length.
+    Result<double> lengthOf(const JsonValue& value, std::string_view what, std::string_view key) const;
     Result<Cutout> cutoutOf(const JsonValue& value) const;
+    Result<Relief> reliefOf(const JsonValue& value) const;
 
     Error wrong(const JsonValue& value, std::string sentence) const
     {
@@ -125,7 +132,7 @@ Problem SceneFileReader::readMaterials(const JsonValue& document)
     if (!value) return {};
     if (!value->object()) return wrong(*value, "'materials' must be an object of materials by name");
     for (const auto& [name, description] : *value->object()) {
-        const auto members = membersOf(description, "a material", {"colour", "opacity", "cutout"});
+        const auto members = membersOf(description, "a material", {"colour", "opacity", "cutout", "relief"});
         if (!members) return members.error();
         const JsonValue* colour = find(description, "colour");
         if (!colour) return wrong(description, fmt::format("the material '{}' needs a 'colour'", shown(name)));
@@ -143,6 +150,11 @@ Problem SceneFileReader::readMaterials(const JsonValue& document)
             if (!holes) return holes.error();
             material.cutout = *holes;
         }
+        if (const JsonValue* relief = find(description, "relief")) {
+            const Result<Relief> depths = reliefOf(*relief);
+            if (!depths) return depths.error();
+            material.relief = *depths;
+        }
         m_materials.emplace(name, material);
     }
     return {};
@@ -152,16 +164,45 @@ Result<Cutout> SceneFileReader::cutoutOf(const JsonValue& value) const
 {
     const auto members = membersOf(value, "a cut-out", {"pattern", "size"});
     if (!members) return members.error();
+    const auto pattern = patternOf(value, "a cut-out", kCutoutWords);
+    if (!pattern) return pattern.error();
+    const auto size = lengthOf(value, "a cut-out", "size");
+    if (!size) return size.error();
+    return Cutout{static_cast<CutoutPattern>(*pattern), *size};
+}
+
+Result<Relief> SceneFileReader::reliefOf(const JsonValue& value) const
+{
+    const auto members = membersOf(value, "a relief", {"pattern", "size", "depth"});
+    if (!members) return members.error();
+    const auto pattern = patternOf(value, "a relief", kReliefWords);
+    if (!pattern) return pattern.error();
+    const auto size = lengthOf(value, "a relief", "size");
+    if (!size) return size.error();
+    const auto depth = lengthOf(value, "a relief", "depth");
+    if (!depth) return depth.error();
+    return Relief{static_cast<ReliefPattern>(*pattern), *size, *depth};
+}
+
+Result<std::size_t> SceneFileReader::patternOf(const JsonValue& value, std::string_view what, std::span<const std::string_view> words) const
+{
     const JsonValue* pattern = find(value, "pattern");
-    const JsonValue* size    = find(value, "size");
-    if (!pattern || !pattern->text() || !size) return wrong(value, "a cut-out needs a 'pattern' and a 'size'");
-    const auto word = std::ranges::find(kCutoutWords, *pattern->text());
-    if (word == kCutoutWords.end())
-        return wrong(*pattern, fmt::format("'{}' is no pattern: choose one of {}", shown(*pattern->text()), fmt::join(kCutoutWords, ", ")));
-    const Result<double> cell = realOf(*size, m_path, "size");
-    if (!cell) return cell.error();
-    if (!(*cell > 0)) return wrong(*size, "'size' must be more than 0");
-    return Cutout{static_cast<CutoutPattern>(word - kCutoutWords.begin()), *cell};
+    if (!pattern) return wrong(value, fmt::format("{} needs a 'pattern'", what));
+    if (!pattern->text()) return wrong(*pattern, fmt::format("'pattern' must be one of {}", fmt::join(words, ", ")));
+    const auto word = std::ranges::find(words, *pattern->text());
+    if (word == words.end())
+        return wrong(*pattern, fmt::format("'{}' is no pattern: choose one of {}", shown(*pattern->text()), fmt::join(words, ", ")));
+    return static_cast<std::size_t>(word - words.begin());
+}
+
+Result<double> SceneFileReader::lengthOf(const JsonValue& value, std::string_view what, std::string_view key) const
+{
+    const JsonValue* length = find(value, key);
+    if (!length) return wrong(value, fmt::format("{} needs a '{}'", what, key));
+    const Result<double> real = realOf(*length, m_path, key);
+    if (!real) return real.error();
+    if (!(*real > 0) || !std::isfinite(*real)) return wrong(*length, fmt::format("'{}' must be more than 0, and finite", key));
+    return *real;
 }
 
 Problem SceneFileReader::readMeshes(const JsonValue& document)
@@ -222,6 +263,7 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
                 material.diffuse  = own->second.colour;
                 material.opacity  = own->second.opacity;
                 material.cutout   = own->second.cutout;
+                material.relief   = own->second.relief;
                 own->second.used = true;
             }
         mesh = std::move(changed);
@@ -266,6 +308,8 @@ Problem SceneFileReader::readInstance(const JsonValue& value)
             return wrong(*material, "the opacity of an instance is its mesh's: name an opaque material");
         if (own->second.cutout)
             return wrong(*material, "the cut-out of an instance is its mesh's: name a material without one");
+        if (own->second.relief)
+            return wrong(*material, "the relief of an instance is its mesh's: name a material without one");
         own->second.used = true;
         instance.colour  = own->second.colour;
     } else if (colour && colour->text()) {

@@ -44,8 +44,8 @@ hn::Vec<U32> shaded(U32 u32, hn::Vec<U32> base, hn::Vec<U32> rank, int x, int y,
 template <ShadingMoment kWhen>
 class ShadedFragments {
 public:
-    static constexpr ShadingMoment kMoment   = kWhen;
-    static constexpr bool          kDiscards = false;
+    static constexpr ShadingMoment kMoment    = kWhen;
+    static constexpr bool          kPatterned = false;
 
     ShadedFragments(const Painter& painter, std::uint32_t rank)
         : m_painter(painter), m_rank(rank), m_base(painter.baseColour(rank))

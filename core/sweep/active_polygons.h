@@ -19,14 +19,14 @@ namespace zscope {
 struct SweepPolygon {
     DepthPlane depth;
     TriangleId id;
-    bool       cutOut;  // it has holes
+    bool       patterned;  // it has holes or a relief
 };
 
 struct ActivePolygon {
     DepthPlane    depth;
     TriangleId    id;
-    std::uint32_t part : 31;    // index into EdgeTable::parts()
-    std::uint32_t cutOut : 1;   // it has holes
+    std::uint32_t part : 31;       // index into EdgeTable::parts()
+    std::uint32_t patterned : 1;   // it has holes or a relief
     int           openAt;       // while it is open: where its span begins on this line (which pixel, or where in a list)
     std::uint32_t winding = 0;  // of its sides round the place on this line that has been reached; 0: it is closed
 
@@ -57,7 +57,7 @@ public:
         std::uint32_t& row = m_rowOf[part];
         if (row == kNoRow) {
             row         = freeRow();
-            m_rows[row] = {polygon.depth, polygon.id, part & 0x7FFFFFFFu, polygon.cutOut, 0, 0};
+            m_rows[row] = {polygon.depth, polygon.id, part & 0x7FFFFFFFu, polygon.patterned, 0, 0};
         }
         ++m_edges[row];
         return row;

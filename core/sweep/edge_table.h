@@ -40,14 +40,14 @@ public:
     {
         const auto &x = part.x, &y = part.y;
         const std::array<ScreenSide, 3> sides{{{x[0], y[0], x[1], y[1]}, {x[1], y[1], x[2], y[2]}, {x[2], y[2], x[0], y[0]}}};
-        add(SweepPolygon{part.depth, part.id, part.cutOut}, Inside::EvenOdd, part.wide, sides, std::min({y[0], y[1], y[2]}), rules);
+        add(SweepPolygon{part.depth, part.id, part.patterned}, Inside::EvenOdd, part.wide, sides, std::min({y[0], y[1], y[2]}), rules);
     }
 
     /// `sides` are closed, however often they cross.
     template <class Rules>
     void add(const ScreenFace& face, std::span<const ScreenSide> sides, const Rules& rules)
     {
-        add(SweepPolygon{face.depth, face.id, face.cutOut}, face.isMended ? Inside::EvenOdd : Inside::AnyWinding, face.wide, sides, face.top, rules);
+        add(SweepPolygon{face.depth, face.id, face.patterned}, face.isMended ? Inside::EvenOdd : Inside::AnyWinding, face.wide, sides, face.top, rules);
     }
 
     /// Sorts the edges into their buckets; call once after the last add().

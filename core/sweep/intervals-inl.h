@@ -3,7 +3,8 @@
 //
 // Nearest    judged at both end pixels. Depth is affine along the line, so a polygon that leads every rival by more than
 //            kLead float32 steps at both ends, with no depth limited there, leads everywhere between
-// Holes      a polygon that has some covers no interval whole; it hides nothing by itself, so it does not lead either
+// Patterns   a polygon that has holes or a relief covers no interval whole, and does not lead: its plane is only the nearest that
+//            it can be. As a rival that is what counts
 // Crossing   an interval that nobody leads like that (polygons that cross, touch or are equally near) is compared pixel by
 //            pixel, which is where the textbook's one test per interval goes wrong
 // Promise    the same pixels as LineZBuffer
@@ -33,8 +34,8 @@ template <class Rules>
 class Intervals {
 public:
     /// `open` is scratch memory, reused from line to line.
-    Intervals(VisibilityBuffer& visible, const HoleFinder& holes, std::vector<std::uint32_t>& open, const Rules& rules)
-        : m_visible(visible), m_holes(holes), m_open(open), m_rules(rules)
+    Intervals(VisibilityBuffer& visible, const PatternFinder& patterns, std::vector<std::uint32_t>& open, const Rules& rules)
+        : m_visible(visible), m_patterns(patterns), m_open(open), m_rules(rules)
     {
     }
 
@@ -42,7 +43,7 @@ public:
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
     {
         if (isCrowded(active, polygons)) {
-            LineZBuffer(m_visible, m_holes, m_rules).line(y, active, polygons, probe);
+            LineZBuffer(m_visible, m_patterns, m_rules).line(y, active, polygons, probe);
             return;
         }
         m_visible.clearRows(y, y + 1);
@@ -120,7 +121,7 @@ private:
             probe(SpanFilled{y, x0, x1, nearest->id});
         } else {
             for (const std::uint32_t row : m_open)
-                testPolygonSpan(polygons[row], y, x0, x1, m_visible, m_holes, m_rules, probe);
+                testPolygonSpan(polygons[row], y, x0, x1, m_visible, m_patterns, m_rules, probe);
             tellRuns(y, x0, x1, probe);
         }
         probe(IntervalResolved{y, x0, x1, m_open, polygons, leader.polygon, leader.reason});
@@ -138,7 +139,7 @@ private:
         const ActivePolygon* best = &polygons[m_open[0]];
         EndDepth             bestLeft = depthAt(best->depth, x0, y);
         if (m_open.size() == 1) {
-            if (best->cutOut) return {nullptr, IntervalReason::HasHoles};
+            if (best->patterned) return {nullptr, IntervalReason::HasPattern};
             const bool kept = bestLeft.depth > m_visible.empty() && isKept(*best, y, x1 - 1);
             return kept ? Leader{best, IntervalReason::Alone} : Leader{nullptr, IntervalReason::BeyondFar};
         }
@@ -148,7 +149,7 @@ private:
             best     = &polygons[row];
             bestLeft = left;
         }
-        if (best->cutOut) return {nullptr, IntervalReason::HasHoles};
+        if (best->patterned) return {nullptr, IntervalReason::HasPattern};
         if (m_rules.testsIntervalOnce()) return {best, IntervalReason::TestedOnce};
         const EndDepth bestRight = depthAt(best->depth, x1 - 1, y);
         if (bestLeft.limited || bestRight.limited) return {nullptr, IntervalReason::DepthLimited};
@@ -186,7 +187,7 @@ private:
     }
 
     VisibilityBuffer&           m_visible;
-    HoleFinder                  m_holes;
+    PatternFinder                  m_patterns;
     std::vector<std::uint32_t>& m_open;  // rows of the active polygon table, in no order
     const Rules&                m_rules;
 };

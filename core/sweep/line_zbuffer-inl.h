@@ -13,50 +13,50 @@
 #include <algorithm>
 #include <span>
 
-#include "core/scan/cutout-inl.h"
 #include "core/scan/depth_test-inl.h"
+#include "core/scan/pattern-inl.h"
 #include "core/sweep/sweep_events.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// Where the patterns of cut-out polygons come from.
-struct HoleFinder {
+/// Where the holes and reliefs of polygons come from.
+struct PatternFinder {
     const Scene&      scene;
     const Projection& projection;
 
-    DiscardingFragments<UnshadedFragments> fragmentsOf(const ActivePolygon& polygon) const
+    PatternedFragments<UnshadedFragments> fragmentsOf(const ActivePolygon& polygon) const
     {
-        return {UnshadedFragments(), cutoutPlaneOf(scene, projection, polygon.id)};
+        return {UnshadedFragments(), patternPlaneOf(scene, projection, polygon.id)};
     }
 };
 
-/// Tests the pixels [x0, x1) of line y, less those in the polygon's holes.
+/// Tests the pixels [x0, x1) of line y, by the patterns of the polygon, if it has any.
 template <class Rules, class Probe>
-void testPolygonSpan(const ActivePolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible, const HoleFinder& holes,
+void testPolygonSpan(const ActivePolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible, const PatternFinder& patterns,
                      const Rules& rules, const Probe& probe)
 {
-    if (polygon.cutOut)
-        testSpan(polygon.depth, polygon.rank(), y, x0, x1, visible, rules, probe, holes.fragmentsOf(polygon));
+    if (polygon.patterned)
+        testSpan(polygon.depth, polygon.rank(), y, x0, x1, visible, rules, probe, patterns.fragmentsOf(polygon));
     else
         testSpan(polygon.depth, polygon.rank(), y, x0, x1, visible, rules, probe);
 }
 
 /// testPolygonSpan(), and tells that the span was filled.
 template <class Rules, class Probe>
-void fillPolygonSpan(const ActivePolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible, const HoleFinder& holes,
+void fillPolygonSpan(const ActivePolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible, const PatternFinder& patterns,
                      const Rules& rules, const Probe& probe)
 {
     if (x0 >= x1) return;
-    testPolygonSpan(polygon, y, x0, x1, visible, holes, rules, probe);
+    testPolygonSpan(polygon, y, x0, x1, visible, patterns, rules, probe);
     probe(SpanFilled{y, x0, x1, polygon.id});
 }
 
 template <class Rules>
 class LineZBuffer {
 public:
-    LineZBuffer(VisibilityBuffer& visible, const HoleFinder& holes, const Rules& rules)
-        : m_visible(visible), m_holes(holes), m_rules(rules)
+    LineZBuffer(VisibilityBuffer& visible, const PatternFinder& patterns, const Rules& rules)
+        : m_visible(visible), m_patterns(patterns), m_rules(rules)
     {
     }
 
@@ -73,14 +73,14 @@ public:
                 polygon.openAt = pixel;
                 continue;
             }
-            fillPolygonSpan(polygon, y, std::max(polygon.openAt, 0), std::min(pixel, m_visible.width()), m_visible, m_holes,
+            fillPolygonSpan(polygon, y, std::max(polygon.openAt, 0), std::min(pixel, m_visible.width()), m_visible, m_patterns,
                             m_rules, probe);
         }
     }
 
 private:
     VisibilityBuffer& m_visible;
-    HoleFinder        m_holes;
+    PatternFinder     m_patterns;
     const Rules&      m_rules;
 };
 

@@ -42,7 +42,7 @@ enum class IntervalReason {
     TestedOnce,    // to the nearest at the left end (a fault)
     BeyondFar,     // to nobody as a whole: part of the nearest lies beyond far
     DepthLimited,  // the depth of one is limited to its corners', so it is not affine
-    HasHoles,      // the nearest at the left end is cut out, so it covers nothing whole
+    HasPattern,    // the nearest at the left end has holes or a relief, so it covers nothing whole
     NoClearLead,   // nobody leads at both ends: they cross, touch or are equally near
     NotByEnds,     // depths as they are stored are not affine (an approximation)
 };

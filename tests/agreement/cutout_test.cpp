@@ -191,7 +191,7 @@ TEST(Cutout, HolesAreNoCoverForTilesAndIntervals)
         ASSERT_TRUE(state.ok());
         if (!state->interval || state->event != Grain::Interval) continue;
         EXPECT_FALSE(state->interval->winner.has_value()) << state->sentence;
-        withHoles += state->interval->reason == IntervalReason::HasHoles;
+        withHoles += state->interval->reason == IntervalReason::HasPattern;
     }
     EXPECT_GT(withHoles, 0);
 }

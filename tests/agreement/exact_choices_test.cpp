@@ -92,7 +92,7 @@ TEST_P(ExactChoicesOnScenes, DrawWhatTheReferenceDraws)
     EXPECT_GT(expectExact(scene, cameraFor(*scene, 241, 163), GetParam()), 0u);
 }
 INSTANTIATE_TEST_SUITE_P(Builtin, ExactChoicesOnScenes,
-                         testing::Values("soccer-field?count=12", "wall-and-city?blocks=3", "layers?count=20", "cubes", "hard/A11", "hard/B5",
+                         testing::Values("soccer-field?count=12", "wall-and-city?blocks=3", "layers?count=20", "cubes", "cutouts", "reliefs", "hard/A11", "hard/B5",
                                          "hard/C4", "hard/D1", "hard/D2", "hard/D4", "hard/D6", "hard/D7", "hard/D9"),
                          [](const auto& test) {
                              std::string name = test.param;

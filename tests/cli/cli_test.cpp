@@ -113,8 +113,9 @@ TEST_F(Cli, AnInputThatCannotBeUsedEndsWithThree)
     const std::string broken  = write("broken.json", "{\"meshes\": ");
     const std::string camera  = write("camera.json", "{\"eye\":[0,0,0]}");
     const std::string nothing = path("nothing.obj");
+    const std::string flat    = write("flat.json", R"({"materials": {"m": {"colour": [1, 0, 0], "relief": {"pattern": "bricks", "size": 1, "depth": 0}}}})");
     for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-             {"render", nothing}, {"info", nothing}, {"render", empty}, {"render", broken},
+             {"render", nothing}, {"info", nothing}, {"render", empty}, {"render", broken}, {"render", flat},
              {"render", path("")}, {"render", kScene, "--camera", nothing},
              {"render", kScene, "--camera", camera}}) {
         const Answer answer = run(arguments);

@@ -64,14 +64,65 @@ TEST_F(SceneFile, ACutOutBelongsToTheMaterialOfAMesh)
     const auto scene = load(flag("{\"pattern\": \"holes\", \"size\": 0.25}"));
     ASSERT_TRUE(scene.ok()) << scene.error().text();
     const Mesh& mesh = *scene->meshes[0];
-    EXPECT_TRUE(mesh.isCutOut(0));
+    EXPECT_TRUE(mesh.isPatterned(0));
     EXPECT_EQ(mesh.materialOf(PolygonId{0}).cutout, (Cutout{CutoutPattern::Holes, 0.25}));
     EXPECT_NE(scene->digest, load(flag("{\"pattern\": \"holes\", \"size\": 0.5}"))->digest);
 
     EXPECT_TRUE(says(refused(flag("{\"pattern\": \"lace\", \"size\": 1}")), "choose one of checker, stripes, holes"));
     EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\", \"size\": 0}")), "more than 0"));
-    EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\"}")), "needs a 'pattern' and a 'size'"));
+    EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\"}")), "a cut-out needs a 'size'"));
     EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\", \"size\": 1}", "{\"mesh\": \"f\", \"material\": \"cloth\"}")), "its mesh's"));
+}
+
+TEST_F(SceneFile, AReliefBelongsToTheMaterialOfAMesh)
+{
+    const auto flag = [](const std::string& relief, const std::string& instance = "{\"mesh\": \"f\"}") {
+        return "{\"materials\": {\"cloth\": {\"colour\": [1, 0, 0], \"relief\": " + relief +
+               "}},\n\"meshes\": {\"f\": {\"obj\": \"models/flag.obj\"}},\n\"instances\": [" + instance + "]}";
+    };
+    const auto scene = load(flag(R"({"pattern": "bowls", "size": 0.25, "depth": "0x1p-3"})"));
+    ASSERT_TRUE(scene.ok()) << scene.error().text();
+    const Mesh& mesh = *scene->meshes[0];
+    EXPECT_TRUE(mesh.isPatterned(0));
+    EXPECT_EQ(mesh.materialOf(PolygonId{0}).relief, (Relief{ReliefPattern::Bowls, 0.25, 0.125}));
+    EXPECT_FALSE(mesh.materialOf(PolygonId{0}).cutout.has_value());
+    EXPECT_NE(scene->digest, load(flag(R"({"pattern": "bowls", "size": 0.25, "depth": 0.25})"))->digest);
+    EXPECT_TRUE(says(refused(flag(R"({"pattern": "bowls", "size": 1, "depth": 1})", R"({"mesh": "f", "material": "cloth"})")), "its mesh's"));
+}
+
+/// Every value of a material in turn becomes something that it cannot be.
+TEST_F(SceneFile, WhatIsWrongWithAMaterialIsSaidWithItsLine)
+{
+    const std::vector<std::string> noLength{"null", "true", "\"\"", "\"x\"", "[]", "{}", "[1]", "{\"a\": 1}", "0", "-1", "\"-1\"", "\"nan\"",
+                                            "\"inf\"", "\"-inf\"", "1e999", "-0.0", "\"1 \"", "\"0x\""};
+    const std::vector<std::string> noShare{"null", "true", "\"\"", "\"x\"", "[]", "{}", "1.0001", "-1", "\"nan\"", "\"inf\"", "1e999"};
+    const std::vector<std::string> noPattern{"null", "true", "1", "\"\"", "\"x\"", "\"Holes\"", "[]", "{}", "[\"holes\"]"};
+    const std::vector<std::string> noObject{"null", "true", "1", "\"holes\"", "[]", "{}", "{\"pattern\": \"holes\", \"size\": 1, \"depth\": 1, \"more\": 1}"};
+    struct Place {
+        std::string                     key, whole;
+        const std::vector<std::string>* junk;
+    };
+    const std::vector<Place> places{
+        {"opacity", R"("opacity": $)", &noShare},
+        {"cutout", R"("cutout": $)", &noObject},
+        {"relief", R"("relief": $)", &noObject},
+        {"a cut-out's pattern", R"("cutout": {"size": 1, "pattern": $})", &noPattern},
+        {"a cut-out's size", R"("cutout": {"pattern": "holes", "size": $})", &noLength},
+        {"a relief's pattern", R"("relief": {"size": 1, "depth": 1, "pattern": $})", &noPattern},
+        {"a relief's size", R"("relief": {"pattern": "bowls", "depth": 1, "size": $})", &noLength},
+        {"a relief's depth", R"("relief": {"pattern": "bowls", "size": 1, "depth": $})", &noLength},
+    };
+    for (const Place& place : places)
+        for (const std::string& junk : *place.junk) {
+            std::string member = place.whole;
+            member.replace(member.find('$'), 1, junk);
+            const Error error = refused("{\n\"materials\": {\"cloth\": {\n\"colour\": [1, 0, 0],\n" + member +
+                                        "}},\n\"meshes\": {\"f\": {\"obj\": \"models/flag.obj\"}},\n\"instances\": [{\"mesh\": \"f\"}]}");
+            EXPECT_EQ(error.kind, Trouble::Input) << place.key << ' ' << junk;
+            EXPECT_EQ(error.line, 4) << place.key << ' ' << junk << ": " << error.text();
+            EXPECT_EQ(error.file, path()) << place.key << ' ' << junk;
+            EXPECT_FALSE(error.sentence.empty());
+        }
 }
 
 TEST_F(SceneFile, EveryPartOfTheFormatIsRead)

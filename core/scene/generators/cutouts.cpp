@@ -9,6 +9,7 @@
 
 #include "core/scene/generators/palette.h"
 #include "core/scene/generators/registry.h"
+#include "core/scene/generators/sheets.h"
 
 namespace zscope::generated {
 
@@ -16,25 +17,8 @@ namespace {
 
 MaterialId addMaterial(Mesh& mesh, std::uint64_t colour, std::optional<Cutout> cutout)
 {
-    mesh.materials.push_back({"cut-out " + std::to_string(mesh.materials.size()), palette::colourOf(colour), 1, cutout});
+    mesh.materials.push_back({.name = "cut-out " + std::to_string(mesh.materials.size()), .diffuse = palette::colourOf(colour), .cutout = cutout});
     return MaterialId{static_cast<std::uint32_t>(mesh.materials.size() - 1)};
-}
-
-void addQuad(Mesh& mesh, const std::array<dvec3, 4>& corners, MaterialId material)
-{
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), corners.begin(), corners.end());
-    mesh.addPolygon(std::array{first, first + 1, first + 2, first + 3}, material);
-}
-
-/// Of side 2, about the origin.
-void addBox(Mesh& mesh, MaterialId material)
-{
-    for (const double side : {-1.0, 1.0}) {
-        addQuad(mesh, {{{side, -1, -1}, {side, 1, -1}, {side, 1, 1}, {side, -1, 1}}}, material);
-        addQuad(mesh, {{{-1, side, -1}, {1, side, -1}, {1, side, 1}, {-1, side, 1}}}, material);
-        addQuad(mesh, {{{-1, -1, side}, {1, -1, side}, {1, 1, side}, {-1, 1, side}}}, material);
-    }
 }
 
 Result<Scene> make(const Arguments& arguments)

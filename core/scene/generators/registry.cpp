@@ -21,6 +21,7 @@
     file(soup)                       \
     file(layers)                     \
     file(cutouts)                    \
+    file(reliefs)                    \
     file(walls)                      \
     file(glass)                      \
     file(rows)                       \

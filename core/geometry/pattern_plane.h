@@ -1,22 +1,26 @@
-// The pattern of one cut-out triangle as it lies on the screen.
+// The patterns of one triangle's material (holes, relief) as they lie on the screen.
 //
 // Idea       one plane per face, that of its first triangle: with g, hu, hv as below, a pattern coordinate at the pixel whose view ray is r is u0 + (hu.r)/(g.r): the plane
 //            through the three corners in view space, before any clipping, so that parts agree with the whole
-// Cost       nothing is kept: it is made anew from the scene for each cut-out triangle (or span of one) that is drawn
-// Source     docs/correctness.md, Cut-outs: float64, one rounding per written operation
+// Cost       nothing is kept: it is made anew from the scene for each such triangle (or span of one) that is drawn
+// Source     docs/correctness.md, Cut-outs and Reliefs: float64, one rounding per written operation
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "core/geometry/projection.h"
 #include "core/scene/scene.h"
 
 namespace zscope {
 
-struct CutoutPlane {
-    Cutout cutout;
+struct PatternPlane {
+    std::optional<Cutout> cutout;
+    std::optional<Relief> relief;
+    double reliefDepth;        // in near distances
     dvec3  g, hu, hv;          // linear in the view ray
     double u0, v0;             // of the first corner
     double centreX, centreY;   // of the picture, pixels
@@ -28,8 +32,8 @@ inline dvec3 crossAsWritten(const dvec3& a, const dvec3& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// `id` must be a triangle whose material has a cut-out.
-inline CutoutPlane cutoutPlaneOf(const Scene& scene, const Projection& projection, TriangleId id)
+/// `id` must be a triangle whose material has a pattern.
+inline PatternPlane patternPlaneOf(const Scene& scene, const Projection& projection, TriangleId id)
 {
     const InstanceId    instance = scene.instanceOf(id);
     const Affine&       toWorld  = scene.instances[instance.value].toWorld;
@@ -37,6 +41,7 @@ inline CutoutPlane cutoutPlaneOf(const Scene& scene, const Projection& projectio
     const std::uint32_t t        = id.value - scene.firstTriangle[instance.value];
     const PolygonId     face     = mesh.trianglePolygon[t];
     const auto&         corners  = mesh.triangles[mesh.firstTriangle[face.value]];
+    const Material&     material = mesh.materialOf(face);
 
     std::array<dvec3, 3> model, view;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -55,7 +60,8 @@ inline CutoutPlane cutoutPlaneOf(const Scene& scene, const Projection& projectio
     const auto  linear = [&](double d1, double d2) {
         return dvec3{d1 * by1.x + d2 * by2.x, d1 * by1.y + d2 * by2.y, d1 * by1.z + d2 * by2.z};
     };
-    return {*mesh.materialOf(face).cutout, crossAsWritten(e1, e2), linear(u(1) - u(0), u(2) - u(0)),
+    const double reliefDepth = material.relief ? std::min(material.relief->depth / projection.near, 0x1p1000) : 0;
+    return {material.cutout, material.relief, reliefDepth, crossAsWritten(e1, e2), linear(u(1) - u(0), u(2) - u(0)),
             linear(v(1) - v(0), v(2) - v(0)), u(0), v(0), projection.centreX, projection.centreY, projection.focalPixels};
 }
 
