@@ -21,7 +21,7 @@ enum class Fault {
     EqualIsHidden,       // pyramid: what is as near as the cell counts as hidden
     NearRejected,        // clip: a triangle with any corner before the near plane is dropped
     CrossingDropped,     // clip: a triangle that crosses the border of the picture is dropped
-    FarFirst,            // order: the farthest child is visited first
+    FarFirst,            // order: the farthest child is visited first, and who came first keeps a tie
 };
 
 }  // namespace zscope

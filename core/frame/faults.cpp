@@ -75,8 +75,9 @@ constexpr std::array kFaults{
                "Coverage needs no clipping at the sides: limit the box of pixels, and keep the triangle.",
                kTriangles, "zbuffer", setsUpTriangles},
     FaultEntry{Fault::FarFirst, "far-first", "Octree children visited far first",
-               "The farthest child is drawn first, so nothing hides anything yet when the pyramid is asked.",
-               "Begin with the octant of the eye; the picture is the same, the work is not.",
+               "The farthest child is drawn first, and the first comer keeps a tie (depth is compared strictly), so that the visit decides who "
+               "is seen where faces coincide, and nothing hides anything yet when the pyramid is asked.",
+               "Let the lower id win a tie, whoever came first, so that no order can change the picture; and begin with the octant of the eye.",
                "methods that visit an octree", "hzb-octree", visitsOctree},
 };
 

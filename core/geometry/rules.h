@@ -58,6 +58,8 @@ struct ExactRules {
     /// Nodes whose whole rectangle has fewer pixels are dropped.
     static constexpr double smallestNode() { return 0; }
     static constexpr bool visitsFarFirst() { return false; }
+    /// Of equally near fragments the one that came first stays, whatever its id.
+    static constexpr bool firstComerKeepsTie() { return false; }
     static constexpr bool truncatesNodeBoxes() { return false; }
 };
 
@@ -118,6 +120,7 @@ public:
         return m_approximation.small == SmallNodes::DropBelow4 ? 4 : m_approximation.small == SmallNodes::DropBelow16 ? 16 : 0;
     }
     bool visitsFarFirst() const { return m_fault == Fault::FarFirst; }
+    bool firstComerKeepsTie() const { return m_fault == Fault::FarFirst; }
     bool truncatesNodeBoxes() const { return m_fault == Fault::EmptyIsHidden; }
 
 private:

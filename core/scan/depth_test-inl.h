@@ -183,8 +183,12 @@ private:
             const auto one  = hn::Set(U32(), 1u);  // makes background, which nobody has claimed yet, the highest rank
             const auto kept = depth > hn::Set(d32, m_empty);  // a depth that the far test dropped equals background's
             const auto same = hn::And(depth == stored, kept);
+            if constexpr (!Rules::kExact)
+                if (m_rules.firstComerKeepsTie()) return hn::And(same, hn::RebindMask(d32, holder == hn::Zero(U32())));
             return hn::And(same, hn::RebindMask(d32, rank - one < holder - one));
         } else {
+            if constexpr (!Rules::kExact)
+                if (m_rules.firstComerKeepsTie()) return depth > stored;
             return hn::Or(depth > stored, hn::And(depth == stored, hn::RebindMask(d32, rank < holder)));
         }
     }
