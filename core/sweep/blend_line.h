@@ -19,6 +19,7 @@
 #include "core/depth/visibility_buffer.h"
 #include "core/sweep/blend_events.h"
 #include "core/sweep/blend_scratch.h"
+#include "core/sweep/line_spans.h"
 
 namespace zscope {
 
@@ -36,18 +37,8 @@ public:
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe&)
     {
         m_scratch.spans.clear();
-        for (const ActiveEdge& edge : active) {
-            ActivePolygon& polygon = polygons[edge.polygon()];
-            const int      pixel   = edge.firstPixel(m_rules);
-            const bool     wasOpen = polygon.isOpen();
-            if (polygon.pass(edge) == wasOpen) continue;
-            if (!wasOpen) {
-                polygon.openAt = pixel;
-                continue;
-            }
-            const int x0 = std::max(polygon.openAt, 0), x1 = std::min(pixel, m_visible.width());
-            if (x0 < x1) m_scratch.spans.push_back({edge.polygon(), x0, x1});
-        }
+        forEachSpan(active, polygons, m_visible.width(), m_rules,
+                    [this](std::uint32_t row, int x0, int x1) { m_scratch.spans.push_back({row, x0, x1}); });
         if (!m_scratch.spans.empty()) blendBetween(y, 0, m_visible.width(), polygons);
     }
 

@@ -187,7 +187,7 @@ private:
     }
 
     VisibilityBuffer&           m_visible;
-    PatternFinder                  m_patterns;
+    PatternFinder               m_patterns;
     std::vector<std::uint32_t>& m_open;  // rows of the active polygon table, in no order
     const Rules&                m_rules;
 };

@@ -10,11 +10,11 @@
 #define ZSCOPE_LINE_ZBUFFER_INL_H
 #endif
 
-#include <algorithm>
 #include <span>
 
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/pattern-inl.h"
+#include "core/sweep/line_spans.h"
 #include "core/sweep/sweep_events.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,16 +42,6 @@ void testPolygonSpan(const ActivePolygon& polygon, int y, int x0, int x1, Visibi
         testSpan(polygon.depth, polygon.rank(), y, x0, x1, visible, rules, probe);
 }
 
-/// testPolygonSpan(), and tells that the span was filled.
-template <class Rules, class Probe>
-void fillPolygonSpan(const ActivePolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible, const PatternFinder& patterns,
-                     const Rules& rules, const Probe& probe)
-{
-    if (x0 >= x1) return;
-    testPolygonSpan(polygon, y, x0, x1, visible, patterns, rules, probe);
-    probe(SpanFilled{y, x0, x1, polygon.id});
-}
-
 template <class Rules>
 class LineZBuffer {
 public:
@@ -64,18 +54,10 @@ public:
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
     {
         m_visible.clearRows(y, y + 1);
-        for (const ActiveEdge& edge : active) {
-            ActivePolygon& polygon = polygons[edge.polygon()];
-            const int      pixel   = edge.firstPixel(m_rules);
-            const bool     wasOpen = polygon.isOpen();
-            if (polygon.pass(edge) == wasOpen) continue;
-            if (!wasOpen) {
-                polygon.openAt = pixel;
-                continue;
-            }
-            fillPolygonSpan(polygon, y, std::max(polygon.openAt, 0), std::min(pixel, m_visible.width()), m_visible, m_patterns,
-                            m_rules, probe);
-        }
+        forEachSpan(active, polygons, m_visible.width(), m_rules, [&](std::uint32_t row, int x0, int x1) HWY_ATTR {
+            testPolygonSpan(polygons[row], y, x0, x1, m_visible, m_patterns, m_rules, probe);
+            probe(SpanFilled{y, x0, x1, polygons[row].id});
+        });
     }
 
 private:

@@ -100,6 +100,14 @@ INSTANTIATE_TEST_SUITE_P(Builtin, ExactChoicesOnScenes,
                              return name;
                          });
 
+DrawRequest requestOf(const std::string& word, const Pipeline& pipeline)
+{
+    auto loaded = loadScene("builtin:" + word);
+    EXPECT_TRUE(loaded.ok());
+    const auto scene = std::make_shared<const Scene>(*std::move(loaded));
+    return {.scene = std::make_shared<const PreparedScene>(scene), .camera = cameraFor(*scene, 241, 163), .pipeline = pipeline, .threads = 1};
+}
+
 /// What the counting run of a scene says.
 struct Counted {
     FrameWork                            work;
@@ -108,15 +116,8 @@ struct Counted {
 
 Counted countedOn(const std::string& word, const Pipeline& pipeline)
 {
-    auto loaded = loadScene("builtin:" + word);
-    EXPECT_TRUE(loaded.ok());
-    const auto  scene = std::make_shared<const Scene>(*std::move(loaded));
-    DrawRequest request;
-    request.scene    = std::make_shared<const PreparedScene>(scene);
-    request.camera   = cameraFor(*scene, 241, 163);
-    request.pipeline = pipeline;
     Renderer   renderer;
-    const auto work = renderer.count(request);
+    const auto work = renderer.count(requestOf(word, pipeline));
     EXPECT_TRUE(work.ok());
     Counted counted{*work, {}};
     for (const NamedCount& count : work->counters) counted.counters[std::string(count.name)] = count.value;
@@ -183,14 +184,7 @@ struct Culled {
 
 Culled culledOn(const std::string& word, const Pipeline& pipeline)
 {
-    auto loaded = loadScene("builtin:" + word);
-    EXPECT_TRUE(loaded.ok());
-    const auto  scene = std::make_shared<const Scene>(*std::move(loaded));
-    DrawRequest request;
-    request.scene    = std::make_shared<const PreparedScene>(scene);
-    request.camera   = cameraFor(*scene, 241, 163);
-    request.pipeline = pipeline;
-    request.threads  = 1;
+    const DrawRequest request = requestOf(word, pipeline);
     Renderer renderer;
     Frame    frame;
     EXPECT_TRUE(renderer.draw(request, frame).ok());
