@@ -9,6 +9,7 @@ packages_for_the_window=(
     qt6-base-dev qt6-svg-dev
     fonts-dejavu-core fonts-wqy-microhei
 )
+packages_to_compare=(libembree-dev libosmesa6-dev)  # other renderers, for `bench --peers`
 packages_to_test=(
     libgtest-dev libgmp-dev xvfb xauth
     clang libomp-dev libclang-rt-14-dev llvm

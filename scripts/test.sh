@@ -14,7 +14,7 @@ run_tests() {
     ctest --preset "$preset" --parallel "$(nproc)" "$@"
 }
 
-require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${packages_to_test[@]}"
+require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${packages_to_test[@]}" "${packages_to_compare[@]}"
 
 # Threads: the thread sanitizer must find the seeded race and nothing else.
 build_preset tsan threads_test seeded_race

@@ -7,6 +7,8 @@
 #include "app/cli/bench_tables.h"
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/cli/peers/peer_rows.h"
+#include "app/cli/peers/peer_tables.h"
 #include "app/cli/words.h"
 #include "core/io/file_writer.h"
 #include "core/measure/bench.h"
@@ -19,7 +21,7 @@ struct BenchOptions {
     std::vector<std::string>   scenes;
     ViewOptions                view;
     std::optional<std::string> suite, algorithms, threads, simd, frames, memoryLimit, json, csv;
-    bool                       noVerify = false, noShade = false, noCount = false;
+    bool                       noVerify = false, noShade = false, noCount = false, peers = false;
 };
 
 constexpr std::int64_t kMaxFrames     = 1'000'000;
@@ -38,13 +40,20 @@ Result<const Suite*> suiteOf(const BenchOptions& options)
     return unknownWord("suite", *options.suite, valid);
 }
 
+BenchPictures picturesOf(const BenchOptions& options, const Suite* suite)
+{
+    if (options.noShade) return BenchPictures::Unshaded;
+    if (options.peers) return BenchPictures::Both;  // each peer draws one of the two
+    return suite ? suite->pictures : BenchPictures::Shaded;
+}
+
 /// Everything of the request that does not depend on the scene.
 Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, Session& session)
 {
     BenchRequest request;
     request.verify   = !options.noVerify;
     request.count    = !options.noCount;
-    request.pictures = options.noShade ? BenchPictures::Unshaded : suite ? suite->pictures : BenchPictures::Shaded;
+    request.pictures = picturesOf(options, suite);
     request.progress = session.progress();
 
     const std::string byDefault  = suite ? fmt::format("{}", fmt::join(suite->algorithms, ",")) : "all";
@@ -90,6 +99,10 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
     Result<BenchRequest> request = requestOf(options, *suite, session);
     if (!request) return request.error();
 
+    if (options.peers) {
+        if (const auto there = checkPeers(); !there) return there.error();
+        for (const std::string& missing : missingPeers()) session.note(missing);
+    }
     const auto scenes = benchScenesOf(options.scenes, *suite);
     if (!scenes) return scenes.error();
 
@@ -105,6 +118,11 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
         request->faceCulling = view->faceCulling;
         Result<std::vector<BenchRow>> measured = bench(*request);
         if (!measured) return measured.error();
+        if (options.peers) {
+            Result<std::vector<BenchRow>> others = benchPeers(*request);
+            if (!others) return others.error();
+            std::ranges::move(*others, std::back_inserter(*measured));
+        }
         for (BenchRow& row : *measured) {
             row.scene = each.nameFor(**scene);
             rows.push_back(std::move(row));
@@ -114,8 +132,8 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
         if (const auto done = writeFile(*options.csv, benchToCsv(rows)); !done) return done.error();
     if (options.json)
         if (const auto done = writeFile(*options.json, benchToJson(rows)); !done) return done.error();
-    session.print(*suite ? suiteTableOf(rows) : benchTableOf(rows));
-    const auto isWrong = [](const BenchRow& row) { return row.wrongPixels.value_or(0) != 0; };
+    session.print(options.peers ? peerTablesOf(rows) : *suite ? suiteTableOf(rows) : benchTableOf(rows));
+    const auto isWrong = [](const BenchRow& row) { return !isPeer(row) && row.wrongPixels.value_or(0) != 0; };
     return std::ranges::any_of(rows, isWrong) ? Exit::CheckFailed : Exit::Done;
 }
 
@@ -136,6 +154,7 @@ Command addBench(CLI::App& parent)
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
+    parser->add_flag("--peers", options->peers, "Time Embree and llvmpipe too, on the same triangles and camera");
     parser->add_flag("--no-shade", options->noShade, "Time ids and depth alone, without shading");
     parser->add_flag("--no-count", options->noCount, "Do not count the work behind the times");
     parser->add_flag("--no-verify", options->noVerify, "Do not compare the pictures with the reference first");

@@ -14,15 +14,6 @@ std::string ms(double value) { return fmt::format("{:.3f}", value); }
 
 double msOf(const BenchRow& row, Stage stage) { return row.stageMs[static_cast<std::size_t>(stage)]; }
 
-std::string pictureOf(const BenchRow& row)
-{
-    if (!row.wrongPixels) return "not checked";
-    return *row.wrongPixels == 0 ? "verified" : fmt::format("{} wrong", *row.wrongPixels);
-}
-
-/// What the time is for.
-std::string drawnOf(const BenchRow& row) { return row.shaded ? "shaded" : "ids, depth"; }
-
 std::uint64_t counted(const BenchRow& row, std::string_view name)
 {
     const auto found = std::ranges::find(row.counters, name, &NamedCount::name);
@@ -45,6 +36,14 @@ std::string shareOf(std::uint64_t part, std::uint64_t whole)
 }
 
 }  // namespace
+
+std::string pictureOf(const BenchRow& row)
+{
+    if (!row.wrongPixels) return "not checked";
+    return *row.wrongPixels == 0 ? "verified" : fmt::format("{} wrong", *row.wrongPixels);
+}
+
+std::string drawnOf(const BenchRow& row) { return row.shaded ? "shaded" : "ids, depth"; }
 
 std::string benchTableOf(std::span<const BenchRow> rows)
 {

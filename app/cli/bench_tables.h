@@ -8,6 +8,11 @@
 
 namespace zscope::cli {
 
+/// "verified", "12 wrong" or "not checked".
+std::string pictureOf(const BenchRow& row);
+/// What the time is for: "shaded" or "ids, depth".
+std::string drawnOf(const BenchRow& row);
+
 /// One line per run: every quantile and the main stages.
 std::string benchTableOf(std::span<const BenchRow> rows);
 

@@ -94,11 +94,13 @@ bool isIn(const std::string& file, const std::string& folder)
     return file.starts_with(folder) && (file[folder.size()] == '/' || file[folder.size()] == '.');
 }
 
+/// The longest folder of the table that the file is in: "app/cli/peers/x.h" is in "app/cli/peers".
 std::string folderOf(const std::string& file)
 {
+    std::string longest;
     for (const auto& [folder, allowed] : rules())
-        if (isIn(file, folder)) return folder;
-    return {};
+        if (isIn(file, folder) && folder.size() > longest.size()) longest = folder;
+    return longest;
 }
 
 bool mayInclude(const std::string& file, const std::string& included)
@@ -120,6 +122,8 @@ TEST(Architecture, TheTableIsReadAndCanForbid)
     EXPECT_FALSE(mayInclude("core/probe/probe.h", "core/scan/half_space-inl.h"));
     EXPECT_FALSE(mayInclude("core/lesson/replay.h", "ui/window/main_window.h"));
     EXPECT_FALSE(mayInclude("app/cli/render.cpp", "ui/window/main_window.h"));
+    EXPECT_EQ(folderOf("app/cli/peers/a.h"), "app/cli/peers");
+    EXPECT_EQ(folderOf("app/cli/a.h"), "app/cli");
     EXPECT_FALSE(mayInclude("core/nowhere/a.h", "core/base/result.h"));
     EXPECT_EQ(includesOf("// x\n  #  include \"a/b.h\"\n#include <c>\n").ours, std::vector<std::string>{"a/b.h"});
     EXPECT_EQ(codeOf("a // printf(\n\"exit(\" b").find("printf"), std::string::npos);

@@ -363,6 +363,38 @@ TEST_F(Cli, ASuiteSeesItsScenesThroughItsOwnCamerasWithBackFacesCulledUnlessTold
     EXPECT_LT(counters({"--eye", "0,0,1000", "--size", "160x120"})[6]["pixels_tested"], 5000) << "a view that is said replaces the file's";
 }
 
+TEST_F(Cli, OtherRenderersDrawTheSamePictureUpToAFewPixelsBesideEdges)
+{
+    // An open scene of many surfaces, instances turned at random with the eye among them, a street with the near plane in it.
+    for (const std::string scene : {"builtin:teapot", "builtin:soccer-field?count=60", "builtin:city?blocks=3"}) {
+        for (const std::string cull : {"none", "back"}) {
+            SCOPED_TRACE(scene + ' ' + cull);
+            const Answer answer = run({"bench", scene, "--peers", "--size", "203x151", "--cull", cull, "--algorithms", "zbuffer", "--threads", "1,2",
+                                       "--frames", "3", "--json", path("p.json"), "--csv", path("p.csv")});
+            if (answer.status == 2) {
+                EXPECT_NE(answer.err.find("install libosmesa6-dev and libembree-dev"), std::string::npos) << answer.err;
+                GTEST_SKIP() << "this program was built without other renderers";
+            }
+            ASSERT_EQ(answer.status, 0) << "pixels of others that differ are no failure of ours: " << answer.err;
+            int peers = 0;
+            for (const json& row : json::parse(contentsOf(path("p.json")))) {
+                if (!row["algorithm"].get<std::string>().starts_with("peer:")) continue;
+                ++peers;
+                SCOPED_TRACE(row["algorithm"]);
+                EXPECT_EQ(row["shaded"], row["algorithm"] == "peer:llvmpipe");
+                EXPECT_FALSE(row["chosen"].get<std::string>().empty()) << "its setting";
+                EXPECT_LE(row["wrong_pixels"], 203 * 151 / 200);
+                EXPECT_EQ(row["wrong_pixels"], row["counters"]["pixels_that_differ"]);
+                EXPECT_GT(row["best_ms"], 0);
+            }
+            EXPECT_EQ(peers % 2, 0) << "each with one thread and with two";
+            EXPECT_GE(peers, 2);
+            EXPECT_NE(answer.out.find("geometric mean"), std::string::npos);
+        }
+    }
+    EXPECT_EQ(run({"bench", "builtin:glass", "--peers", "--size", "64x48", "--algorithms", "zbuffer", "--frames", "1"}).status, 3);
+}
+
 TEST_F(Cli, BenchTablesHaveThePromisedColumns)
 {
     const Answer answer = run({"bench", kScene, "builtin:cubes", "--size", "160x120", "--algorithms", "zbuffer,scanline",
