@@ -4,23 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "core/lesson/words.h"
+
 namespace zscope {
 
 namespace {
-
-/// 1234567 as "1,234,567".
-std::string grouped(std::uint64_t value)
-{
-    std::string digits = std::to_string(value);
-    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), 1, ',');
-    return digits;
-}
-
-std::string counted(std::uint64_t value, std::string_view one, std::string_view many)
-{
-    return fmt::format("{} {}", grouped(value), value == 1 ? one : many);
-}
 
 std::uint64_t coveredPixels(const VisibilityBuffer& visible)
 {

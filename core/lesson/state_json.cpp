@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/lesson/interval_reason.h"
 #include "core/lesson/replay.h"
 
 namespace zscope {
@@ -75,21 +76,6 @@ void addSweep(Json& json, const SweepState& sweep)
     json["spans"]           = listOf(sweep.spans);
     json["entered"]         = listOf(sweep.entered);
     json["left"]            = listOf(sweep.left);
-}
-
-std::string_view wordOf(IntervalReason reason)
-{
-    switch (reason) {
-    case IntervalReason::Alone: return "alone";
-    case IntervalReason::Leads: return "leads";
-    case IntervalReason::TestedOnce: return "tested-once";
-    case IntervalReason::BeyondFar: return "beyond-far";
-    case IntervalReason::DepthLimited: return "depth-limited";
-    case IntervalReason::HasPattern: return "has-pattern";
-    case IntervalReason::NoClearLead: return "no-clear-lead";
-    case IntervalReason::NotByEnds: return "not-by-ends";
-    }
-    return {};
 }
 
 Json toJson(const IntervalState& interval)

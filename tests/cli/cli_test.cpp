@@ -23,8 +23,8 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
     };
     const std::vector<Mistake> mistakes{
         {{}, "subcommand"},
-        {{"draw"}, "render, info, export, verify, step, bench or list"},
-        {{"explain", kScene}, "unknown command"},
+        {{"draw"}, "render, info, export, verify, step, explain, bench or list"},
+        {{"illuminate", kScene}, "unknown command"},
         {{"render"}, "SCENE"},
         {{"render", "builtin:no-such-scene"}, "list scenes"},
         {{"render", kScene, "--bogus"}, "--bogus"},
@@ -81,6 +81,14 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         {{"step", kScene, "--grain", "frame", "--at", "-1"}, "--at"},
         {{"step", kScene, "--grain", "frame", "--at", "1"}, "1"},
         {{"step", kScene, "--grain", "frame", "--count", "-o", path("x.png")}, "--at"},
+        {{"explain", kScene}, "--pixel"},
+        {{"explain", kScene, "--pixel", "1,1", "--triangle", "1"}, "--pixel"},
+        {{"explain", kScene, "--pixel", "1"}, "X,Y"},
+        {{"explain", kScene, "--pixel", "1,x"}, "--pixel"},
+        {{"explain", kScene, "--size", "32x24", "--pixel", "32,0"}, "32x24"},
+        {{"explain", kScene, "--size", "32x24", "--pixel", "0,24"}, "32x24"},
+        {{"explain", kScene, "--triangle", "-1"}, "--triangle"},
+        {{"explain", kScene, "--triangle", "4000000000"}, "there is no triangle"},
         {{"bench", kScene, "--frames", "0"}, "--frames"},
         {{"bench", kScene, "--threads", "1,x"}, "--threads"},
         {{"bench"}, "SCENE"},
@@ -160,7 +168,7 @@ TEST_F(Cli, HelpAndVersionAreNoMistake)
 {
     EXPECT_EQ(run({"--help"}).status, 0);
     EXPECT_EQ(run({"--version"}).status, 0);
-    for (const char* command : {"render", "info", "export", "verify", "step", "bench", "list"}) {
+    for (const char* command : {"render", "info", "export", "verify", "step", "explain", "bench", "list"}) {
         const Answer answer = run({command, "--help"});
         EXPECT_EQ(answer.status, 0);
         EXPECT_NE(answer.out.find("--quiet"), std::string::npos) << command;
@@ -170,11 +178,11 @@ TEST_F(Cli, HelpAndVersionAreNoMistake)
 TEST_F(Cli, HelpDoesNotPromiseWhatDoesNotExist)
 {
     std::string all = run({"--help"}).out;
-    for (const char* command : {"render", "info", "export", "verify", "step", "bench", "list"})
+    for (const char* command : {"render", "info", "export", "verify", "step", "explain", "bench", "list"})
         all += run({command, "--help"}).out;
-    for (const char* absent : {"--peers", "--experiment", "--pixel"})
+    for (const char* absent : {"--peers", "--experiment"})
         EXPECT_EQ(all.find(absent), std::string::npos) << absent;
-    for (const char* absent : {"explain", "compare", "merge"})
+    for (const char* absent : {"compare", "merge"})
         EXPECT_EQ(all.find("\n  " + std::string(absent)), std::string::npos) << absent;
 }
 

@@ -1,0 +1,44 @@
+// Counts the steps of every grain, so that whatever a recorder notes can be found again in a timeline.
+//
+// Order      must hear an event before the recorders that ask it
+// Steps      as Replay counts them: those of a grain and of all coarser ones
+#pragma once
+
+#include "core/lesson/explanation.h"
+#include "core/probe/probe.h"
+
+namespace zscope {
+
+class StepCounter {
+public:
+    template <isStep Event>
+    void observe(const Event&)
+    {
+        ++m_events[static_cast<std::size_t>(Event::grain)];
+    }
+
+    /// Of an event that is no step, or of what has just happened between two: the next step shows it.
+    Moment next() const { return moment(kGrains.size()); }
+    /// Of an event that is being heard right now: it is a step of its own grain and of finer ones.
+    template <isStep Event>
+    Moment of(const Event&) const
+    {
+        return moment(static_cast<std::size_t>(Event::grain));
+    }
+
+private:
+    Moment moment(std::size_t own) const
+    {
+        Moment        moment;
+        std::uint64_t seen = 0;
+        for (std::size_t grain = 0; grain < m_events.size(); ++grain) {
+            seen += m_events[grain];
+            moment.steps[grain] = grain >= own ? seen - 1 : seen;
+        }
+        return moment;
+    }
+
+    std::array<std::uint64_t, kGrains.size()> m_events{};
+};
+
+}  // namespace zscope
