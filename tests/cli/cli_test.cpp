@@ -180,7 +180,7 @@ TEST_F(Cli, HelpDoesNotPromiseWhatDoesNotExist)
     std::string all = run({"--help"}).out;
     for (const char* command : {"render", "info", "export", "verify", "step", "explain", "bench", "list"})
         all += run({command, "--help"}).out;
-    for (const char* absent : {"--peers", "--experiment"})
+    for (const char* absent : {"--experiment"})
         EXPECT_EQ(all.find(absent), std::string::npos) << absent;
     for (const char* absent : {"compare", "merge"})
         EXPECT_EQ(all.find("\n  " + std::string(absent)), std::string::npos) << absent;
