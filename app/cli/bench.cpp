@@ -108,7 +108,8 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
 
     std::vector<BenchRow> rows;
     for (const BenchScene& each : *scenes) {
-        const auto scene = cli::loadScene(each.word, session, request->memoryLimit, kWarningsShown);
+        request->load    = {};
+        const auto scene = cli::loadScene(each.word, session, request->memoryLimit, kWarningsShown, &request->load);
         if (!scene) return scene.error();
         const auto view = each.viewOf(**scene, *words);
         if (!view) return view.error();

@@ -8,6 +8,8 @@
 #include "app/cli/json.h"
 #include "app/cli/options.h"
 #include "app/cli/table.h"
+#include "core/base/stopwatch.h"
+#include "core/geometry/prepared_scene.h"
 
 namespace zscope::cli {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 struct InfoOptions {
     SceneOption                scene;
     std::optional<std::string> memoryLimit;
-    bool                       json = false;
+    bool                       json = false, times = false;
 };
 
 /// Of every mesh once, however often it stands in the scene; triangles are in Scene.
@@ -37,6 +39,25 @@ Counts countsOf(const Scene& scene)
     return counts;
 }
 
+/// What it took until the scene could be drawn.
+struct Times {
+    LoadTimes load;
+    double    prepareMs = 0;
+};
+
+/// Makes the scene ready for drawing to see how long that takes.
+Times timesOf(const LoadTimes& load, const std::shared_ptr<const Scene>& scene)
+{
+    Stopwatch           watch;
+    const PreparedScene prepared(scene);
+    return {load, watch.lap()};
+}
+
+Json jsonOf(const Times& times)
+{
+    return {{"read_ms", times.load.readMs}, {"parse_ms", times.load.parseMs}, {"check_ms", times.load.checkMs}, {"prepare_ms", times.prepareMs}};
+}
+
 Json jsonOf(const Scene& scene, const Counts& counts)
 {
     Json warnings = Json::array();
@@ -55,7 +76,7 @@ Json jsonOf(const Scene& scene, const Counts& counts)
             {"digest", scene.digest}};
 }
 
-std::string tableOf(const Scene& scene, const Counts& counts)
+std::string tableOf(const Scene& scene, const Counts& counts, const Times* times)
 {
     Table table({{"scene", Table::Align::Left}, {scene.name, Table::Align::Left}});
     const auto row = [&table](const char* name, std::uint64_t value) { table.row({name, grouped(value)}); };
@@ -74,6 +95,13 @@ std::string tableOf(const Scene& scene, const Counts& counts)
     }
     table.row({"warnings", grouped(scene.warnings.size())});
     table.row({"digest", scene.digest});
+    if (times) {
+        const auto ms = [&table](const char* name, double value) { table.row({name, fmt::format("{:.1f} ms", value)}); };
+        ms("read", times->load.readMs);
+        ms("parse", times->load.parseMs);
+        ms("check", times->load.checkMs);
+        ms("prepare", times->prepareMs);
+    }
     return table.text();
 }
 
@@ -86,10 +114,18 @@ Result<Exit> info(const InfoOptions& options, Session& session)
         limit = *given;
     }
     const std::size_t shown = options.json ? 0 : std::numeric_limits<std::size_t>::max();
-    const auto        scene = cli::loadScene(options.scene.word(), session, limit, shown);
+    LoadTimes         load;
+    const auto        scene = cli::loadScene(options.scene.word(), session, limit, shown, &load);
     if (!scene) return scene.error();
     const Counts counts = countsOf(**scene);
-    session.print(options.json ? textOf(jsonOf(**scene, counts)) : tableOf(**scene, counts));
+    const Times times = options.times ? timesOf(load, *scene) : Times{};
+    if (!options.json) {
+        session.print(tableOf(**scene, counts, options.times ? &times : nullptr));
+        return Exit::Done;
+    }
+    Json json = jsonOf(**scene, counts);
+    if (options.times) json["times"] = jsonOf(times);
+    session.print(textOf(json));
     return Exit::Done;
 }
 
@@ -101,6 +137,7 @@ Command addInfo(CLI::App& parent)
     auto      options = std::make_shared<InfoOptions>();
     options->scene.add(*parser);
     parser->add_flag("--json", options->json, "JSON instead of a table; warnings are part of it");
+    parser->add_flag("--times", options->times, "How long reading, parsing, checking and preparing it for drawing took");
     parser->add_option("--memory-limit", options->memoryLimit, "Most memory that the scene may take")->type_name("MIB");
     return {parser, [options](Session& session) {
                 const Result<Exit> exit = info(*options, session);

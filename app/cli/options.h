@@ -15,6 +15,7 @@
 #include "app/cli/session.h"
 #include "core/base/result.h"
 #include "core/frame/renderer.h"
+#include "core/scene/load.h"
 
 namespace zscope::cli {
 
@@ -39,7 +40,7 @@ private:
 };
 
 Result<std::shared_ptr<const Scene>> loadScene(const std::string& word, Session& session, std::uint64_t memoryLimit,
-                                               std::size_t warningsShown);
+                                               std::size_t warningsShown, LoadTimes* times = nullptr);
 
 /// What was said about the view, checked as far as it can be without a scene.
 struct ViewWords {

@@ -11,10 +11,10 @@ constexpr std::size_t kWarningsShown = 20;
 }  // namespace
 
 Result<std::shared_ptr<const Scene>> loadScene(const std::string& word, Session& session, std::uint64_t memoryLimit,
-                                               std::size_t warningsShown)
+                                               std::size_t warningsShown, LoadTimes* times)
 {
     Result<Scene> scene =
-        zscope::loadScene(word, LoadOptions{.memoryLimit = memoryLimit, .progress = session.progress()});
+        zscope::loadScene(word, LoadOptions{.memoryLimit = memoryLimit, .progress = session.progress(), .times = times});
     if (!scene) {
         // A path of any kind is an input, whether or not it looks like a scene; a misspelt generator is a wrong word.
         Error error = scene.error();

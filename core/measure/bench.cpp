@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/base/stopwatch.h"
 #include "core/measure/face_figures.h"
 #include "core/measure/reference.h"
 
 namespace zscope {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 std::uint64_t differingPixels(const Picture& reference, const Picture& test)
 {
@@ -48,9 +46,9 @@ public:
 
     Result<std::vector<BenchRow>> run()
     {
-        const Clock::time_point start = Clock::now();
+        Stopwatch watch;
         m_scene   = std::make_shared<const PreparedScene>(m_request.scene);
-        m_buildMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        m_buildMs = watch.lap();
 
         if (m_request.verify) {
             auto picture =
@@ -113,6 +111,7 @@ private:
         row.triangles = m_request.scene->triangleCount();
         row.pixels    = static_cast<std::uint64_t>(draw.camera.width) * static_cast<std::uint64_t>(draw.camera.height);
         row.buildMs   = m_buildMs;
+        row.load      = m_request.load;
 
         const Result<FrameReport> first = m_renderer.draw(draw, m_frame);
         if (!first) return first.error();
@@ -230,6 +229,9 @@ std::string benchToJson(std::span<const BenchRow> rows)
                         {"q3_ms", row.q3Ms},
                         {"triangles", row.triangles},
                         {"pixels", row.pixels},
+                        {"read_ms", row.load.readMs},
+                        {"parse_ms", row.load.parseMs},
+                        {"check_ms", row.load.checkMs},
                         {"build_ms", row.buildMs},
                         {"bytes", row.bytes},
                         {"stages", std::move(stages)},

@@ -23,6 +23,7 @@
 #include "core/base/stages.h"
 #include "core/frame/renderer.h"
 #include "core/measure/suites.h"
+#include "core/scene/load.h"
 #include "core/scene/scene.h"
 
 namespace zscope {
@@ -46,6 +47,7 @@ struct BenchRequest {
     bool                         verify      = true; // against the brute-force reference
     bool                         count       = true; // the work behind the times
     std::uint64_t                memoryLimit = 0;    // bytes; as DrawRequest
+    LoadTimes                    load        = {};   // of the scene, for the rows
     Progress                     progress    = {};
 };
 
@@ -65,6 +67,7 @@ struct BenchRow {
     std::uint64_t triangles = 0;                                 // of the scene, instances included
     std::uint64_t pixels    = 0;                                 // of the picture
     double        buildMs   = 0;                                 // making the scene ready for drawing, once
+    LoadTimes     load      = {};                                // of the scene, as the request says
     std::uint64_t bytes     = 0;                                 // of all structures of the frame
 
     std::array<double, kStages.size()> stageMs{};  // of the median frame

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/stopwatch.h"
 #include "core/scene/generators/registry.h"
 #include "core/scene/obj/obj_import.h"
 #include "core/scene/scene_file.h"
@@ -34,15 +35,26 @@ Result<Scene> loadObj(const std::string& path, const LoadOptions& options)
     scene.meshes.push_back(std::move(import->mesh));
     scene.instances.push_back({MeshId{0}, Affine{}});
     scene.warnings = std::move(import->warnings);
-    return assemble(std::move(scene));
+    Stopwatch     watch;
+    Result<Scene> whole = assemble(std::move(scene));
+    if (options.times) {
+        options.times->readMs += import->readMs;
+        options.times->parseMs += import->parseMs;
+        options.times->checkMs += watch.lap();
+    }
+    return whole;
 }
 
 }  // namespace
 
 Result<Scene> loadScene(const std::string& word, const LoadOptions& options)
 {
-    if (word.starts_with(kBuiltin))
-        return generate(std::string_view(word).substr(kBuiltin.size()), options.memoryLimit, options.progress);
+    if (word.starts_with(kBuiltin)) {
+        Stopwatch     watch;
+        Result<Scene> scene = generate(std::string_view(word).substr(kBuiltin.size()), options.memoryLimit, options.progress);
+        if (options.times) options.times->parseMs += watch.lap();
+        return scene;
+    }
     if (endsIn(word, ".json")) return loadSceneFile(word, options);
     if (endsIn(word, ".obj")) return loadObj(word, options);
     return Error{Trouble::Usage,

@@ -15,9 +15,17 @@
 
 namespace zscope {
 
+/// What loading took, in milliseconds.
+struct LoadTimes {
+    double readMs  = 0;  // files into memory
+    double parseMs = 0;  // text to meshes, every face checked and split; all of a generated scene
+    double checkMs = 0;  // every instance and limit, bounds, and the digest of the whole
+};
+
 struct LoadOptions {
     std::uint64_t memoryLimit = 0;  // bytes the scene may take; 0: three quarters of the machine's memory
     Progress      progress    = {};
+    LoadTimes*    times       = nullptr;  // what it took is added here, if anywhere
 };
 
 Result<Scene> loadScene(const std::string& word, const LoadOptions& options = {});

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/base/memory.h"
+#include "core/base/stopwatch.h"
 #include "core/io/json_document.h"
 #include "core/io/read_file.h"
 #include "core/scene/generators/palette.h"
@@ -116,7 +117,9 @@ Result<Scene> SceneFileReader::read(const JsonValue& document)
             m_scene.warnings.push_back({m_path, material.line, fmt::format("the material '{}' is used by nothing", name)});
 
     m_scene.name = m_path;
+    Stopwatch     watch;
     Result<Scene> scene = assemble(std::move(m_scene));
+    if (m_options.times) m_options.times->checkMs += watch.lap();
     if (!scene) return Error{scene.error().kind, scene.error().sentence, m_path};
     for (std::size_t i = 0; i < scene->views.size(); ++i) {
         const Result<Camera> camera = makeCamera(scene->views[i].view, scene->bounds);
@@ -228,7 +231,7 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
     const auto& [kind, source] = (*members)->front();
     if (!source.text()) return wrong(source, fmt::format("'{}' must be a text", kind));
 
-    LoadOptions options{.memoryLimit = m_limit, .progress = {.cancel = m_options.progress.cancel}};
+    LoadOptions options{.memoryLimit = m_limit, .progress = {.cancel = m_options.progress.cancel}, .times = m_options.times};
     std::string word;
     if (kind == "obj") {
         if (!source.text()->ends_with(".obj") && !source.text()->ends_with(".OBJ"))

@@ -1,5 +1,6 @@
 // The words of the command line and what each mistake costs: exit statuses, sentences, lists.
 #include <csignal>
+#include <fstream>
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +15,24 @@ namespace {
 using nlohmann::json;
 
 const std::string kScene = "builtin:cubes";
+
+TEST_F(Cli, TheTimesOfLoadingAreToldApartWhereTheyAreAskedFor)
+{
+    std::ofstream(path("m.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n";
+    std::ofstream(path("s.json")) << R"({"meshes": {"m": {"obj": "m.obj"}}, "instances": [{"mesh": "m"}]})";
+    const std::string files[] = {path("m.obj"), path("s.json")};
+    for (const std::string& file : files) {
+        const json info = json::parse(run({"info", file, "--json", "--times"}).out);
+        for (const char* part : {"read_ms", "parse_ms", "check_ms", "prepare_ms"}) EXPECT_GT(info["times"][part], 0) << file << ' ' << part;
+        EXPECT_FALSE(json::parse(run({"info", file, "--json"}).out).contains("times"));
+        for (const char* part : {"read", "parse", "check", "prepare"})
+            EXPECT_NE(run({"info", file, "--times"}).out.find(part), std::string::npos);
+        ASSERT_EQ(run({"bench", file, "--size", "32x24", "--frames", "1", "--algorithms", "zbuffer", "--json", path("t.json")}).status, 0);
+        std::ifstream stream(path("t.json"));
+        for (const json& row : json::parse(stream))
+            for (const char* part : {"read_ms", "parse_ms", "check_ms", "build_ms"}) EXPECT_GT(row[part], 0) << file << ' ' << part;
+    }
+}
 
 TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
 {

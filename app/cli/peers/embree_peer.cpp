@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <new>
@@ -10,12 +9,10 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
+#include "core/base/stopwatch.h"
+
 namespace zscope::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double msSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
 
 template <class Handle, void (*release)(Handle)>
 struct Release {
@@ -79,10 +76,10 @@ public:
     Result<PeerRun> run()
     {
         if (!m_device) return Error{Trouble::Input, "Embree cannot start on this machine"};
-        const Clock::time_point start = Clock::now();
+        Stopwatch start;
         build();
         PeerRun run;
-        run.buildMs = msSince(start);
+        run.buildMs = start.lap();
         if (const RTCError trouble = rtcGetDeviceError(m_device.get()); trouble != RTC_ERROR_NONE)
             return Error{trouble == RTC_ERROR_OUT_OF_MEMORY ? Trouble::Limit : Trouble::Input,
                          fmt::format("Embree cannot take this scene (its error {})", static_cast<int>(trouble))};
@@ -98,9 +95,9 @@ public:
         for (int frame = 0; frame < m_request.warmUp; ++frame) trace(mode);
         for (int frame = 0; frame < m_request.frames; ++frame) {
             if (m_request.progress.cancelled()) return Error{Trouble::Cancelled, "the rays were not wanted any more"};
-            const Clock::time_point begun = Clock::now();
+            Stopwatch begun;
             trace(mode);
-            run.frameMs.push_back(msSince(begun));
+            run.frameMs.push_back(begun.lap());
         }
         run.setting = fmt::format("{}{}{}", titleOf(mode), m_usesInstances ? ", instances" : "", filters ? ", back faces filtered" : "");
         deliver(run);
@@ -218,9 +215,9 @@ private:
         for (const Mode mode : kModes) {
             trace(mode);
             for (int trial = 0; trial < kTrials; ++trial) {
-                const Clock::time_point begun = Clock::now();
+                Stopwatch begun;
                 trace(mode);
-                if (const double ms = msSince(begun); ms < least) {
+                if (const double ms = begun.lap(); ms < least) {
                     least   = ms;
                     fastest = mode;
                 }

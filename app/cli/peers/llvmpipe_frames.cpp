@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -10,13 +9,10 @@
 #include <fmt/format.h>
 
 #include "app/cli/peers/gl_functions.h"
+#include "core/base/stopwatch.h"
 
 namespace zscope::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double msSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
 
 struct GlVertex {
     std::array<float, 3>        position;
@@ -98,17 +94,17 @@ public:
         if (!renderer || !std::string_view(renderer).starts_with("llvmpipe"))
             return Error{Trouble::Input, fmt::format("OSMesa draws with '{}' here and not with llvmpipe", renderer ? renderer : "nothing")};
 
-        const Clock::time_point start = Clock::now();
+        Stopwatch start;
         upload();
         PeerRun run;
-        run.buildMs = msSince(start);
+        run.buildMs = start.lap();
         if (!prepare()) return Error{Trouble::Limit, "OSMesa has no frame buffer of that size"};
 
         for (int frame = -m_request.warmUp; frame < m_request.frames; ++frame) {
             if (m_request.progress.cancelled()) return Error{Trouble::Cancelled, "the frames were not wanted any more"};
-            const Clock::time_point begun = Clock::now();
+            Stopwatch begun;
             draw();
-            if (frame >= 0) run.frameMs.push_back(msSince(begun));
+            if (frame >= 0) run.frameMs.push_back(begun.lap());
         }
         readDepth(run);
         if (gl.glGetError() != GL_NO_ERROR) return Error{Trouble::Limit, "OSMesa reports an error, most likely for lack of memory"};

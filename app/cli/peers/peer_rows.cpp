@@ -90,6 +90,7 @@ Result<std::vector<BenchRow>> benchPeers(const BenchRequest& request)
             row.triangles   = request.scene->triangleCount();
             row.pixels      = static_cast<std::uint64_t>(request.camera.width) * static_cast<std::uint64_t>(request.camera.height);
             row.buildMs     = run->buildMs;
+            row.load        = request.load;
             row.stageMs[static_cast<std::size_t>(Stage::Other)] = row.medianMs;
             row.counters    = {{"pixels_that_differ", difference.pixels}, {"of_them_beside_edges", difference.besideEdges}};
             rows.push_back(std::move(row));

@@ -300,7 +300,7 @@ Result<ObjImport> ObjBuilder::finish(const StatementStream& stream) &&
     m_counts.objectNames       = m_objectNames.size();
     m_counts.materialNames     = m_materials.size();
     m_counts.skippedStatements = stream.skippedCount();
-    return ObjImport{std::move(m_mesh), std::move(m_warnings).finish(m_file, skippedKinds(stream)), m_counts};
+    return ObjImport{.mesh = std::move(m_mesh), .warnings = std::move(m_warnings).finish(m_file, skippedKinds(stream)), .counts = m_counts};
 }
 
 }  // namespace zscope::obj

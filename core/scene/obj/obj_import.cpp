@@ -10,6 +10,7 @@
 #include <tiny_obj_loader.h>
 
 #include "core/base/memory.h"
+#include "core/base/stopwatch.h"
 #include "core/io/read_file.h"
 #include "core/scene/obj/line_reader.h"
 #include "core/scene/obj/obj_builder.h"
@@ -129,11 +130,17 @@ Result<ObjImport> importObjText(std::string_view text, const std::string& name, 
 
 Result<ObjImport> importObj(const std::string& path, const ObjOptions& options)
 {
+    Stopwatch  watch;
     const auto text = readRegularFile(path, effectiveMemoryLimit(options.memoryLimit));
     if (!text.ok()) return text.error();
     const auto folder = folderOf(path);
     if (!folder.ok()) return folder.error();
-    return importObjText(*text, path, *folder, options);
+    const double readMs = watch.lap();
+    auto         import = importObjText(*text, path, *folder, options);
+    if (!import.ok()) return import;
+    import->readMs  = readMs;
+    import->parseMs = watch.lap();
+    return import;
 }
 
 }  // namespace zscope
