@@ -130,7 +130,7 @@ TEST(Pyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeAndStripe)
     EXPECT_GT(answers[1], 1000);
 }
 
-TEST(Pyramid, EveryCellIsTheMinimumOfThePixelsThatExistOnceAQueryNeededIt)
+TEST(Pyramid, D3EveryCellOfAnySizeIsTheMinimumOfThePixelsThatExistOnceAQueryNeededIt)
 {
     for (const auto& [width, height] : kSizes) {
         const int first = height > 10 ? 5 : 0;

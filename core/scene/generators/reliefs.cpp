@@ -1,7 +1,8 @@
 // builtin:reliefs: surfaces whose fragments lie farther than their triangles say, so that what is nearest is known only when
-// a fragment has been looked at. Behind the faces of a brick wall and of a blind, nearer than their deepest fragments, stand
-// solid sheets; the two cross each other; a floor with bowls passes under the eye, so that it is cut at the near plane; a box
-// with both holes and louvres is placed askew; a pane of glass stands in the joints.
+// a fragment has been looked at. Behind the faces of a brick wall and of a floor with bowls, nearer than their deepest fragments,
+// stand solid sheets, that of the wall in pieces of which some lie wholly behind bricks; louvres cross the wall; the floor passes
+// under the eye, so that it is cut at the near plane; a box with both holes and louvres is placed askew; a pane of glass stands
+// in the joints.
 //
 // Size       `size` is the cell of the patterns, `depth` how far back they reach; the sheets are 8 wide
 
@@ -42,7 +43,7 @@ Result<Scene> make(const Arguments& arguments)
     const double half = depth / 2;
     addQuad(*sheets, {{{-4, -1, -6}, {4, -1, -6}, {4, 5, -6}, {-4, 5, -6}}}, solid);
     addQuad(*sheets, {{{-4, -1, -3}, {4, -1, -4}, {4, 3, -4}, {-4, 3, -3}}}, bricks);
-    addQuad(*sheets, {{{-4, -1, -3 - half}, {4, -1, -4 - half}, {4, 3, -4 - half}, {-4, 3, -3 - half}}}, mortar);
+    addQuadInPieces(*sheets, {{{-4, -1, -3 - half}, {4, -1, -4 - half}, {4, 3, -4 - half}, {-4, 3, -3 - half}}}, 24, mortar);
     addQuad(*sheets, {{{-4, -1, -4}, {4, -1, -3}, {4, 3, -3}, {-4, 3, -4}}}, louvres);
     addQuad(*sheets, {{{-4, -1, 6}, {4, -1, 6}, {4, -1, -6}, {-4, -1, -6}}}, bowls);
     const double ground = -1 - depth / 8;

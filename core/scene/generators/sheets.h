@@ -14,6 +14,17 @@ inline void addQuad(Mesh& mesh, const std::array<dvec3, 4>& corners, MaterialId 
     mesh.addPolygon(std::array{first, first + 1, first + 2, first + 3}, material);
 }
 
+/// The same in n x n pieces.
+inline void addQuadInPieces(Mesh& mesh, const std::array<dvec3, 4>& corners, int n, MaterialId material)
+{
+    const auto at = [&](int i, int j) {
+        const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
+        return (1 - v) * ((1 - u) * corners[0] + u * corners[1]) + v * ((1 - u) * corners[3] + u * corners[2]);
+    };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) addQuad(mesh, {{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}}, material);
+}
+
 /// Of side 2, about the origin.
 inline void addBox(Mesh& mesh, MaterialId material)
 {

@@ -17,7 +17,13 @@ QString tr(const char* source) { return QCoreApplication::translate("DepthTest",
 
 void tellPixel(const PixelState& pixel, DepthTestContents& told)
 {
-    if (!pixel.rival) told.verdict = tr("The pixel was background: the first triangle to cover it owns it.");
+    if (pixel.discarded) told.verdict = tr("It lies in a hole of its material: there is no fragment to test.");
+    else if (pixel.keep == Keep::DepthOnly)
+        told.verdict = pixel.won ? tr("The nearest so far: the pre-pass keeps its D.") : tr("Not nearer than the D that the pre-pass has kept.");
+    else if (!pixel.rival && !pixel.won)
+        told.verdict = pixel.keep == Keep::Equal ? tr("Farther than the D that the pre-pass kept: it is hidden.")
+                                                 : tr("It lies beyond the far plane: the pixel stays background.");
+    else if (!pixel.rival) told.verdict = tr("The pixel was background: the first triangle to cover it owns it.");
     else if (pixel.depth == pixel.rivalDepth)
         told.verdict = pixel.won ? tr("Equal depth, and the lower number wins: the pixel changes hands.")
                                  : tr("Equal depth, and the lower number wins: the pixel stays as it is.");
@@ -27,6 +33,7 @@ void tellPixel(const PixelState& pixel, DepthTestContents& told)
     told.facts.push_back({tr("pixel"), QString("%1, %2").arg(pixel.x).arg(pixel.y)});
     told.facts.push_back({tr("offered by triangle"), grouped(pixel.triangle.value)});
     told.facts.push_back({tr("its depth D"), depthText(pixel.depth)});
+    if (pixel.unmovedDepth) told.facts.push_back({tr("D before its relief"), depthText(*pixel.unmovedDepth)});
     told.facts.push_back({tr("owner before"), pixel.rival ? grouped(pixel.rival->value) : tr("background")});
     if (pixel.rival) told.facts.push_back({tr("its depth D"), depthText(pixel.rivalDepth)});
 }
