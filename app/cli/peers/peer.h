@@ -3,7 +3,7 @@
 // Optional   each is in the program only if its library was there when it was built; peers() lists all of them
 // Fair       what a user of the peer would do once is not timed (buffers, trees); every frame is drawn from scratch to the
 //            last pixel; of the peer's own settings the fastest counts; back faces are culled as the request says
-// Scenes     opaque ones: a scene with transparent or cut-out surfaces is refused
+// Scenes     opaque ones: a scene with transparent surfaces, cut-outs or reliefs is refused
 // Pictures   are compared with ours. Both peers calculate in float32 and neither snaps corners as we do, so pixels beside
 //            edges differ, and so do surfaces that nearly coincide
 #pragma once

@@ -68,8 +68,8 @@ std::string explainUndrawable(const Scene& scene)
 {
     for (const auto& mesh : scene.meshes)
         for (const Material& material : mesh->materials)
-            if (material.opacity < 1 || material.cutout)
-                return "other renderers are only compared on opaque scenes, and this one has transparent or cut-out surfaces";
+            if (material.opacity < 1 || material.isPatterned())
+                return "other renderers are only compared on opaque scenes, and this one has transparent surfaces, cut-outs or reliefs";
     return {};
 }
 
