@@ -392,6 +392,15 @@ TEST_F(Cli, OtherRenderersDrawTheSamePictureUpToAFewPixelsBesideEdges)
             EXPECT_NE(answer.out.find("geometric mean"), std::string::npos);
         }
     }
+    // Ten million triangles are too many to write out: Embree takes the instances.
+    const Answer many = run({"bench", "builtin:soccer-field?count=3000", "--peers", "--no-shade", "--size", "203x151", "--algorithms", "hzb-octree",
+                             "--threads", "2", "--frames", "1", "--no-verify", "--no-count", "--json", path("p.json")});
+    ASSERT_EQ(many.status, 0) << many.err;
+    for (const json& row : json::parse(contentsOf(path("p.json")))) {
+        if (row["algorithm"] != "peer:embree") continue;
+        EXPECT_NE(row["chosen"].get<std::string>().find("instances"), std::string::npos);
+        EXPECT_LE(row["wrong_pixels"], 203 * 151 / 50) << "triangles smaller than pixels";
+    }
     EXPECT_EQ(run({"bench", "builtin:glass", "--peers", "--size", "64x48", "--algorithms", "zbuffer", "--frames", "1"}).status, 3);
 }
 

@@ -138,7 +138,7 @@ private:
     void build()
     {
         m_top           = newScene();
-        m_usesInstances = m_scene.instances.size() > 1 &&
+        m_usesInstances = m_scene.triangleCount() > kMostWrittenOut && m_scene.instances.size() > 1 &&
                           std::ranges::none_of(m_scene.instances, [](const Instance& i) { return mirrors(i.toWorld); });
         m_usesInstances ? buildInstances() : buildOneMesh();
         rtcCommitScene(m_top.get());
