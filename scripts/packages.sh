@@ -4,10 +4,11 @@
 packages_to_build=(
     g++ cmake ninja-build pkg-config
     libglm-dev nlohmann-json3-dev libfmt-dev libpng-dev libhwy-dev libtinyobjloader-dev libcli11-dev
+    libfreetype-dev libfontconfig-dev fonts-dejavu-core  # the letters of comparison sheets
 )
 packages_for_the_window=(
     qt6-base-dev qt6-svg-dev
-    fonts-dejavu-core fonts-wqy-microhei
+    fonts-wqy-microhei
 )
 packages_to_compare=(libembree-dev libosmesa6-dev)  # other renderers, for `bench --peers`
 packages_to_test=(

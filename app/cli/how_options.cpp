@@ -41,6 +41,21 @@ Result<Done> apply(const std::string& setting, std::vector<NamedPipeline>& algor
     return Done{};
 }
 
+/// The same, or "fault=name".
+Result<Done> applyOrFault(const std::string& setting, std::vector<NamedPipeline>& algorithms)
+{
+    constexpr std::string_view kFault = "fault=";
+    if (!setting.starts_with(kFault)) return apply(setting, algorithms);
+    const FaultEntry* fault = findFault(setting.substr(kFault.size()));
+    if (!fault) return Error{Trouble::Usage, fmt::format("unknown fault '{}': see 'zscope-cli list faults'", setting.substr(kFault.size()))};
+    for (NamedPipeline& algorithm : algorithms) {
+        Pipeline faulty = algorithm.pipeline;
+        faulty.fault    = fault->fault;
+        rename(algorithm, faulty);
+    }
+    return Done{};
+}
+
 /// No algorithm was named: the first preset that takes the settings and the fault.
 std::optional<NamedPipeline> firstFitting(const std::vector<std::string>& settings, Fault fault)
 {
@@ -113,7 +128,7 @@ Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words)
         while (plus != std::string::npos) {
             const std::size_t next = word.find('+', plus + 1);
             const std::string setting = word.substr(plus + 1, next - plus - 1);
-            if (const Result<Done> done = apply(setting, one); !done) return done.error();
+            if (const Result<Done> done = applyOrFault(setting, one); !done) return done.error();
             plus = next;
         }
         algorithms.push_back(std::move(one.front()));

@@ -42,7 +42,7 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
     };
     const std::vector<Mistake> mistakes{
         {{}, "subcommand"},
-        {{"draw"}, "render, info, export, verify, step, explain, bench or list"},
+        {{"draw"}, "render, info, export, verify, step, explain, compare, bench or list"},
         {{"illuminate", kScene}, "unknown command"},
         {{"render"}, "SCENE"},
         {{"render", "builtin:no-such-scene"}, "list scenes"},
@@ -108,6 +108,12 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         {{"explain", kScene, "--size", "32x24", "--pixel", "0,24"}, "32x24"},
         {{"explain", kScene, "--triangle", "-1"}, "--triangle"},
         {{"explain", kScene, "--triangle", "4000000000"}, "there is no triangle"},
+        {{"compare", kScene, "-o", path("x.png")}, "--algorithms"},
+        {{"compare", kScene, "--algorithms", "zbuffer", "-o", path("x.png")}, "two or more"},
+        {{"compare", kScene, "--algorithms", "zbuffer,scanline"}, "-o"},
+        {{"compare", kScene, "--algorithms", "zbuffer,bogus", "-o", path("x.png")}, "bogus"},
+        {{"compare", kScene, "--algorithms", "zbuffer,zbuffer+fault=bogus", "-o", path("x.png")}, "list faults"},
+        {{"compare", kScene, "--algorithms", "zbuffer,scanline", "--frames", "0", "-o", path("x.png")}, "--frames"},
         {{"bench", kScene, "--frames", "0"}, "--frames"},
         {{"bench", kScene, "--threads", "1,x"}, "--threads"},
         {{"bench"}, "SCENE"},
@@ -187,7 +193,7 @@ TEST_F(Cli, HelpAndVersionAreNoMistake)
 {
     EXPECT_EQ(run({"--help"}).status, 0);
     EXPECT_EQ(run({"--version"}).status, 0);
-    for (const char* command : {"render", "info", "export", "verify", "step", "explain", "bench", "list"}) {
+    for (const char* command : {"render", "info", "export", "verify", "step", "explain", "compare", "bench", "list"}) {
         const Answer answer = run({command, "--help"});
         EXPECT_EQ(answer.status, 0);
         EXPECT_NE(answer.out.find("--quiet"), std::string::npos) << command;
@@ -197,11 +203,11 @@ TEST_F(Cli, HelpAndVersionAreNoMistake)
 TEST_F(Cli, HelpDoesNotPromiseWhatDoesNotExist)
 {
     std::string all = run({"--help"}).out;
-    for (const char* command : {"render", "info", "export", "verify", "step", "explain", "bench", "list"})
+    for (const char* command : {"render", "info", "export", "verify", "step", "explain", "compare", "bench", "list"})
         all += run({command, "--help"}).out;
     for (const char* absent : {"--experiment"})
         EXPECT_EQ(all.find(absent), std::string::npos) << absent;
-    for (const char* absent : {"compare", "merge"})
+    for (const char* absent : {"merge"})
         EXPECT_EQ(all.find("\n  " + std::string(absent)), std::string::npos) << absent;
 }
 
