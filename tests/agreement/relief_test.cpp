@@ -186,6 +186,29 @@ TEST(Relief, NoMomentChangesAColourAndGlassIsBlendedOverWhereFragmentsReallyLie)
     }
 }
 
+TEST(Relief, GlassHasNeitherHolesNorRelief)
+{
+    const Scene everything = patternedBy(builtin("glass"), Relief{ReliefPattern::Bowls, 0.3, 0.5}, Cutout{CutoutPattern::Stripes, 0.3});
+    Scene       opaqueOnly = everything;
+    for (auto& mesh : opaqueOnly.meshes) {
+        auto copy = std::make_shared<Mesh>(*mesh);
+        for (Material& material : copy->materials)
+            if (material.opacity < 1) material.relief = {}, material.cutout = {};
+        mesh = copy;
+    }
+    const Camera camera = cameraFor(everything, 101, 67);
+    const auto   opaque = referencePicture(everything, camera, FaceCulling::None);
+    ASSERT_TRUE(opaque.ok());
+    const auto colours = referenceColours(everything, camera, FaceCulling::None, *opaque);
+    ASSERT_TRUE(colours.ok());
+    for (const Scene& scene : {everything, opaqueOnly}) {
+        Renderer renderer;
+        Frame    frame;
+        ASSERT_TRUE(renderer.draw({.scene = prepared(scene), .camera = camera, .pipeline = {}, .threads = 2}, frame).ok());
+        EXPECT_EQ(frame.colour, *colours);
+    }
+}
+
 TEST(Relief, AnEarlyTestIsOnlyABoundAndSoShadesInVain)
 {
     // The relief comes first, then what is seen through its joints.
