@@ -261,7 +261,7 @@ std::string sentenceOf(const TriangleExplanation& e, const Pipeline& pipeline)
         if (t.beyondFar > 0) return fmt::format("{}{} meets {}, all of them beyond the far plane.", who, seen, counted(t.beyondFar, "pixel", "pixels"));
         for (const Event& event : e.events)
             if (event.happening == Happening::SetUp && event.setUp != SetUp::Drawn) return event.sentence;
-        return fmt::format("{}{} covers no pixel of the picture: no pixel's centre lies in it.", who, seen);
+        return fmt::format("{}{} covers no pixel of the picture: it lies outside of it, or between the centres of its pixels.", who, seen);
     }
     const std::string covers = fmt::format("{}{} covers {}", who, seen, counted(t.covered, "pixel", "pixels"));
     if (e.isTransparent) return covers + " and is transparent: it is outside ids and depth, and blended where it is nearer than the opaque picture.";
