@@ -60,7 +60,7 @@ std::string_view wordOf(Happening happening);
 struct Event {
     Happening              happening = Happening::SetUp;
     Moment                 moment;
-    Grain                  grain = Grain::Pixel;  // of the step that shows it best
+    Grain                  grain = Grain::Pixel;  // of the step that shows it best; always one that the method has
     SetUp                  setUp = SetUp::Drawn;  // of SetUp
     bool                   isCut = false;         // likewise: the near plane left a part of it
     bool                   isPrepass = false;     // it belongs to a depth pre-pass
