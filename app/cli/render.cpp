@@ -13,6 +13,7 @@
 #include "core/io/npy.h"
 #include "core/io/png.h"
 #include "core/lesson/layers.h"
+#include "core/lesson/replay.h"
 #include "core/measure/cull_audit.h"
 #include "core/measure/over_render.h"
 
@@ -149,8 +150,8 @@ std::string summaryOf(const std::string& algorithm, const Scene& scene, const Dr
 }
 
 /// Every output that was asked for, one after another; each is complete or absent.
-Result<Done> write(const RenderOptions& options, const Layer& layer, const Scene& scene, const Drawn& drawn,
-                   const std::string& stats, const Session& session)
+Result<Done> write(const RenderOptions& options, const Layer& layer, const Grid<std::uint32_t>& tests, const Scene& scene,
+                   const Drawn& drawn, const std::string& stats, const Session& session)
 {
     const auto stillWanted = [&session](const std::optional<std::string>& output) -> Result<bool> {
         if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
@@ -159,7 +160,7 @@ Result<Done> write(const RenderOptions& options, const Layer& layer, const Scene
     if (const auto wanted = stillWanted(options.picture); !wanted) {
         return wanted.error();
     } else if (*wanted) {
-        const Grid<std::uint32_t> painted = layer.paint(drawn.frame);
+        const Grid<std::uint32_t> painted = layer.paint({.frame = drawn.frame, .tests = &tests, .range = {}});
         const auto texts = reproducingTexts(session.reproducingCommand(), scene.digest);
         if (const auto done = writePng(*options.picture, painted.view(), texts); !done) return done;
     }
@@ -213,13 +214,23 @@ Result<Exit> render(const RenderOptions& options, Session& session)
     if (!report) return report.error();
     drawn.report = *std::move(report);
 
+    Grid<std::uint32_t> tests;
+    if (layer->needsTests) {  // a run of its own: at full speed nobody counts
+        Replay     replay(request);
+        const auto frames = replay.count(Grain::Frame);
+        if (!frames) return frames.error();
+        auto last = replay.at(Grain::Frame, StepIndex{*frames - 1});
+        if (!last) return last.error();
+        tests = std::move(last->tests);
+    }
+
     std::string stats;
     if (options.stats) {
         const auto explained = explain(renderer, request, drawn);
         if (!explained) return explained.error();
         stats = textOf(statsOf(how->algorithm().name, *scene->scene, drawn, *explained));
     }
-    if (const auto done = write(options, *layer, *scene->scene, drawn, stats, session); !done) return done.error();
+    if (const auto done = write(options, *layer, tests, *scene->scene, drawn, stats, session); !done) return done.error();
     session.print(summaryOf(how->algorithm().name, *scene->scene, drawn));
     return Exit::Done;
 }

@@ -2,59 +2,54 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
+#include "core/lesson/colour_maps.h"
 #include "core/shade/colour_table.h"
 
 namespace zscope {
 namespace {
 
-Grid<std::uint32_t> shaded(const Frame& frame)
+Grid<std::uint32_t> shaded(const LayerSource& source)
 {
-    return frame.colour;
+    return source.frame.colour;
 }
 
-std::uint32_t grey(std::uint32_t level)
+/// Calls `each(depth)` for every pixel that shows something; depth as it is reported.
+template <class Each>
+void forEveryDepth(const VisibilityBuffer& visible, const Each& each)
 {
-    return 0xFF000000u | level << 16 | level << 8 | level;
+    for (int y = 0; y < visible.height(); ++y)
+        for (int x = 0; x < visible.width(); ++x)
+            if (visible.rankRow(y)[x] != 0) each(visible.depthAt(x, y));
 }
 
-/// Nearest and farthest depth of the picture, background apart.
-struct DepthRange {
-    float farthest = std::numeric_limits<float>::infinity();
-    float nearest  = 0;
-};
-
-DepthRange depthRange(const VisibilityBuffer& visible)
+/// From the farthest (dark) to the nearest (light); background near black.
+Grid<std::uint32_t> depth(const LayerSource& source)
 {
-    DepthRange range;
-    for (int y = 0; y < visible.height(); ++y) {
-        for (int x = 0; x < visible.width(); ++x) {
-            if (visible.rankRow(y)[x] == 0) continue;
-            range.farthest = std::min(range.farthest, visible.depthRow(y)[x]);
-            range.nearest  = std::max(range.nearest, visible.depthRow(y)[x]);
-        }
-    }
-    return range;
+    constexpr std::uint32_t kBackground = 0xFF14161A;
+
+    const VisibilityBuffer& visible = source.frame.visible;
+    const DepthRange        range   = fixedRange(source.range, visible);
+    Grid<std::uint32_t>     picture(visible.width(), visible.height(), kBackground);
+    for (int y = 0; y < visible.height(); ++y)
+        for (int x = 0; x < visible.width(); ++x)
+            if (visible.rankRow(y)[x] != 0) picture.at(x, y) = cividis(partOf(visible.depthAt(x, y), range));
+    return picture;
 }
 
-/// Linear in near/z from the farthest (dark) to the nearest (light); background black.
-Grid<std::uint32_t> depth(const Frame& frame)
+/// How often each pixel's depth was tested, from once (nearly white) to kMost times and more (dark red).
+Grid<std::uint32_t> tests(const LayerSource& source)
 {
-    constexpr double kDarkest = 40, kLightest = 255;
+    constexpr double kMost = 12;
 
-    const VisibilityBuffer& visible = frame.visible;
-    const DepthRange        range   = depthRange(visible);
-    const double            extent  = static_cast<double>(range.nearest) - static_cast<double>(range.farthest);
-    Grid<std::uint32_t>     picture(visible.width(), visible.height(), grey(0));
-    for (int y = 0; y < visible.height(); ++y) {
-        for (int x = 0; x < visible.width(); ++x) {
-            if (visible.rankRow(y)[x] == 0) continue;
-            const double above = static_cast<double>(visible.depthRow(y)[x]) - static_cast<double>(range.farthest);
-            const double part  = extent > 0 ? above / extent : 1.0;
-            picture.at(x, y)   = grey(static_cast<std::uint32_t>(kDarkest + (kLightest - kDarkest) * part + 0.5));
-        }
-    }
+    const VisibilityBuffer& visible = source.frame.visible;
+    Grid<std::uint32_t>     picture(visible.width(), visible.height(), kBackgroundColour);
+    if (!source.tests) return picture;
+    for (int y = 0; y < visible.height(); ++y)
+        for (int x = 0; x < visible.width(); ++x)
+            if (const std::uint32_t count = source.tests->at(x, y); count > 0) picture.at(x, y) = heat((count - 0.5) / kMost);
     return picture;
 }
 
@@ -69,9 +64,9 @@ std::uint32_t colourOfId(std::uint32_t rank)
     return 0xFF000000u | part(0) << 16 | part(8) << 8 | part(16);
 }
 
-Grid<std::uint32_t> ids(const Frame& frame)
+Grid<std::uint32_t> ids(const LayerSource& source)
 {
-    const VisibilityBuffer& visible = frame.visible;
+    const VisibilityBuffer& visible = source.frame.visible;
     Grid<std::uint32_t>     picture(visible.width(), visible.height(), kBackgroundColour);
     for (int y = 0; y < visible.height(); ++y)
         for (int x = 0; x < visible.width(); ++x)
@@ -80,12 +75,44 @@ Grid<std::uint32_t> ids(const Frame& frame)
 }
 
 constexpr std::array kLayers{
-    Layer{"shaded", "Flat shading by one directional light", shaded},
-    Layer{"depth", "near/z, from dark (far) to light (near), stretched to the picture's range", depth},
-    Layer{"ids", "One colour per triangle", ids},
+    Layer{"shaded", "Flat shading by one directional light", false, shaded},
+    Layer{"depth", "near/z, from dark (far) to light (near), stretched to the picture's range", false, depth},
+    Layer{"ids", "One colour per triangle", false, ids},
+    Layer{"tests", "How often each pixel's depth was tested: over-rendering", true, tests},
 };
 
 }  // namespace
+
+DepthRange fixedRange(const DepthRange& range, const VisibilityBuffer& visible)
+{
+    DepthRange fixed  = range;
+    fixed.isAutomatic = false;
+    if (!range.isAutomatic) return fixed;
+    fixed.farthest = std::numeric_limits<float>::infinity();
+    fixed.nearest  = 0;
+    forEveryDepth(visible, [&](float each) {
+        fixed.farthest = std::min(fixed.farthest, each);
+        fixed.nearest  = std::max(fixed.nearest, each);
+    });
+    if (fixed.farthest > fixed.nearest) fixed.farthest = fixed.nearest;
+    return fixed;
+}
+
+double partOf(float value, const DepthRange& range)
+{
+    const auto far = static_cast<double>(range.farthest), near = static_cast<double>(range.nearest), at = static_cast<double>(value);
+    if (!(near > far)) return at >= near ? 1 : 0;
+    if (!range.isLogarithmic || !(far > 0)) return std::clamp((at - far) / (near - far), 0.0, 1.0);
+    return at > 0 ? std::clamp(std::log(at / far) / std::log(near / far), 0.0, 1.0) : 0;
+}
+
+std::vector<std::uint64_t> depthHistogram(const VisibilityBuffer& visible, const DepthRange& range, int parts)
+{
+    DepthRange whole = fixedRange({.isAutomatic = true, .isLogarithmic = range.isLogarithmic}, visible);
+    std::vector<std::uint64_t> counts(static_cast<std::size_t>(parts), 0);
+    forEveryDepth(visible, [&](float each) { ++counts[static_cast<std::size_t>(std::min(partOf(each, whole) * parts, parts - 1.0))]; });
+    return counts;
+}
 
 std::span<const Layer> layers()
 {

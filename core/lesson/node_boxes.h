@@ -11,16 +11,11 @@
 
 #include "core/geometry/prepared_scene.h"
 #include "core/hierarchy/tree.h"
+#include "core/lesson/explanation.h"
 #include "core/lesson/step_state.h"
 
 namespace zscope {
 
-struct NodeName {
-    std::optional<InstanceId> instance;  // whose mesh tree; nothing: the tree over the instances
-    std::string               path;
-
-    friend bool operator==(const NodeName&, const NodeName&) = default;
-};
 inline NodeName nameOf(const NodeRow& row) { return {row.instance, row.path}; }
 
 /// The row of that name, or -1.

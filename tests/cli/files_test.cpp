@@ -237,7 +237,7 @@ TEST_F(Cli, PicturesCarryWhatReproducesThem)
 TEST_F(Cli, LayersAreDifferentPicturesOfOneFrame)
 {
     std::set<std::string> pictures;
-    for (const char* layer : {"shaded", "depth", "ids"}) {
+    for (const char* layer : {"shaded", "depth", "ids", "tests"}) {
         ASSERT_EQ(run({"render", kScene, "--size", "64x48", "--show", layer, "-o", path("l.png")}).status, 0) << layer;
         pictures.insert(contentsOf(path("l.png")).substr(contentsOf(path("l.png")).find("IDAT")));
     }

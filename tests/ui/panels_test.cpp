@@ -297,6 +297,17 @@ private slots:
         desk.session.selectNode({});
         QVERIFY(isDrawn(*view));
         desk.photograph("observer");
+
+        // Arrow keys turn what has the focus, and do not step.
+        const std::uint64_t step  = desk.session.position()->step;
+        const QImage        still = view->grab().toImage();
+        QSignalSpy          drawn(view, &ObserverView::drawn);
+        view->setFocus();
+        QTest::keyClick(view, Qt::Key_Left);
+        QVERIFY(QTest::qWaitFor([&] { return drawn.count() > 0; }, Desk::kLong));
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.position()->step, step);
+        QVERIFY(view->grab().toImage() != still);
     }
     void aFrozenCullingViewStaysWhileTheCameraMovesOn()
     {

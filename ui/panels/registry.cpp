@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "ui/panels/active_edges/active_edges_panel.h"
+#include "ui/panels/compare/compare_panel.h"
 #include "ui/panels/depth_test/depth_test_panel.h"
 #include "ui/panels/hierarchy/hierarchy_panel.h"
 #include "ui/panels/observer/observer_panel.h"
@@ -13,6 +14,7 @@
 #include "ui/panels/pyramid/pyramid_panel.h"
 #include "ui/panels/scene/scene_panel.h"
 #include "ui/panels/timeline/timeline_panel.h"
+#include "ui/panels/why/why_panel.h"
 
 namespace zscope::ui {
 namespace {
@@ -43,6 +45,8 @@ constexpr std::array kPanels{
     PanelEntry{"observer", QT_TRANSLATE_NOOP("Panels", "Observer"), Qt::RightDockWidgetArea, make<ObserverPanel>, visitsTree, "hierarchy", 32},
     PanelEntry{"depth-test", QT_TRANSLATE_NOOP("Panels", "Depth test"), Qt::RightDockWidgetArea, make<DepthTestPanel>,
                always, "hierarchy", 28},
+    PanelEntry{"why", QT_TRANSLATE_NOOP("Panels", "Why"), Qt::RightDockWidgetArea, make<WhyPanel>, always, "depth-test", 28},
+    PanelEntry{"compare", QT_TRANSLATE_NOOP("Panels", "Compare"), Qt::RightDockWidgetArea, make<ComparePanel>, always, "depth-test", 28},
     PanelEntry{"timeline", QT_TRANSLATE_NOOP("Panels", "Timeline"), Qt::BottomDockWidgetArea, make<TimelinePanel>,
                always},
 };

@@ -34,10 +34,32 @@ void takeStock(DrawnFrame& drawn, std::uint64_t triangles)
     }
 }
 
-/// Nothing for the shaded picture: the frame holds it.
-Grid<std::uint32_t> paintedBy(const Layer& layer, const Frame& frame)
+/// Nothing for the shaded picture: the frame holds it. Nor for tests that nobody has counted.
+Grid<std::uint32_t> paintedBy(const Look& look, const Frame& frame, const Grid<std::uint32_t>* tests)
 {
-    return &layer == &layers().front() ? Grid<std::uint32_t>() : layer.paint(frame);
+    if (look.isShaded() || (look.layer->needsTests && !tests)) return {};
+    return look.layer->paint({.frame = frame, .tests = tests, .range = look.range});
+}
+
+DepthSpread spreadOf(const Look& look, const VisibilityBuffer& visible)
+{
+    if (look.layer->word != "depth") return {};
+    return {fixedRange({.isAutomatic = true, .isLogarithmic = look.range.isLogarithmic}, visible), fixedRange(look.range, visible),
+            depthHistogram(visible, look.range, DepthSpread::kParts)};
+}
+
+void paint(DrawnFrame& drawn, const Look& look)
+{
+    drawn.look    = look;
+    drawn.painted = paintedBy(look, drawn.frame, nullptr);
+    drawn.spread  = spreadOf(look, drawn.frame.visible);
+}
+
+void paint(ShownStep& shown, const Look& look)
+{
+    shown.look    = look;
+    shown.painted = paintedBy(look, shown.state.frame, &shown.state.tests);
+    shown.spread  = spreadOf(look, shown.state.frame.visible);
 }
 
 QRgb mixed(QRgb a, QRgb b, int parts)  // parts of 256 of b
@@ -66,7 +88,7 @@ Result<std::shared_ptr<const LoadedScene>> Engine::load(const QString& word, con
 }
 
 Result<std::shared_ptr<const DrawnFrame>> Engine::draw(std::uint64_t generation, const DrawRequest& request,
-                                                       const Layer& layer)
+                                                       const Look& look)
 {
     std::shared_ptr<DrawnFrame> drawn = unusedFrame();
     const bool fresh = drawn->frame.visible.width() != request.camera.width ||
@@ -82,7 +104,7 @@ Result<std::shared_ptr<const DrawnFrame>> Engine::draw(std::uint64_t generation,
     drawn->camera           = request.camera;
     drawn->pipeline         = request.pipeline;
     drawn->report           = std::move(report).value();
-    drawn->painted          = paintedBy(layer, drawn->frame);
+    paint(*drawn, look);
     drawn->coveredPixels    = 0;
     drawn->visibleTriangles = 0;
     takeStock(*drawn, request.scene->scene().triangleCount());
@@ -103,7 +125,7 @@ std::shared_ptr<DrawnFrame> Engine::unusedFrame()
 }
 
 Result<std::shared_ptr<const ShownStep>> Engine::step(std::uint64_t generation, const DrawRequest& request,
-                                                      const Layer& layer, const StepWish& wish)
+                                                      const Look& look, const StepWish& wish)
 {
     const auto begin = std::chrono::steady_clock::now();
     if (!m_replay || m_replayOf != generation) {
@@ -122,7 +144,7 @@ Result<std::shared_ptr<const ShownStep>> Engine::step(std::uint64_t generation, 
     shown->camera     = request.camera;
     shown->pipeline   = request.pipeline;
     shown->state      = std::move(state).value();
-    shown->painted    = paintedBy(layer, shown->state.frame);
+    paint(*shown, look);
     shown->pyramid    = pyramidOf(shown->state);
     if (m_latest && m_latest->generation == generation) shown->ghosted = ghosted(*shown, *m_latest);
     shown->replayMs =
@@ -172,6 +194,21 @@ Result<std::uint64_t> Engine::resolve(const StepWish& wish, std::uint64_t count)
     return limited(static_cast<std::int64_t>(at) + wish.after, count);
 }
 
+std::shared_ptr<const DrawnFrame> repainted(const DrawnFrame& frame, const Look& look)
+{
+    auto other = std::make_shared<DrawnFrame>(frame);
+    paint(*other, look);
+    return other;
+}
+
+std::shared_ptr<const ShownStep> repainted(const ShownStep& step, const DrawnFrame* finished, const Look& look)
+{
+    auto other = std::make_shared<ShownStep>(step);
+    paint(*other, look);
+    other->ghosted = finished && finished->generation == step.generation ? ghosted(*other, *finished) : QImage();
+    return other;
+}
+
 QImage ghosted(const ShownStep& step, const DrawnFrame& finished)
 {
     constexpr int kPale = 205;  // of 256 towards the background
@@ -192,6 +229,35 @@ QImage ghosted(const ShownStep& step, const DrawnFrame& finished)
         }
     }
     return image;
+}
+
+namespace {
+
+void compareInto(Comparison& result, const VisibilityBuffer& a, const VisibilityBuffer& b, std::uint32_t tolerance)
+{
+    result.tolerance  = tolerance;
+    result.difference = differenceOf(a, b, tolerance);
+    result.figures    = compare(pictureOf(a), pictureOf(b));
+}
+
+}  // namespace
+
+std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame> a, std::shared_ptr<const DrawnFrame> b, std::uint32_t tolerance)
+{
+    auto result = std::make_shared<Comparison>();
+    compareInto(*result, a->frame.visible, b->frame.visible, tolerance);
+    result->a = std::move(a);
+    result->b = std::move(b);
+    return result;
+}
+
+std::shared_ptr<const Comparison> compared(std::shared_ptr<const ShownStep> a, std::shared_ptr<const ShownStep> b, std::uint32_t tolerance)
+{
+    auto result = std::make_shared<Comparison>();
+    compareInto(*result, a->state.frame.visible, b->state.frame.visible, tolerance);
+    result->stepA = std::move(a);
+    result->stepB = std::move(b);
+    return result;
 }
 
 QImage imageOf(const Grid<std::uint32_t>& colours)

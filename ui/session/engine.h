@@ -33,9 +33,9 @@ struct StepWish {
 class Engine {
 public:
     Result<std::shared_ptr<const LoadedScene>> load(const QString& word, const LoadOptions& options) const;
-    Result<std::shared_ptr<const DrawnFrame>>  draw(std::uint64_t generation, const DrawRequest& request, const Layer& layer);
+    Result<std::shared_ptr<const DrawnFrame>>  draw(std::uint64_t generation, const DrawRequest& request, const Look& look);
     Result<std::shared_ptr<const ShownStep>>   step(std::uint64_t generation, const DrawRequest& request,
-                                                    const Layer& layer, const StepWish& wish);
+                                                    const Look& look, const StepWish& wish);
 
 private:
     /// The step of wish.grain that the wish means, in [0, count).
@@ -53,6 +53,14 @@ private:
 
 /// The step's picture, with the pixels that only later steps will cover shown in a pale version of the finished one.
 QImage ghosted(const ShownStep& step, const DrawnFrame& finished);
+/// The same picture as it looks otherwise. `finished` is what is pale in the step's, or nullptr.
+std::shared_ptr<const DrawnFrame> repainted(const DrawnFrame& frame, const Look& look);
+std::shared_ptr<const ShownStep>  repainted(const ShownStep& step, const DrawnFrame* finished, const Look& look);
+
+/// B held against A; both of one size.
+std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame> a, std::shared_ptr<const DrawnFrame> b, std::uint32_t tolerance);
+std::shared_ptr<const Comparison> compared(std::shared_ptr<const ShownStep> a, std::shared_ptr<const ShownStep> b, std::uint32_t tolerance);
+
 /// A view of the colours, valid while they live; not a copy.
 QImage imageOf(const Grid<std::uint32_t>& colours);
 

@@ -62,7 +62,7 @@ QStringList commandOf(const Snapshot& shown, const DrawSettings& settings)
     if (stepped)
         words << "--grain" << text(wordOf(shown.step->state.grain)) << "--at"
               << QString::number(shown.step->state.step.value);
-    if (shown.layer != &layers().front()) words << "--show" << text(shown.layer->word);
+    if (!shown.look.isShaded()) words << "--show" << text(shown.look.layer->word);
     return words;
 }
 

@@ -23,7 +23,8 @@ bool has(const std::vector<Grain>& grains, Grain grain) { return std::ranges::fi
 }  // namespace
 
 Session::Session(const DrawSettings& settings, QObject* parent)
-    : QObject(parent), m_settings(settings), m_engine(std::make_shared<Engine>()), m_worker(std::make_unique<Worker>())
+    : QObject(parent), m_settings(settings), m_engine(std::make_shared<Engine>()),
+      m_otherEngine(std::make_shared<Engine>()), m_worker(std::make_unique<Worker>())
 {
     m_now.pipeline = findPreset(kDefaultPreset)->pipeline;
     m_now.grain    = naturalGrain(m_now.pipeline);
@@ -204,10 +205,43 @@ void Session::setFaceCulling(FaceCulling culling)
 
 void Session::setLayer(const Layer& layer)
 {
-    if (&layer == m_now.layer) return;
-    m_now.layer = &layer;
+    if (&layer == m_now.look.layer) return;
+    m_now.look.layer = &layer;
     emit changed(Change::Pipeline);
-    startOver();
+    repaint();
+}
+
+void Session::setDepthRange(const DepthRange& range)
+{
+    if (range == m_now.look.range) return;
+    m_now.look.range = range;
+    emit changed(Change::Pipeline);
+    repaint();
+}
+
+void Session::repaint()
+{
+    const auto looks = [this](const auto& shown) { return !shown || shown->look == m_now.look; };
+    if (looks(m_now.frame) && looks(m_now.step) && looks(m_now.compare.frame) && looks(m_now.compare.step)) return;
+    m_worker->post(Worker::Slot::Repaint, [this, look = m_now.look, frame = m_now.frame, step = m_now.step, other = m_now.compare.frame,
+                                           otherStep = m_now.compare.step](const std::atomic<bool>&) {
+        const auto ofFrame = [&](const auto& from) { return from && from->look != look ? repainted(*from, look) : from; };
+        const auto ofStep  = [&](const auto& from, const auto& finished) {
+            return from && from->look != look ? repainted(*from, finished.get(), look) : from;
+        };
+        auto newFrame = ofFrame(frame), newOther = ofFrame(other);
+        auto newStep = ofStep(step, newFrame), newOtherStep = ofStep(otherStep, newOther);
+        deliver([=, this] {
+            // Whatever has been made anew since then is painted on its own account.
+            if (m_now.frame == frame) m_now.frame = newFrame;
+            if (m_now.step == step) m_now.step = newStep;
+            if (m_now.compare.frame == other) m_now.compare.frame = newOther;
+            if (m_now.compare.step == otherStep) m_now.compare.step = newOtherStep;
+            emit changed(Change::Picture);
+            compareAgain();
+            repaint();
+        });
+    });
 }
 
 void Session::adoptGrain()
@@ -323,10 +357,10 @@ void Session::draw()
 {
     m_rest.stop();
     setBusy(tr("Drawing"));
-    m_worker->post(Worker::Slot::Draw, [this, request = request(), generation = m_generation, layer = m_now.layer](
+    m_worker->post(Worker::Slot::Draw, [this, request = request(), generation = m_generation, look = m_now.look](
                                            const std::atomic<bool>& cancel) mutable {
         request.cancel = &cancel;
-        auto drawn     = m_engine->draw(generation, request, *layer);
+        auto drawn     = m_engine->draw(generation, request, look);
         deliver([this, drawn = std::move(drawn)] {
             if (drawn) frameDrawn(*drawn);
             else troubled(drawn.error());
@@ -340,9 +374,9 @@ void Session::step()
     setBusy(tr("Replaying"));
     m_worker->post(Worker::Slot::Step, [this, request = request(), generation = m_generation, wish = m_wish,
                                         number = m_wishNumber,
-                                        layer = m_now.layer](const std::atomic<bool>& cancel) mutable {
+                                        look = m_now.look](const std::atomic<bool>& cancel) mutable {
         request.cancel = &cancel;
-        auto made      = m_engine->step(generation, request, *layer, wish);
+        auto made      = m_engine->step(generation, request, look, wish);
         deliver([this, made = std::move(made), number] {
             if (made) stepMade(*made, number);
             else troubled(made.error());
@@ -356,7 +390,9 @@ void Session::frameDrawn(const std::shared_ptr<const DrawnFrame>& frame)
     const bool atEnd = m_wish.isEnd();
     if (atEnd || !m_now.step) m_now.showsStep = false;
     emit changed(Change::Picture);
+    repaint();  // if the look has changed while it was drawn
     if (frame->generation != m_generation) return;  // a newer one is on its way
+    if (m_now.compare.other) drawOther();
     if (atEnd) m_rest.start();
     else step();
 }
@@ -379,6 +415,156 @@ void Session::stepMade(const std::shared_ptr<const ShownStep>& step, std::uint64
     }
     m_now.showsStep = !(m_wish.isEnd() && m_now.frame && m_now.frame->generation == m_generation);
     emit changed(Change::Picture);
+    repaint();
+    if (m_now.compare.other && step->generation == m_generation) stepOther();
+}
+
+// Comparison --------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// The step of B that is the same moment as A's: the same number where both have steps of that grain, else the same part
+/// of the run.
+StepWish linkedTo(const ShownStep& a, const Pipeline& other)
+{
+    const std::vector<Grain> grains = grainsOf(other);
+    const bool               same   = has(grains, a.state.grain);
+    const Grain              grain  = same ? a.state.grain : grains.back();
+    if (a.isLast()) return {.grain = grain, .counted = grain};
+    if (same) return {.grain = grain, .from = StepWish::From::Start, .offset = a.state.step.value, .counted = grain};
+    return {.grain = grain, .from = StepWish::From::Fraction, .fraction = static_cast<double>(a.state.step.value) / static_cast<double>(a.last()),
+            .counted = grain};
+}
+
+}  // namespace
+
+void Session::compareWith(const std::optional<Pipeline>& other)
+{
+    if (other == m_now.compare.other) return;
+    m_now.compare.other  = other;
+    m_now.compare.frame  = nullptr;
+    m_now.compare.step   = nullptr;
+    m_now.compare.result = nullptr;
+    if (!other) m_now.compare.show = CompareShow::A, m_now.compare.isHeld = false;
+    emit changed(Change::Compare | Change::Picture);
+    otherChanged();
+}
+
+void Session::otherChanged()
+{
+    if (!m_now.compare.other || !m_now.scene || !m_now.frame || m_now.frame->generation != m_generation) return;  // after the drawing
+    drawOther();
+    if (!isSettled() && !m_rest.isActive()) step();  // posting the drawing has swept it away
+    else if (m_now.showsStep) stepOther();
+}
+
+void Session::drawOther()
+{
+    setBusy(tr("Drawing B"));
+    DrawRequest other = request();
+    other.pipeline    = *m_now.compare.other;
+    m_worker->post(Worker::Slot::DrawOther, [this, other, generation = m_generation, look = m_now.look, a = m_now.frame,
+                                             tolerance = m_now.compare.tolerance](const std::atomic<bool>& cancel) mutable {
+        other.cancel = &cancel;
+        auto drawn   = m_otherEngine->draw(generation, other, look);
+        std::shared_ptr<const Comparison> result;
+        if (drawn) result = compared(a, *drawn, tolerance);
+        deliver([this, drawn = std::move(drawn), result, pipeline = other.pipeline] {
+            if (!drawn) return troubled(drawn.error());
+            if (m_now.compare.other != pipeline) return;  // another B by now
+            m_now.compare.frame = *drawn;
+            if (!m_now.showsStep || !m_now.compare.isLinked) m_now.compare.result = result;
+            emit changed(Change::Compare | Change::Picture);
+            if (result->tolerance != m_now.compare.tolerance) compareAgain();
+        });
+    });
+}
+
+void Session::stepOther()
+{
+    if (!m_now.compare.isLinked || !m_now.showsStep) return compareAgain();
+    setBusy(tr("Replaying B"));
+    DrawRequest other = request();
+    other.pipeline    = *m_now.compare.other;
+    m_worker->post(Worker::Slot::StepOther, [this, other, generation = m_generation, look = m_now.look, a = m_now.step,
+                                             wish = linkedTo(*m_now.step, other.pipeline),
+                                             tolerance = m_now.compare.tolerance](const std::atomic<bool>& cancel) mutable {
+        other.cancel = &cancel;
+        auto made    = m_otherEngine->step(generation, other, look, wish);
+        std::shared_ptr<const Comparison> result;
+        if (made) result = compared(a, *made, tolerance);
+        deliver([this, made = std::move(made), result, pipeline = other.pipeline] {
+            if (!made) return troubled(made.error());
+            if (m_now.compare.other != pipeline) return;
+            m_now.compare.step   = *made;
+            m_now.compare.result = result;
+            emit changed(Change::Compare | Change::Picture);
+        });
+    });
+}
+
+void Session::compareAgain()
+{
+    const CompareState& compare = m_now.compare;
+    const bool          steps   = m_now.showsStep && compare.isLinked;
+    if (!compare.other || (steps ? !compare.step || !m_now.step : !compare.frame || !m_now.frame)) return;
+    if (!steps && compare.frame->generation != m_now.frame->generation) return;
+    if (compare.result && compare.result->tolerance == compare.tolerance && (steps ? compare.result->stepA == m_now.step : compare.result->a == m_now.frame))
+        return;
+    m_worker->post(Worker::Slot::StepOther, [this, steps, a = m_now.frame, b = compare.frame, stepA = m_now.step, stepB = compare.step,
+                                             tolerance = compare.tolerance](const std::atomic<bool>&) {
+        auto result = steps ? compared(stepA, stepB, tolerance) : compared(a, b, tolerance);
+        deliver([this, result = std::move(result), b, stepB, steps] {
+            if (steps ? m_now.compare.step != stepB : m_now.compare.frame != b) return;
+            m_now.compare.result = result;
+            emit changed(Change::Compare | Change::Picture);
+        });
+    });
+}
+
+void Session::swapCompared()
+{
+    if (!m_now.compare.other) return;
+    const Pipeline b = *m_now.compare.other;
+    compareWith(m_now.pipeline);
+    setPipeline(b);
+}
+
+void Session::showCompared(CompareShow show)
+{
+    if (!m_now.compare.other || show == m_now.compare.show) return;
+    m_now.compare.show = show;
+    emit changed(Change::Compare | Change::Picture);
+}
+
+void Session::holdOther(bool held)
+{
+    if (held == m_now.compare.isHeld || (held && !m_now.compare.other)) return;
+    m_now.compare.isHeld = held;
+    emit changed(Change::Compare | Change::Picture);
+}
+
+void Session::setWipe(double part)
+{
+    m_now.compare.wipe = std::clamp(part, 0.0, 1.0);
+    emit changed(Change::Compare);
+}
+
+void Session::setTolerance(std::uint32_t steps)
+{
+    if (steps == m_now.compare.tolerance) return;
+    m_now.compare.tolerance = steps;
+    emit changed(Change::Compare);
+    compareAgain();
+}
+
+void Session::linkSteps(bool linked)
+{
+    if (linked == m_now.compare.isLinked) return;
+    m_now.compare.isLinked = linked;
+    emit changed(Change::Compare | Change::Picture);
+    if (linked && m_now.showsStep && m_now.compare.other) stepOther();
+    else compareAgain();
 }
 
 void Session::troubled(const Error& error)

@@ -62,6 +62,7 @@ public:
     void setPipeline(const Pipeline& pipeline);
     void setFaceCulling(FaceCulling culling);
     void setLayer(const Layer& layer);
+    void setDepthRange(const DepthRange& range);
 
     // Steps
     void setGrain(Grain grain);
@@ -85,6 +86,17 @@ public:
     void showNodes(const VerdictSet& verdicts);
     void setLayers(const Layers& layers);
 
+    // Comparison
+    /// B; nothing ends the comparison.
+    void compareWith(const std::optional<Pipeline>& other);
+    void swapCompared();
+    void showCompared(CompareShow show);
+    /// B is seen while it is held.
+    void holdOther(bool held);
+    void setWipe(double part);
+    void setTolerance(std::uint32_t steps);
+    void linkSteps(bool linked);
+
     bool    isIdle() const;
     Player& player() { return m_player; }
     /// Number of steps at the current grain and the step that is wanted; nothing while they are not known.
@@ -101,6 +113,11 @@ signals:
 private:
     void draw();
     void step();
+    void repaint();               // if anything on show looks otherwise than it should
+    void drawOther();
+    void stepOther();
+    void compareAgain();          // with another tolerance, or after B was drawn
+    void otherChanged();
     void startOver();             // something the picture depends on has changed
     void applyView(const ViewRequest& view);
     void adoptGrain();            // after a change of algorithm
@@ -134,6 +151,7 @@ private:
     Player                       m_player{*this};
     QTimer                       m_rest;         // the finished picture's tables are made when the camera rests
     std::shared_ptr<Engine>      m_engine;       // used by jobs of the worker only
+    std::shared_ptr<Engine>      m_otherEngine;  // likewise, for B
     std::unique_ptr<Worker>      m_worker;       // last: stops before anything else goes
 };
 

@@ -16,6 +16,7 @@
 #include <QPoint>
 #include <QString>
 
+#include "core/lesson/difference.h"
 #include "core/lesson/layers.h"
 #include "core/lesson/node_boxes.h"
 #include "core/lesson/observer.h"
@@ -37,6 +38,24 @@ struct LoadedScene {
     const Scene& scene() const { return prepared->scene(); }
 };
 
+/// What a picture shows of each pixel.
+struct Look {
+    const Layer* layer = &zscope::layers().front();
+    DepthRange   range;   // of the layer of depths
+
+    bool isShaded() const { return layer == &zscope::layers().front(); }
+    friend bool operator==(const Look&, const Look&) = default;
+};
+
+/// How the depths of a picture are spread, for the control of their range.
+struct DepthSpread {
+    static constexpr int kParts = 96;
+
+    DepthRange                 whole;      // from its farthest to its nearest
+    DepthRange                 used;       // what became the darkest and the lightest colour
+    std::vector<std::uint64_t> histogram;  // of `whole`; empty: the layer is not that of depths
+};
+
 /// One finished frame at full speed.
 struct DrawnFrame {
     std::uint64_t generation = 0;
@@ -44,7 +63,9 @@ struct DrawnFrame {
     Pipeline      pipeline;
     Frame         frame;
     FrameReport   report;
+    Look          look;
     Grid<std::uint32_t> painted;  // the chosen layer; empty: the frame's own colours
+    DepthSpread   spread;
     std::uint64_t coveredPixels    = 0;
     std::uint64_t visibleTriangles = 0;  // that own at least one pixel
 };
@@ -70,13 +91,40 @@ struct ShownStep {
     Camera        camera;
     Pipeline      pipeline;
     StepState     state;
+    Look          look;
     Grid<std::uint32_t> painted;  // the chosen layer; empty: the frame's own colours
+    DepthSpread   spread;
     PyramidPicture pyramid;     // no levels: the method keeps none, or none yet
     QImage        ghosted;      // the step's picture, with what is still to come shown pale
     double        replayMs = 0; // what making it took
 
     std::uint64_t last() const { return state.count - 1; }
     bool          isLast() const { return state.step.value >= last(); }
+};
+
+/// A and B side by side: B is another way to draw the same view.
+struct Comparison {
+    std::shared_ptr<const DrawnFrame> a, b;          // the finished pictures that were compared, or
+    std::shared_ptr<const ShownStep>  stepA, stepB;  // those of two steps
+    Difference                        difference;
+    ErrorFigures                      figures;       // of B, with A as what is right
+    std::uint32_t                     tolerance = 0;
+};
+
+enum class CompareShow { A, B, Wipe, Difference };
+
+struct CompareState {
+    std::optional<Pipeline> other;      // B; nothing: there is no comparison
+    CompareShow   show      = CompareShow::A;
+    bool          isHeld    = false;    // Shift is held: B is seen for as long
+    bool          isLinked  = true;     // B is stepped with A
+    double        wipe      = 0.5;      // of the picture's width: A to the left, B to the right
+    std::uint32_t tolerance = 0;        // float32 steps
+    std::shared_ptr<const DrawnFrame> frame;   // of B; nullptr until one was drawn
+    std::shared_ptr<const ShownStep>  step;    // of B
+    std::shared_ptr<const Comparison> result;  // nullptr until there is one
+
+    CompareShow seen() const { return !other ? CompareShow::A : isHeld ? CompareShow::B : show; }
 };
 
 struct Snapshot {
@@ -87,7 +135,7 @@ struct Snapshot {
     Camera                             camera;     // the newest, perhaps not drawn yet
     ViewRequest                        view;       // what the camera was made from
     Pipeline                           pipeline;   // the chosen one, perhaps not drawn yet
-    const Layer*                       layer = &zscope::layers().front();  // what the picture shows of each pixel
+    Look                               look;       // what the picture shows of each pixel
     Grain                              grain = Grain::Frame;
     std::optional<QPoint>              picked;
     std::optional<EdgeRow>             selectedEdge;
@@ -95,12 +143,32 @@ struct Snapshot {
     std::optional<NodeName>            selectedNode;
     VerdictSet                         shownNodes = everyVerdict();  // whose boxes are shown, and rows in the tree
     Layers                             layers;
+    CompareState                       compare;
     QString                            busy;       // what the worker does; empty: nothing to wait for
     double                             progress = -1;  // in [0, 1], or -1: not known
 
+    /// B's picture of the same moment as A's; nullptr while there is none.
+    const VisibilityBuffer* visibleOfOther() const
+    {
+        if (!compare.other) return nullptr;
+        if (showsStep && compare.isLinked) return compare.step ? &compare.step->state.frame.visible : nullptr;
+        return compare.frame ? &compare.frame->frame.visible : nullptr;
+    }
+    const Grid<std::uint32_t>* coloursOfOther() const
+    {
+        if (!compare.other) return nullptr;
+        if (showsStep && compare.isLinked) {
+            if (!compare.step) return nullptr;
+            return compare.step->painted.width() > 0 ? &compare.step->painted : &compare.step->state.frame.colour;
+        }
+        if (!compare.frame) return nullptr;
+        return compare.frame->painted.width() > 0 ? &compare.frame->painted : &compare.frame->frame.colour;
+    }
     /// The visibility buffer of the picture on show; nullptr if there is none.
     const VisibilityBuffer* visible() const
     {
+        if (compare.seen() == CompareShow::B)
+            if (const VisibilityBuffer* other = visibleOfOther()) return other;
         if (showsStep && step) return &step->state.frame.visible;
         return frame ? &frame->frame.visible : nullptr;
     }
@@ -109,7 +177,16 @@ struct Snapshot {
     {
         if (showsStep && step) return step->painted.width() > 0 ? &step->painted : &step->state.frame.colour;
         if (!frame) return nullptr;
+        // Only a step counts tests: the last one is the finished picture, too.
+        if (frame->look.layer->needsTests && step && step->generation == frame->generation && step->isLast() && step->look == frame->look)
+            return &step->painted;
         return frame->painted.width() > 0 ? &frame->painted : &frame->frame.colour;
+    }
+    /// Of the picture on show; nullptr unless it shows depths.
+    const DepthSpread* spread() const
+    {
+        const DepthSpread* of = showsStep && step ? &step->spread : frame ? &frame->spread : nullptr;
+        return of && !of->histogram.empty() ? of : nullptr;
     }
     const Camera& pictureCamera() const
     {
@@ -148,12 +225,14 @@ enum class Change {
     Selection = 16,  // picked pixel, selected edge, level, node
     Busy      = 32,
     Layers    = 64,  // what is drawn over the picture, and which nodes
+    Compare   = 128, // B, what of it is seen, and the result
 };
 Q_DECLARE_FLAGS(Changes, Change)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 
 inline constexpr Changes kEverything{Change::Scene, Change::Camera, Change::Picture,
-                                     Change::Pipeline, Change::Selection, Change::Busy, Change::Layers};
+                                     Change::Pipeline, Change::Selection, Change::Busy, Change::Layers,
+                                     Change::Compare};
 
 /// What can be said of one pixel of the picture on show.
 struct PixelFacts {

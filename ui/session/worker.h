@@ -2,7 +2,7 @@
 // The one thread that does the window's long work, one job at a time, the newest request first.
 //
 // Slots      at most one job of each kind waits; a newer one takes its place. A load makes every other job
-//            pointless, a drawing makes the step of the old drawing pointless
+//            pointless, a drawing makes the step of the old drawing pointless; likewise of what is compared with it
 // Cancel     a running job that a newer one has made pointless is asked to stop: at once by a load, otherwise when
 //            it has had kPatience since the newer one came, so that a dragged camera still sees frames finish
 // Threads    post(), cancel() and the destructor from the thread the worker lives in; jobs run on the thread it
@@ -28,7 +28,7 @@ class Worker final : public QObject {
     Q_OBJECT
 
 public:
-    enum class Slot { Load, Draw, Step };  // the most urgent first
+    enum class Slot { Load, Draw, DrawOther, Step, StepOther, Repaint };  // the most urgent first
     static constexpr std::chrono::milliseconds kPatience{150};
 
     /// The flag is this worker's for all jobs, and stays where it is while the worker lives.
@@ -49,7 +49,7 @@ signals:
     void idle();
 
 private:
-    static constexpr std::size_t kSlots = 3;
+    static constexpr std::size_t kSlots = 6;
 
     void run();
     void losePatience();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QCoreApplication>
 #include <QFontDatabase>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -13,6 +14,7 @@
 
 #include "ui/text/numbers.h"
 #include "ui/view/magnifier.h"
+#include "ui/view/range_bar.h"
 
 namespace zscope::ui {
 namespace {
@@ -20,6 +22,7 @@ namespace {
 constexpr double kGridFrom     = 10;    // device pixels per pixel from which the grid is drawn
 constexpr double kValuesFrom   = 52;    // and the numbers, times the screen's scale
 constexpr double kClickReach   = 4;     // logical pixels a click may wander
+constexpr double kWipeReach    = 8;     // logical pixels from the wipe that still are its handle
 constexpr double kWheelStep    = 1.25;  // zoom per notch
 constexpr double kOrbitPerSize = 3.2;   // radians per height of the view
 constexpr double kFlyPerSecond = 0.6;   // scene units
@@ -28,7 +31,7 @@ constexpr double kFlyFaster    = 4;     // with Shift
 }  // namespace
 
 FrameView::FrameView(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_magnifier(new Magnifier(this))
+    : QWidget(parent), m_session(session), m_magnifier(new Magnifier(this)), m_range(new RangeBar(session, this))
 {
     setAccessibleName(tr("Frame view"));
     setAccessibleDescription(tr("The picture of the chosen algorithm at the chosen step"));
@@ -42,10 +45,13 @@ FrameView::FrameView(Session& session, QWidget* parent)
 void FrameView::present(const Snapshot& shown, Changes what)
 {
     m_shown = shown;
-    if (what & (Change::Picture | Change::Scene | Change::Layers)) showPicture();
+    if (what & (Change::Picture | Change::Scene | Change::Layers | Change::Compare)) showPicture();
+    if (what & Change::Compare) update();
     if (what & (Change::Picture | Change::Selection | Change::Scene | Change::Layers)) {
         m_overlay = overlayOf(m_shown, m_shown.layers);
         placeMagnifier();
+        m_range->present(m_shown);
+        m_range->move(2 * kStep, height() - m_range->height() - 2 * kStep);
         update();
     }
 }
@@ -53,9 +59,26 @@ void FrameView::present(const Snapshot& shown, Changes what)
 void FrameView::showPicture()
 {
     const Grid<std::uint32_t>* colours = m_shown.colours();
+    const Grid<std::uint32_t>* other   = m_shown.coloursOfOther();
+    const bool                 ghosts  = m_shown.showsStep && m_shown.layers.ghost;
     if (!colours) m_picture = {};
-    else if (m_shown.showsStep && m_shown.layers.ghost && !m_shown.step->ghosted.isNull()) m_picture = m_shown.step->ghosted;
+    else if (ghosts && !m_shown.step->ghosted.isNull()) m_picture = m_shown.step->ghosted;
     else m_picture = imageOf(*colours);
+    m_other = {};
+    if (colours && other && other->width() == colours->width() && other->height() == colours->height()) {
+        const ShownStep* step  = m_shown.compare.isLinked ? m_shown.compare.step.get() : nullptr;
+        const QImage     ofOther = ghosts && step && !step->ghosted.isNull() ? step->ghosted : imageOf(*other);
+        const Comparison* result = m_shown.compare.result.get();
+        switch (m_shown.compare.seen()) {
+        case CompareShow::A: break;
+        case CompareShow::B: m_picture = ofOther; break;
+        case CompareShow::Wipe: m_other = ofOther; break;
+        case CompareShow::Difference:
+            if (result && result->difference.heat.width() == colours->width() && result->difference.heat.height() == colours->height())
+                m_picture = imageOf(result->difference.heat);
+            break;
+        }
+    }
     if (!m_picture.isNull() && m_picture.size() != m_view.picture()) {
         m_view.setPicture(m_picture.size());
         emit viewChanged();
@@ -148,16 +171,55 @@ void FrameView::paintEvent(QPaintEvent*)
     }
     painter.save();
     painter.scale(1 / scale, 1 / scale);  // from here in device pixels
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, m_view.zoom() < 1);
-    const QRect  seen = m_view.visiblePixels();
-    const QRectF at   = m_view.toView(QRectF(QPointF(0, 0), QSizeF(m_picture.size())));
-    if (m_view.zoom() < 1) painter.drawImage(at, m_picture);
-    else painter.drawImage(m_view.toView(QRectF(seen)), m_picture, QRectF(seen));
+    if (m_other.isNull()) {
+        paintPicture(painter, m_picture);
+    } else {
+        const double at = m_view.toView(QPointF(m_shown.compare.wipe * m_picture.width(), 0)).x();
+        painter.save();
+        painter.setClipRect(QRectF(0, 0, at, height() * scale));
+        paintPicture(painter, m_picture);
+        painter.setClipRect(QRectF(at, 0, width() * scale - at, height() * scale));
+        paintPicture(painter, m_other);
+        painter.restore();
+    }
     if (m_shown.layers.grid && m_view.zoom() >= kGridFrom) paintGrid(painter);
     if (m_shown.layers.grid && m_view.zoom() >= kValuesFrom * scale) paintValues(painter);
     paintOverlay(painter, m_overlay, m_view, theme, scale);
     painter.restore();
+    paintWipe(painter);
     paintChips(painter);
+}
+
+void FrameView::paintPicture(QPainter& painter, const QImage& picture) const
+{
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, m_view.zoom() < 1);
+    const QRect seen = m_view.visiblePixels();
+    if (m_view.zoom() < 1) painter.drawImage(m_view.toView(QRectF(QPointF(0, 0), QSizeF(picture.size()))), picture);
+    else painter.drawImage(m_view.toView(QRectF(seen)), picture, QRectF(seen));
+}
+
+std::optional<double> FrameView::wipeAt() const
+{
+    if (m_other.isNull()) return {};
+    return m_view.toView(QPointF(m_shown.compare.wipe * m_picture.width(), 0)).x() / devicePixelRatioF();
+}
+
+void FrameView::paintWipe(QPainter& painter) const
+{
+    const auto at = wipeAt();
+    if (!at) return;
+    const Theme& theme = themeOf(palette());
+    painter.setRenderHint(QPainter::Antialiasing, true);
+    painter.setPen(QPen(Qt::white, 4));
+    painter.drawLine(QPointF(*at, 0), QPointF(*at, height()));
+    painter.setPen(QPen(theme.text, 1.5));
+    painter.drawLine(QPointF(*at, 0), QPointF(*at, height()));
+    const QRectF knob(*at - 2.25 * kStep, height() / 2.0 - 1.5 * kStep, 4.5 * kStep, 3 * kStep);
+    painter.setPen(theme.border);
+    painter.setBrush(theme.card);
+    painter.drawRoundedRect(knob, knob.height() / 2, knob.height() / 2);
+    painter.setPen(theme.text);
+    painter.drawText(knob, Qt::AlignCenter, QStringLiteral("A | B"));
 }
 
 void FrameView::paintGrid(QPainter& painter) const
@@ -196,6 +258,17 @@ void FrameView::paintChips(QPainter& painter) const
 {
     const Theme& theme = themeOf(palette());
     QStringList  chips{m_shown.showsStep ? tr("Step") : tr("Finished picture")};
+    if (!m_shown.look.isShaded())
+        chips << QCoreApplication::translate("Registry", std::string(m_shown.look.layer->word).c_str());
+    if (m_shown.compare.other) {
+        const QString a = QString::fromStdString(nameOf(m_shown.pipeline)), b = QString::fromStdString(nameOf(*m_shown.compare.other));
+        switch (m_shown.compare.seen()) {
+        case CompareShow::A: chips << tr("A  %1").arg(a); break;
+        case CompareShow::B: chips << tr("B  %1").arg(b); break;
+        case CompareShow::Wipe: chips << tr("A  %1  |  B  %2").arg(a, b); break;
+        case CompareShow::Difference: chips << tr("Difference  %1, %2").arg(a, b); break;
+        }
+    }
     if (m_shown.showsStep && !m_overlay.edges.empty()) chips << tr("Active edges");
     if (m_overlay.boxesWanted > 0)
         chips << (m_overlay.boxesShown < m_overlay.boxesWanted
@@ -238,6 +311,7 @@ void FrameView::resizeEvent(QResizeEvent*)
 {
     m_view.setArea(QSizeF(size()) * devicePixelRatioF());
     placeMagnifier();
+    m_range->move(2 * kStep, height() - m_range->height() - 2 * kStep);
     emit viewChanged();
 }
 
@@ -263,6 +337,11 @@ void FrameView::mousePressEvent(QMouseEvent* event)
 {
     m_pressed = m_last = event->position();
     const bool camera  = usesCamera(event->modifiers());
+    const auto wipe    = wipeAt();
+    if (event->button() == Qt::LeftButton && wipe && std::abs(event->position().x() - *wipe) <= kWipeReach) {
+        m_drag = Drag::Wipe;
+        return;
+    }
     switch (event->button()) {
     case Qt::LeftButton: m_drag = camera ? Drag::Orbit : Drag::PanPicture; break;
     case Qt::MiddleButton: m_drag = camera ? Drag::PanCamera : Drag::PanPicture; break;
@@ -300,7 +379,15 @@ void FrameView::mouseMoveEvent(QMouseEvent* event)
             camera.pan(-moved.x() / pictureHeight, moved.y() / pictureHeight, m_shown.camera.focal);
         });
         break;
+    case Drag::Wipe:
+        m_session.setWipe(m_view.toPicture(device(m_last)).x() / m_view.picture().width());
+        break;
     case Drag::None: break;
+    }
+    if (m_drag == Drag::None) {  // the handle says that it can be dragged
+        const auto wipe = wipeAt();
+        const bool over = wipe && std::abs(m_last.x() - *wipe) <= kWipeReach;
+        setCursor(over ? Qt::SplitHCursor : m_tool == Tool::Camera ? Qt::SizeAllCursor : Qt::ArrowCursor);
     }
     if (m_drag == Drag::None || m_drag == Drag::PanPicture) {
         const auto pixel = m_view.pixelAt(device(m_last));

@@ -19,6 +19,7 @@
 namespace zscope::ui {
 
 class Magnifier;
+class RangeBar;
 
 enum class Tool { Inspect, Camera };
 
@@ -65,13 +66,17 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    enum class Drag { None, PanPicture, Orbit, PanCamera, Look };
+    enum class Drag { None, PanPicture, Orbit, PanCamera, Look, Wipe };
 
     QPointF device(const QPointF& logical) const { return logical * devicePixelRatioF(); }
     void    showPicture();
     void    placeMagnifier();
     void    viewMoved();
     void    moveOn();  // one tick of flying
+    void    paintPicture(QPainter& painter, const QImage& picture) const;
+    void    paintWipe(QPainter& painter) const;
+    /// Where the wipe lies; logical, nothing while there is none.
+    std::optional<double> wipeAt() const;
     void    paintGrid(QPainter& painter) const;
     void    paintValues(QPainter& painter) const;
     void    paintChips(QPainter& painter) const;
@@ -80,7 +85,8 @@ private:
 
     Session&              m_session;
     Snapshot              m_shown;
-    QImage                m_picture;  // borrows from m_shown
+    QImage                m_picture;  // borrows from m_shown, as does the next
+    QImage                m_other;    // B, to the right of the wipe; null: there is no wipe
     Overlay               m_overlay;
     ViewTransform         m_view;
     Tool                  m_tool = Tool::Inspect;
@@ -91,6 +97,7 @@ private:
     QTimer                m_flight;
     QElapsedTimer         m_sinceTick;
     Magnifier*            m_magnifier;
+    RangeBar*             m_range;
 };
 
 }  // namespace zscope::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/actions.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
@@ -39,6 +41,7 @@ Actions::Actions(QMainWindow& window, Session& session, FrameView& view, WindowR
     makeCameraMenu();
     makeAlgorithmMenu();
     makeStepMenu();
+    makeCompareMenu();
     makeHelpMenu();
     makeToolBar();
     showTool(m_view.tool());
@@ -133,6 +136,11 @@ void Actions::makeLayersMenu(QMenu* view)
         m_layerChoices.push_back(action);
     }
     m_layers->setToolTipsVisible(true);
+    m_needScene.push_back(add(m_layers, tr("Fit the range of depths"), key(Qt::Key_N), [this] {
+        DepthRange range  = m_session.now().look.range;
+        range.isAutomatic = true;
+        m_session.setDepthRange(range);
+    }));
     m_layers->addSeparator();
     const auto toggle = [this](const QString& label, bool Layers::* part) {
         QAction* action = m_layers->addAction(label);
@@ -268,6 +276,40 @@ void Actions::makeStepMenu()
     step(tr("&Last step"), key(Qt::Key_End), [this] { m_session.goToEnd(); });
 }
 
+void Actions::makeCompareMenu()
+{
+    QMenu* menu  = m_window.menuBar()->addMenu(tr("C&ompare"));
+    QMenu* other = menu->addMenu(tr("&B"));
+    auto*  group = new QActionGroup(this);
+    for (std::size_t i = 0; i < presets().size(); ++i) {
+        const Preset& preset = presets()[i];
+        QList<QKeySequence> keys;
+        if (i < 9) keys << key(static_cast<int>(Qt::SHIFT | Qt::Key_1) + static_cast<int>(i));
+        QAction* action = add(other, tr("B: %1").arg(text(preset.name)), keys, [this, &preset] { m_session.compareWith(preset.pipeline); });
+        action->setCheckable(true);
+        action->setToolTip(translated(preset.title));
+        group->addAction(action);
+        m_others.push_back(action);
+    }
+    other->setToolTipsVisible(true);
+    m_needScene.push_back(add(menu, tr("&Keep A as B"), QKeySequence(), [this] { m_session.compareWith(m_session.now().pipeline); }));
+    menu->addSeparator();
+    const auto show = [&](const QString& label, Qt::Key k, CompareShow what) {
+        QAction* action = add(menu, label, key(k), [this, what] {
+            const bool isOn = m_session.now().compare.show == what;
+            m_session.showCompared(isOn ? CompareShow::A : what);
+        });
+        m_needOther.push_back(action);
+        m_inspectOnly.push_back(action);  // the camera flies with W and D
+    };
+    show(tr("&To and fro between A and B"), Qt::Key_T, CompareShow::B);
+    show(tr("&Wipe"), Qt::Key_W, CompareShow::Wipe);
+    show(tr("&Difference"), Qt::Key_D, CompareShow::Difference);
+    m_needOther.push_back(add(menu, tr("&Swap A and B"), QKeySequence(), [this] { m_session.swapCompared(); }));
+    menu->addSeparator();
+    m_needOther.push_back(add(menu, tr("&End the comparison"), QKeySequence(), [this] { m_session.compareWith({}); }));
+}
+
 void Actions::makeHelpMenu()
 {
     QMenu* menu = m_window.menuBar()->addMenu(tr("&Help"));
@@ -343,8 +385,12 @@ void Actions::present(const Snapshot& shown, Changes what)
             if (isChosen) chosen = static_cast<int>(i);
         }
         m_algorithmBox->setCurrentIndex(chosen);
-        for (std::size_t i = 0; i < layers().size(); ++i) m_layerChoices[i]->setChecked(&layers()[i] == shown.layer);
+        for (std::size_t i = 0; i < layers().size(); ++i) m_layerChoices[i]->setChecked(&layers()[i] == shown.look.layer);
         m_cull->setChecked(m_session.settings().faceCulling == FaceCulling::Back);
+    }
+    if (what & Change::Compare) {
+        for (std::size_t i = 0; i < presets().size(); ++i) m_others[i]->setChecked(shown.compare.other == presets()[i].pipeline);
+        showTool(m_view.tool());
     }
     if (what & Change::Layers)
         for (const auto& [action, part] : m_layerToggles) action->setChecked(shown.layers.*part);
@@ -362,6 +408,9 @@ void Actions::showTool(Tool tool)
     m_camera->setChecked(tool == Tool::Camera);
     for (QAction* action : m_inspectOnly) action->setEnabled(scene && tool == Tool::Inspect);
     for (QAction* action : m_cameraOnly) action->setEnabled(scene && tool == Tool::Camera);
+    const bool other = m_session.now().compare.other.has_value();
+    for (QAction* action : m_needOther)
+        action->setEnabled(scene && other && (tool == Tool::Inspect || !std::ranges::count(m_inspectOnly, action)));
 }
 
 void Actions::showNamedViews(const Snapshot& shown)

@@ -63,6 +63,7 @@ private:
     void makeCameraMenu();
     void makeAlgorithmMenu();
     void makeStepMenu();
+    void makeCompareMenu();
     void makeHelpMenu();
     void makeToolBar();
     void showNamedViews(const Snapshot& shown);
@@ -76,6 +77,8 @@ private:
     std::vector<std::pair<QAction*, QString>>  m_icons;         // with the name of each one's icon
     std::vector<QAction*>                      m_inspectOnly, m_cameraOnly, m_needScene;
     std::vector<QAction*>                      m_algorithms;    // in the order of presets()
+    std::vector<QAction*>                      m_others;        // likewise, as B
+    std::vector<QAction*>                      m_needOther;     // something to compare with
     std::vector<QAction*>                      m_layerChoices;  // in the order of layers()
     std::vector<std::pair<QAction*, bool Layers::*>> m_layerToggles;
     QAction *                                  m_open = nullptr, *m_inspect = nullptr, *m_camera = nullptr,

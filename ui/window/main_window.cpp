@@ -79,6 +79,9 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     connect(m_view, &FrameView::hovered, m_status, &StatusLine::hover);
     connect(&session, &Session::changed, this, &MainWindow::present);
     connect(&session, &Session::failed, m_messages, &MessageBar::tell);
+    m_held.setSingleShot(true);
+    m_held.setInterval(120);  // Shift with another key is not held
+    connect(&m_held, &QTimer::timeout, this, [this] { m_session.holdOther(true); });
     qApp->installEventFilter(this);
 
     m_actions->showRecent(settings.recentFiles());
@@ -384,8 +387,30 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
             event->accept();
             return true;
         }
+        // Views that turn or move by arrow keys while they have the focus say so.
+        const bool isArrow = key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
+        const bool isPlain = !(static_cast<QKeyEvent*>(event)->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+        if (widget && widget->hasFocus() && isArrow && isPlain && widget->property("ownsArrows").toBool()) {
+            event->accept();
+            return true;
+        }
     }
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) watchShift(static_cast<QKeyEvent*>(event));
+    if (event->type() == QEvent::WindowDeactivate) m_session.holdOther(false);
     return QMainWindow::eventFilter(object, event);
+}
+
+void MainWindow::watchShift(const QKeyEvent* event)
+{
+    if (event->isAutoRepeat()) return;
+    const bool isShift = event->key() == Qt::Key_Shift, isPress = event->type() == QEvent::KeyPress;
+    const bool types   = qobject_cast<QLineEdit*>(QApplication::focusWidget()) || qobject_cast<QAbstractSpinBox*>(QApplication::focusWidget());
+    if (isShift && isPress && m_view->tool() == Tool::Inspect && !types) {
+        m_held.start();
+    } else {  // another key: Shift was part of a shortcut
+        m_held.stop();
+        if (isShift || isPress) m_session.holdOther(false);
+    }
 }
 
 }  // namespace zscope::ui

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QMainWindow>
+#include <QTimer>
 
 #include "ui/session/session.h"
 #include "ui/window/settings.h"
@@ -44,6 +45,7 @@ protected:
 
 private:
     void present(Changes what);
+    void watchShift(const QKeyEvent* event);
     void makeCentre();
     void makeDocks();
     void placeDocks();
@@ -68,6 +70,7 @@ private:
     StatusLine*             m_status   = nullptr;
     Actions*                m_actions  = nullptr;
     QLabel*                 m_sceneName = nullptr;
+    QTimer                  m_held;   // from pressing Shift until it counts as held
     std::vector<PanelDock*> m_docks;  // in the order of panels()
 };
 

@@ -46,6 +46,7 @@ HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
     m_tree->setItemDelegate(new RowDelegate(m_tree));
     m_tree->setAccessibleName(tr("Nodes of the hierarchy"));
     m_tree->setUniformRowHeights(true);
+    m_tree->setProperty("ownsArrows", true);
     m_tree->setFrameShape(QFrame::NoFrame);
     m_tree->setIndentation(8);
     m_tree->setTextElideMode(Qt::ElideLeft);  // the end of a path tells siblings apart

@@ -27,6 +27,7 @@ ObserverView::ObserverView(QWidget* parent) : QWidget(parent), m_worker(std::mak
     setAccessibleName(tr("The hierarchy from outside"));
     setAccessibleDescription(tr("Drag orbits, the middle button pans, the wheel comes closer, arrow keys turn, a click selects a node"));
     setFocusPolicy(Qt::StrongFocus);
+    setProperty("ownsArrows", true);
     setAttribute(Qt::WA_OpaquePaintEvent);
 }
 

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why this pixel: the list, its links into the run, and the same for a triangle.
+#include <QAbstractItemModelTester>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTreeView>
+
+#include "tests/ui/desk.h"
+#include "ui/panels/why/why_model.h"
+#include "ui/panels/why/why_panel.h"
+
+using namespace zscope;
+using namespace zscope::ui;
+
+namespace {
+
+WhyPanel& panelOf(Desk& desk)
+{
+    desk.window.dock("why")->raise();
+    QTest::qWait(20);
+    return static_cast<WhyPanel&>(desk.window.dock("why")->panel());
+}
+
+bool answers(WhyPanel& panel)
+{
+    return QTest::qWaitFor([&] { return panel.isIdle() && panel.findChild<QTreeView*>()->model()->rowCount() > 0; }, Desk::kLong);
+}
+
+/// A pixel that several triangles cover.
+QPoint busyPixel(const Session& session)
+{
+    const auto& tests = session.now().step->state.tests;
+    QPoint      best(0, 0);
+    for (int y = 0; y < tests.height(); ++y)
+        for (int x = 0; x < tests.width(); ++x)
+            if (tests.at(x, y) > tests.at(best.x(), best.y())) best = {x, y};
+    return best;
+}
+
+}  // namespace
+
+class WhyTest final : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theListNamesEveryTriangleAndItsWinnerIsThePictures()
+    {
+        for (const char* algorithm : {"zbuffer", "scanline", "hzb-octree", "interval"}) {
+            Desk desk(algorithm);
+            QVERIFY(desk.open("builtin:teapot"));
+            Desk counting("zbuffer");
+            QVERIFY(counting.open("builtin:teapot"));
+            const QPoint pixel = busyPixel(counting.session);
+            WhyPanel&    panel = panelOf(desk);
+            desk.session.pick(pixel);
+            QVERIFY(answers(panel));
+            QVERIFY(panel.answer());
+            QCOMPARE(panel.answer()->winner, desk.session.now().visible()->idAt(pixel.x(), pixel.y()));
+            auto* model = panel.findChild<QTreeView*>()->model();
+            QCOMPARE(model->rowCount(), static_cast<int>(panel.answer()->candidates.size()));
+            QVERIFY(model->rowCount() >= 3);
+            QAbstractItemModelTester tester(model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+            int winners = 0;
+            for (const PixelCandidate& candidate : panel.answer()->candidates) winners += candidate.fate == PixelFate::Winner;
+            QCOMPARE(winners, 1);
+        }
+    }
+    void aRowJumpsToItsMomentAndHighlightsItsNode()
+    {
+        Desk desk("hzb-octree", {1920, 1080});
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3", {640, 360}));
+        WhyPanel& panel = panelOf(desk);
+        desk.session.pick(QPoint(300, 200));
+        QVERIFY(answers(panel));
+        auto* tree  = panel.findChild<QTreeView*>();
+        auto* model = static_cast<WhyModel*>(tree->model());
+        // The first triangle that a hidden node kept out.
+        QModelIndex hidden;
+        for (int row = 0; row < model->rowCount() && !hidden.isValid(); ++row)
+            if (panel.answer()->candidates[static_cast<std::size_t>(row)].fate == PixelFate::NodeHidden) hidden = model->index(row, 0);
+        QVERIFY(hidden.isValid());
+        tree->setCurrentIndex(hidden);
+        QVERIFY(desk.session.now().selectedTriangle);
+        const Event* event = model->eventOf(hidden);
+        QVERIFY(event && event->node);
+        QVERIFY(desk.session.now().selectedNode == event->node);
+        desk.photograph("why");
+        QTest::keyClick(tree, Qt::Key_Return);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.now().grain, event->grain);
+        QCOMPARE(desk.session.position()->step, event->moment.at(event->grain).value);
+        const auto& hierarchy = *desk.session.now().hierarchy();
+        const int   id        = rowOf(hierarchy.nodes, *event->node);
+        QVERIFY(id >= 0);
+        QVERIFY(hierarchy.nodes[static_cast<std::size_t>(id)].verdict == NodeVerdict::Hidden);
+    }
+    void aTriangleCanBeAskedWhyItIsMissing()
+    {
+        Desk desk("zbuffer");
+        QVERIFY(desk.open("builtin:cubes"));
+        WhyPanel& panel = panelOf(desk);
+        desk.session.pick(QPoint(160, 90));
+        QVERIFY(answers(panel));
+        auto* field = panel.findChild<QLineEdit*>();
+        field->setFocus();
+        QTest::keyClicks(field, "5");
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(QTest::qWaitFor([&] { return panel.isIdle() && !panel.answer(); }, Desk::kLong));
+        desk.session.pick(QPoint(100, 90));  // another pick asks about the pixel again
+        QVERIFY(QTest::qWaitFor([&] { return panel.answer() != nullptr; }, Desk::kLong));
+        QCOMPARE(panel.answer()->pixel.x, 100);
+    }
+    void theNewestQuestionWins()
+    {
+        Desk desk("scanline");
+        QVERIFY(desk.open("builtin:teapot"));
+        WhyPanel& panel = panelOf(desk);
+        for (int x = 100; x < 200; ++x) desk.session.pick(QPoint(x, 90));
+        QVERIFY(QTest::qWaitFor([&] { return panel.answer() && panel.answer()->pixel.x == 199; }, Desk::kLong));
+    }
+};
+
+int main(int argc, char** argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    QApplication::setStyle("Fusion");
+    WhyTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "why_test.moc"

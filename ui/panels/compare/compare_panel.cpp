@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/compare/compare_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/panels/compare/compare_words.h"
+#include "ui/parts/scrolling.h"
+#include "ui/text/numbers.h"
+#include "ui/theme/theme.h"
+
+namespace zscope::ui {
+namespace {
+
+constexpr int kWipeSteps = 1000;
+
+QString wordOf(const Pipeline& pipeline) { return QString::fromStdString(nameOf(pipeline)); }
+
+QComboBox* presetBox(const QString& accessibleName)
+{
+    auto* box = new QComboBox;
+    box->setAccessibleName(accessibleName);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+    for (std::size_t i = 0; i < presets().size(); ++i) {
+        box->addItem(QString::fromUtf8(presets()[i].name.data(), static_cast<qsizetype>(presets()[i].name.size())), static_cast<int>(i));
+        box->setItemData(box->count() - 1, QCoreApplication::translate("Registry", std::string(presets()[i].title).c_str()), Qt::ToolTipRole);
+    }
+    return box;
+}
+
+/// A composition without a name of its own stands below the others while it is chosen.
+void choose(QComboBox& box, const std::optional<Pipeline>& pipeline, int first)
+{
+    const QSignalBlocker quiet(&box);
+    const int            named = first + static_cast<int>(presets().size());
+    while (box.count() > named) box.removeItem(named);
+    if (!pipeline) return box.setCurrentIndex(0);
+    for (std::size_t i = 0; i < presets().size(); ++i)
+        if (presets()[i].pipeline == *pipeline) return box.setCurrentIndex(first + static_cast<int>(i));
+    box.addItem(wordOf(*pipeline), -2);
+    box.setCurrentIndex(named);
+}
+
+}  // namespace
+
+ComparePanel::ComparePanel(Session& session, QWidget* parent)
+    : Panel(session, parent), m_a(presetBox(tr("Algorithm A"))), m_b(presetBox(tr("Algorithm B"))), m_swap(new QPushButton(tr("Swap"))),
+      m_keep(new QPushButton(tr("Keep A as B"))), m_worst(new QPushButton(tr("Worst pixel"))), m_wipe(new QSlider(Qt::Horizontal)),
+      m_tolerance(new QSpinBox), m_linked(new QCheckBox(tr("Step B with A"))), m_verdict(new QLabel), m_times(new QLabel),
+      m_hint(new QLabel), m_grid(new QGridLayout), m_body(new QWidget)
+{
+    m_b->insertItem(0, tr("nothing"), -1);
+    m_swap->setToolTip(tr("B becomes A, and A becomes B"));
+    m_keep->setToolTip(tr("Keeps A as it is as B, so that you can change A and see what that does"));
+    m_worst->setToolTip(tr("Picks a pixel where the two differ most: another surface before another depth"));
+    m_wipe->setRange(0, kWipeSteps);
+    m_wipe->setAccessibleName(tr("Where the wipe lies"));
+    m_tolerance->setRange(0, 1'000'000'000);
+    m_tolerance->setAlignment(Qt::AlignRight);
+    m_tolerance->setAccessibleName(tr("Tolerance in float32 steps"));
+    m_tolerance->setKeyboardTracking(false);
+    m_tolerance->setToolTip(tr("Depths of one triangle that are no more float32 steps apart count as equal"));
+    m_linked->setFocusPolicy(Qt::TabFocus);
+    m_linked->setToolTip(tr("B stops at the same moment: the same step of the same grain, or the same part of its run"));
+    m_verdict->setWordWrap(true);
+    m_verdict->setAccessibleName(tr("Result of the comparison"));
+    m_verdict->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+    m_times->setObjectName("soft");
+    m_hint->setObjectName("hint");
+    m_hint->setWordWrap(true);
+    m_hint->setText(tr("Choose B, or press Shift and a digit, to hold one algorithm against another."));
+    for (QPushButton* button : {m_swap, m_keep, m_worst}) button->setFocusPolicy(Qt::TabFocus);
+
+    auto* choices = new QGridLayout;
+    choices->setHorizontalSpacing(kStep);
+    choices->setVerticalSpacing(6);
+    choices->addWidget(new QLabel(QStringLiteral("A")), 0, 0);
+    choices->addWidget(m_a, 0, 1);
+    choices->addWidget(m_swap, 0, 2);
+    choices->addWidget(new QLabel(QStringLiteral("B")), 1, 0);
+    choices->addWidget(m_b, 1, 1);
+    choices->addWidget(m_keep, 1, 2);
+    choices->setColumnStretch(1, 1);
+
+    auto* shows = new QHBoxLayout;
+    shows->setSpacing(4);
+    const std::array texts{tr("A"), tr("B"), tr("Wipe"), tr("Difference")};
+    const std::array tips{tr("A (T goes to and fro)"), tr("B (T goes to and fro; hold Shift to see it for a moment)"),
+                          tr("A to the left, B to the right of a handle (W)"), tr("Where they differ, and by how much (D)")};
+    for (std::size_t i = 0; i < m_shows.size(); ++i) {
+        m_shows[i] = new QToolButton;
+        m_shows[i]->setText(texts[i]);
+        m_shows[i]->setToolTip(tips[i]);
+        m_shows[i]->setCheckable(true);
+        m_shows[i]->setFocusPolicy(Qt::TabFocus);
+        shows->addWidget(m_shows[i]);
+        connect(m_shows[i], &QToolButton::clicked, this, [this, i] {
+            this->session().showCompared(static_cast<CompareShow>(i));
+            showChoices(this->session().now());  // a click on the one that is on leaves it on
+        });
+    }
+    shows->addStretch(1);
+
+    auto* tolerance = new QHBoxLayout;
+    tolerance->setSpacing(kStep);
+    auto* toleranceName = new QLabel(tr("tolerance, float32 steps"));
+    toleranceName->setObjectName("soft");
+    tolerance->addWidget(toleranceName);
+    tolerance->addWidget(m_tolerance, 1);
+    tolerance->addWidget(m_worst);
+
+    m_grid->setVerticalSpacing(3);
+    m_grid->setColumnStretch(0, 1);
+    auto* body = new QVBoxLayout(m_body);
+    body->setContentsMargins(0, 0, 0, 0);
+    body->setSpacing(kStep);
+    body->addLayout(shows);
+    body->addWidget(m_wipe);
+    body->addWidget(m_verdict);
+    body->addLayout(m_grid);
+    body->addLayout(tolerance);
+    body->addWidget(m_times);
+    body->addWidget(m_linked);
+
+    auto* inside = new QWidget;
+    auto* layout = new QVBoxLayout(inside);
+    layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
+    layout->setSpacing(kStep);
+    layout->addLayout(choices);
+    layout->addWidget(m_hint);
+    layout->addWidget(m_body);
+    layout->addStretch(1);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolling(inside));
+
+    connect(m_a, &QComboBox::activated, this, [this](int index) {
+        if (const int i = m_a->itemData(index).toInt(); i >= 0) this->session().setPipeline(presets()[static_cast<std::size_t>(i)].pipeline);
+    });
+    connect(m_b, &QComboBox::activated, this, [this](int index) {
+        const int i = m_b->itemData(index).toInt();
+        if (i >= 0) this->session().compareWith(presets()[static_cast<std::size_t>(i)].pipeline);
+        else if (i == -1) this->session().compareWith({});
+    });
+    connect(m_keep, &QPushButton::clicked, this, [this] { this->session().compareWith(this->session().now().pipeline); });
+    connect(m_swap, &QPushButton::clicked, this, [this] { this->session().swapCompared(); });
+    connect(m_worst, &QPushButton::clicked, this, [this] {
+        const auto& result = this->session().now().compare.result;
+        if (result && result->difference.worst) this->session().pick(QPoint((*result->difference.worst)[0], (*result->difference.worst)[1]));
+    });
+    connect(m_wipe, &QSlider::valueChanged, this, [this](int value) { this->session().setWipe(static_cast<double>(value) / kWipeSteps); });
+    connect(m_tolerance, &QSpinBox::valueChanged, this, [this](int steps) { this->session().setTolerance(static_cast<std::uint32_t>(steps)); });
+    connect(m_linked, &QCheckBox::clicked, this, [this](bool on) { this->session().linkSteps(on); });
+}
+
+void ComparePanel::present(const Snapshot& shown, Changes what)
+{
+    if (what & (Change::Compare | Change::Pipeline | Change::Scene)) showChoices(shown);
+    if (what & (Change::Compare | Change::Picture | Change::Pipeline | Change::Scene)) showResult(shown);
+}
+
+void ComparePanel::showChoices(const Snapshot& shown)
+{
+    const CompareState& compare = shown.compare;
+    choose(*m_a, shown.pipeline, 0);
+    choose(*m_b, compare.other, 1);
+    m_swap->setEnabled(compare.other.has_value());
+    m_body->setVisible(compare.other.has_value());
+    m_hint->setVisible(!compare.other);
+    for (std::size_t i = 0; i < m_shows.size(); ++i) m_shows[i]->setChecked(i == static_cast<std::size_t>(compare.seen()));
+    m_wipe->setVisible(compare.seen() == CompareShow::Wipe);
+    const QSignalBlocker quietWipe(m_wipe), quietTolerance(m_tolerance);
+    m_wipe->setValue(static_cast<int>(compare.wipe * kWipeSteps + 0.5));
+    m_tolerance->setValue(static_cast<int>(compare.tolerance));
+    m_linked->setChecked(compare.isLinked);
+}
+
+void ComparePanel::showResult(const Snapshot& shown)
+{
+    const CompareState& compare = shown.compare;
+    const Comparison*   result  = compare.other ? compare.result.get() : nullptr;
+    m_worst->setEnabled(result && result->difference.worst);
+    if (!compare.other) {
+        emit summaryChanged({});
+        return;
+    }
+    if (!result) {
+        m_verdict->setText(tr("B is being drawn."));
+        for (QLabel* label : m_names) label->hide();
+        for (QLabel* label : m_values) label->hide();
+        m_times->clear();
+        return;
+    }
+    const Theme&       theme = themeOf(palette());
+    const CompareWords words = wordsOf(*result);
+    m_verdict->setText(QStringLiteral("<span style='color:%1'>%2 <b>%3</b></span>")
+                           .arg(words.isWrong ? theme.error.name() : result->figures.isExact() ? theme.entered.name() : theme.text.name(),
+                                words.isWrong ? QStringLiteral("\u2716") : result->figures.isExact() ? QStringLiteral("\u2713") : QStringLiteral("\u2248"),
+                                words.verdict.toHtmlEscaped()));
+    while (m_names.size() < words.figures.size()) {
+        const int row = static_cast<int>(m_names.size());
+        m_names.push_back(new QLabel);
+        m_values.push_back(new QLabel);
+        m_names.back()->setObjectName("soft");
+        m_values.back()->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_grid->addWidget(m_names.back(), row, 0);
+        m_grid->addWidget(m_values.back(), row, 1);
+    }
+    for (std::size_t i = 0; i < words.figures.size(); ++i) {
+        m_names[i]->setText(words.figures[i].name);
+        m_values[i]->setText(words.figures[i].isWrong ? QStringLiteral("<span style='color:%1'><b>%2</b></span>").arg(theme.error.name(), words.figures[i].value)
+                                                      : words.figures[i].value);
+        m_names[i]->show();
+        m_values[i]->show();
+    }
+    if (shown.frame && compare.frame)
+        m_times->setText(tr("A %1 · B %2, this frame").arg(milliseconds(shown.frame->report.frameMs), milliseconds(compare.frame->report.frameMs)));
+    emit summaryChanged(result->figures.isExact() ? tr("equal") : counted(result->difference.differing(), tr("1 pixel"), tr("%1 pixels")));
+}
+
+void ComparePanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange && m_body) showResult(session().now());
+    Panel::changeEvent(event);
+}
+
+}  // namespace zscope::ui

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/compare/compare_words.h"
+
+#include <QCoreApplication>
+
+#include "ui/text/numbers.h"
+
+namespace zscope::ui {
+namespace {
+
+QString tr(const char* source) { return QCoreApplication::translate("Compare", source); }
+
+}  // namespace
+
+CompareWords wordsOf(const Comparison& result)
+{
+    const ErrorFigures& figures    = result.figures;
+    const Difference&   difference = result.difference;
+    const auto          count      = [&](PixelDifference kind) { return difference.counts[static_cast<std::size_t>(kind)]; };
+    CompareWords        words;
+    const bool isFinished = result.a || (result.stepA->isLast() && result.stepB->isLast());
+    words.isWrong = isFinished && figures.wrongPixels() > 0;  // half done, one has simply come farther than the other
+    if (figures.isExact())
+        words.verdict = tr("B is A to the bit: the same triangle and the same depth at all %1 pixels.").arg(grouped(figures.pixels));
+    else if (difference.differing() == 0)
+        words.verdict = tr("Every pixel shows the same triangle; no depth is farther off than the tolerance.");
+    else
+        words.verdict = (isFinished ? counted(difference.differing(), tr("1 pixel differs."), tr("%1 pixels differ."))
+                                    : counted(difference.differing(), tr("1 pixel differs at this moment."), tr("%1 pixels differ at this moment."))) + ' ' +
+                        tr("Of all: %1 %.").arg(decimal(100.0 * static_cast<double>(difference.differing()) / static_cast<double>(figures.pixels), 3));
+
+    words.figures = {
+        {tr("holes: A shows something, B does not"), grouped(figures.holes), isFinished && figures.holes > 0},
+        {tr("spills: B shows something, A does not"), grouped(figures.spills), isFinished && figures.spills > 0},
+        {tr("another surface, farther off than a tie"), grouped(figures.realWrongSurface), isFinished && figures.realWrongSurface > 0},
+        {tr("another surface, a near tie"), grouped(figures.nearTies), isFinished && figures.nearTies > 0},
+        {tr("same triangle, B nearer"), grouped(count(PixelDifference::DepthNearer))},
+        {tr("same triangle, B farther"), grouped(count(PixelDifference::DepthFarther))},
+        {tr("most float32 steps on a triangle"), grouped(difference.mostSteps)},
+        {tr("steps at 99 of 100 pixels, at most"), grouped(figures.p99DepthSteps)},
+        {tr("triangles lost"), grouped(figures.lostTriangles), isFinished && figures.lostTriangles > 0},
+    };
+    return words;
+}
+
+}  // namespace zscope::ui

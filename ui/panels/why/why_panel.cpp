@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/why/why_panel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QRegularExpressionValidator>
+#include <QStackedLayout>
+#include <QStyledItemDelegate>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include "core/lesson/explain.h"
+#include "ui/panels/why/why_model.h"
+#include "ui/parts/scrolling.h"
+#include "ui/text/numbers.h"
+#include "ui/theme/theme.h"
+
+namespace zscope::ui {
+namespace {
+
+/// Keeps the colours of the fates in a selected row, and draws no box around one cell of it.
+class RowDelegate final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->state.setFlag(QStyle::State_HasFocus, false);
+        option->palette.setBrush(QPalette::HighlightedText, option->palette.brush(QPalette::Text));
+    }
+};
+
+}  // namespace
+
+WhyPanel::WhyPanel(Session& session, QWidget* parent)
+    : Panel(session, parent), m_model(new WhyModel(this)), m_tree(new QTreeView), m_sentence(new QLabel), m_detail(new QLabel), m_hint(new QLabel),
+      m_jump(new QPushButton(tr("Go there"))), m_triangle(new QLineEdit), m_worker(std::make_unique<Worker>())
+{
+    m_tree->setModel(m_model);
+    m_tree->setItemDelegate(new RowDelegate(m_tree));
+    m_tree->setAccessibleName(tr("Triangles that cover the pixel"));
+    m_tree->setUniformRowHeights(true);
+    m_tree->setFrameShape(QFrame::NoFrame);
+    m_tree->setIndentation(12);
+    m_tree->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_tree->setMinimumHeight(90);
+    m_tree->setExpandsOnDoubleClick(false);
+    m_tree->setProperty("ownsArrows", true);
+    QFont small = m_tree->font();
+    small.setPointSizeF(small.pointSizeF() * 0.92);
+    m_tree->setFont(small);
+    m_tree->header()->setFont(small);
+    m_tree->header()->setStretchLastSection(false);
+    m_tree->header()->setSectionsMovable(false);
+    m_tree->header()->setSectionResizeMode(QHeaderView::Fixed);
+    for (QLabel* label : {m_sentence, m_detail}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+    }
+    m_sentence->setAccessibleName(tr("Why"));
+    m_detail->setAccessibleName(tr("What happened to the chosen triangle"));
+    m_hint->setObjectName("hint");
+    m_hint->setWordWrap(true);
+    m_hint->setAlignment(Qt::AlignCenter);
+    m_hint->setMargin(2 * kStep);
+    m_jump->setToolTip(tr("Goes to the step of the run that the chosen row tells of (Enter)"));
+    m_jump->setFocusPolicy(Qt::TabFocus);
+    m_triangle->setPlaceholderText(tr("Why not triangle …"));
+    m_triangle->setAccessibleName(tr("Number of a triangle to ask about"));
+    m_triangle->setValidator(new QRegularExpressionValidator(QRegularExpression("[0-9]{0,10}"), m_triangle));
+    m_triangle->setMaximumWidth(150);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kStep);
+    row->addWidget(m_jump);
+    row->addStretch(1);
+    row->addWidget(m_triangle);
+    auto* answer = new QWidget;
+    auto* inside = new QVBoxLayout(answer);
+    inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
+    inside->setSpacing(6);
+    inside->addWidget(m_sentence);
+    inside->addWidget(m_tree, 1);
+    inside->addWidget(m_detail);
+    inside->addLayout(row);
+    m_answerOrHint = new QStackedLayout(this);
+    m_answerOrHint->addWidget(scrolling(answer));
+    m_answerOrHint->addWidget(m_hint);
+
+    connect(m_tree->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& at) { showRow(at); });
+    connect(m_tree, &QTreeView::activated, this, &WhyPanel::jump);
+    connect(m_jump, &QPushButton::clicked, this, [this] { jump(m_tree->currentIndex()); });
+    connect(m_triangle, &QLineEdit::returnPressed, this, [this] {
+        bool       isNumber = false;
+        const uint number   = m_triangle->text().toUInt(&isNumber);
+        if (isNumber) askAbout(TriangleId{number});
+    });
+}
+
+WhyPanel::~WhyPanel() = default;
+
+void WhyPanel::askAbout(TriangleId triangle)
+{
+    m_about = triangle;
+    ask();
+}
+
+void WhyPanel::present(const Snapshot& shown, Changes what)
+{
+    if (!(what & (Change::Picture | Change::Selection | Change::Scene))) return;
+    if (shown.picked != m_lastPick || (what & Change::Scene)) m_about.reset();
+    m_lastPick = shown.picked;
+    ask();
+}
+
+void WhyPanel::tell(const QString& sentence)
+{
+    m_hint->setText(sentence);
+    m_answerOrHint->setCurrentIndex(1);
+    emit summaryChanged({});
+}
+
+void WhyPanel::ask()
+{
+    const Snapshot& now = session().now();
+    if (!isVisible()) return;
+    if (!now.scene || !now.frame || (!now.picked && !m_about)) {
+        m_asked.reset();
+        m_pixelAnswer.reset();
+        m_model->clear();
+        m_worker->cancel();
+        return tell(!now.scene ? tr("Open a scene to ask why a pixel shows what it shows.")
+                               : tr("Click a pixel of the picture: everything that covers it appears here, with what became of it."));
+    }
+    const Question question{now.frame->generation, now.picked, m_about};
+    if (m_asked == question) return;
+    m_asked = question;
+    if (m_model->rowCount() == 0) tell(tr("Running the frame once more, to see …"));
+    DrawRequest request = session().request();
+    request.camera      = now.frame->camera;
+    request.pipeline    = now.frame->pipeline;
+    m_worker->post(Worker::Slot::Draw, [this, question, request](const std::atomic<bool>& cancel) mutable {
+        request.cancel = &cancel;
+        Progress progress;
+        progress.cancel = &cancel;
+        const auto deliver = [this, &question](auto answer, const QString& trouble) {
+            QMetaObject::invokeMethod(
+                this,
+                [this, question, answer, trouble] {
+                    if (m_asked != question) return;
+                    if (!answer) return tell(trouble);
+                    m_model->setPalette(palette());
+                    m_model->present(answer);
+                    m_answerOrHint->setCurrentIndex(0);
+                    m_sentence->setText(QString::fromStdString(answer->sentence));
+                    if constexpr (std::is_same_v<decltype(answer), std::shared_ptr<const PixelExplanation>>) {
+                        m_pixelAnswer = answer;
+                        emit summaryChanged(tr("pixel %1, %2 · %3").arg(answer->pixel.x).arg(answer->pixel.y)
+                                                .arg(counted(answer->candidates.size(), tr("1 triangle"), tr("%1 triangles"))));
+                    } else {
+                        m_pixelAnswer.reset();
+                        emit summaryChanged(tr("triangle %1").arg(grouped(answer->triangle.value)));
+                    }
+                    fitColumns();
+                    showRow({});
+                },
+                Qt::QueuedConnection);
+        };
+        const auto hand = [&](auto made) {
+            using Answer = std::remove_cvref_t<decltype(*made)>;
+            if (cancel) return;
+            if (made) deliver(std::make_shared<const Answer>(std::move(made).value()), QString());
+            else deliver(std::shared_ptr<const Answer>(), QString::fromStdString(made.error().text()));
+        };
+        if (question.triangle) hand(explainTriangle(request, *question.triangle, progress));
+        else hand(explainPixel(request, {question.pixel->x(), question.pixel->y()}, progress));
+    });
+}
+
+void WhyPanel::showRow(const QModelIndex& at)
+{
+    m_detail->setText(m_model->sentenceOf(at));
+    m_detail->setVisible(!m_detail->text().isEmpty());
+    m_jump->setEnabled(m_model->eventOf(at) != nullptr);
+    if (!at.isValid()) return;
+    session().selectTriangle(m_model->triangleOf(at));
+    const Event* event = m_model->eventOf(at);
+    if (event && event->node) session().selectNode(event->node);
+    if (event && event->query) session().selectLevel(event->query->level);
+}
+
+void WhyPanel::jump(const QModelIndex& at)
+{
+    const Event* event = m_model->eventOf(at);
+    if (!event) return;
+    session().goToStepOf(event->grain, event->moment.at(event->grain).value);
+    showRow(at);  // the step may have chosen another level
+}
+
+void WhyPanel::fitColumns()
+{
+    const QFontMetrics metrics = m_tree->fontMetrics();
+    const int depth = metrics.horizontalAdvance(QStringLiteral("0.000000000")) + 14;
+    const int fate  = metrics.horizontalAdvance(QStringLiteral("\u25BD ") + tr("node too small")) + 18;
+    const int room  = m_tree->viewport()->width();
+    m_tree->setColumnWidth(WhyModel::Depth, depth);
+    m_tree->setColumnWidth(WhyModel::Fate, fate);
+    m_tree->setColumnWidth(WhyModel::What, std::max(120, room - depth - fate));
+}
+
+void WhyPanel::resizeEvent(QResizeEvent* event)
+{
+    Panel::resizeEvent(event);
+    fitColumns();
+}
+
+void WhyPanel::showEvent(QShowEvent* event)
+{
+    Panel::showEvent(event);
+    ask();
+}
+
+void WhyPanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange && m_model) m_model->setPalette(palette());
+    Panel::changeEvent(event);
+}
+
+}  // namespace zscope::ui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why this pixel, and why not this triangle: everything that covers the picked pixel with what became of it, as links into the
+// run. The answer is made on a thread of the panel's own; the newest question wins.
+#pragma once
+
+#include <memory>
+
+#include "core/lesson/explanation.h"
+#include "ui/panels/panel.h"
+#include "ui/session/worker.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QStackedLayout;
+class QTreeView;
+
+namespace zscope::ui {
+
+class WhyModel;
+
+class WhyPanel final : public Panel {
+    Q_OBJECT
+
+public:
+    explicit WhyPanel(Session& session, QWidget* parent = nullptr);
+    ~WhyPanel() override;
+
+    void present(const Snapshot& shown, Changes what) override;
+    bool isIdle() const { return !m_worker->isBusy(); }
+    /// Why it is not seen, or where; ends with another pick.
+    void askAbout(TriangleId triangle);
+
+    const std::shared_ptr<const PixelExplanation>& answer() const { return m_pixelAnswer; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    /// What an answer depends on.
+    struct Question {
+        std::uint64_t             generation = 0;
+        std::optional<QPoint>     pixel;
+        std::optional<TriangleId> triangle;
+
+        friend bool operator==(const Question&, const Question&) = default;
+    };
+
+    void ask();
+    void tell(const QString& sentence);
+    void showRow(const QModelIndex& index);
+    void jump(const QModelIndex& index);
+    void fitColumns();
+
+    WhyModel*       m_model;
+    QTreeView*      m_tree;
+    QLabel *        m_sentence, *m_detail, *m_hint;
+    QPushButton*    m_jump;
+    QLineEdit*      m_triangle;
+    QStackedLayout* m_answerOrHint;
+    std::optional<Question>   m_asked;      // of the answer on show or on its way
+    std::optional<TriangleId> m_about;      // nothing: about the picked pixel
+    std::optional<QPoint>     m_lastPick;
+    std::shared_ptr<const PixelExplanation> m_pixelAnswer;
+    std::unique_ptr<Worker>   m_worker;     // last: stops before anything else goes
+};
+
+}  // namespace zscope::ui
