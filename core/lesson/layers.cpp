@@ -39,17 +39,15 @@ Grid<std::uint32_t> depth(const LayerSource& source)
     return picture;
 }
 
-/// How often each pixel's depth was tested, from once (nearly white) to kMost times and more (dark red).
+/// How often each pixel's depth was tested, from once (nearly white) to kMostTests times and more (dark red).
 Grid<std::uint32_t> tests(const LayerSource& source)
 {
-    constexpr double kMost = 12;
-
     const VisibilityBuffer& visible = source.frame.visible;
     Grid<std::uint32_t>     picture(visible.width(), visible.height(), kBackgroundColour);
     if (!source.tests) return picture;
     for (int y = 0; y < visible.height(); ++y)
         for (int x = 0; x < visible.width(); ++x)
-            if (const std::uint32_t count = source.tests->at(x, y); count > 0) picture.at(x, y) = heat((count - 0.5) / kMost);
+            if (const std::uint32_t count = source.tests->at(x, y); count > 0) picture.at(x, y) = heatOfTests(count);
     return picture;
 }
 
@@ -82,6 +80,11 @@ constexpr std::array kLayers{
 };
 
 }  // namespace
+
+std::uint32_t heatOfTests(std::uint32_t tests)
+{
+    return heat((tests - 0.5) / kMostTests);
+}
 
 DepthRange fixedRange(const DepthRange& range, const VisibilityBuffer& visible)
 {

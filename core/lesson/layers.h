@@ -30,6 +30,10 @@ double partOf(float depth, const DepthRange& range);
 /// The depths of the picture in so many equal parts of its own farthest to its own nearest, on the scale of `range`.
 std::vector<std::uint64_t> depthHistogram(const VisibilityBuffer& visible, const DepthRange& range, int parts);
 
+/// The colour of a pixel that was tested so often, once and more; from kMostTests on it stays the same.
+inline constexpr int kMostTests = 12;
+std::uint32_t        heatOfTests(std::uint32_t tests);
+
 /// What a layer is painted from.
 struct LayerSource {
     const Frame&               frame;            // drawn with shading

@@ -69,7 +69,7 @@ private slots:
     void draggingTheEndOfTheRangeRepaintsAndDoesNotDrawAgain()
     {
         Desk desk("zbuffer", {1920, 1080});
-        QVERIFY(desk.open("builtin:wall-and-city?blocks=3", {1280, 720}));
+        QVERIFY(desk.open("builtin:city", {1280, 720}));
         auto* bar = desk.window.findChild<RangeBar*>();
         QVERIFY(!bar->isVisible());
         desk.session.setLayer(*findLayer("depth"));

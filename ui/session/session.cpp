@@ -88,6 +88,7 @@ void Session::sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const
     m_now.scene = scene;
     m_now.selectedEdge.reset();
     m_now.selectedNode.reset();
+    m_now.selectedTriangle.reset();
     if (!keepsCamera) {
         m_now.picked.reset();
         m_control.reset();
@@ -293,6 +294,15 @@ void Session::goToStep(std::uint64_t step)
 }
 
 void Session::goToEnd() { wishFor({.grain = m_now.grain, .counted = m_now.grain}); }
+
+void Session::goToStepOf(Grain grain, std::uint64_t step)
+{
+    if (!has(grainsOf(m_now.pipeline), grain)) return;
+    m_preferredGrain = grain;
+    m_now.grain      = grain;
+    emit changed(Change::Pipeline);
+    goToStep(step);
+}
 
 void Session::stepBy(int steps)
 {
@@ -587,6 +597,7 @@ void Session::pick(const std::optional<QPoint>& pixel)
 {
     if (pixel == m_now.picked) return;
     m_now.picked = pixel;
+    m_now.selectedTriangle.reset();
     if (m_now.hierarchy()) m_now.selectedNode = nodeOfPick(m_now);
     emit changed(Change::Selection);
 }
@@ -610,6 +621,13 @@ void Session::selectNode(const std::optional<NodeName>& node)
 {
     if (node == m_now.selectedNode) return;
     m_now.selectedNode = node;
+    emit changed(Change::Selection);
+}
+
+void Session::selectTriangle(const std::optional<TriangleId>& triangle)
+{
+    if (triangle == m_now.selectedTriangle) return;
+    m_now.selectedTriangle = triangle;
     emit changed(Change::Selection);
 }
 

@@ -71,6 +71,8 @@ public:
     void startAt(std::uint64_t step) { m_firstStep = step; }
     void goToStart() { goToStep(0); }
     void goToEnd();
+    /// A step of another grain, which becomes the one that is stepped by; nothing happens if the algorithm has none such.
+    void goToStepOf(Grain grain, std::uint64_t step);
     void stepBy(int steps);
     /// To the next (+1) or an earlier (-1) step of the next coarser grain that the algorithm has.
     void stepCoarser(int steps);
@@ -81,6 +83,7 @@ public:
     void selectEdge(const std::optional<EdgeRow>& edge);
     void selectLevel(const std::optional<int>& level);
     void selectNode(const std::optional<NodeName>& node);
+    void selectTriangle(const std::optional<TriangleId>& triangle);
 
     /// Which nodes have their boxes shown and stand in the tree.
     void showNodes(const VerdictSet& verdicts);
@@ -99,6 +102,8 @@ public:
 
     bool    isIdle() const;
     Player& player() { return m_player; }
+    /// What draws the picture that is wanted now.
+    DrawRequest request() const;
     /// Number of steps at the current grain and the step that is wanted; nothing while they are not known.
     struct Position {
         std::uint64_t step, count;
@@ -129,8 +134,6 @@ private:
     void load(const QString& word, const ViewOf& viewOf, bool keepsCamera);
     void wishFor(const StepWish& wish);
     bool isSettled() const { return m_settledWish == m_wishNumber; }
-    DrawRequest request() const;
-
     /// Runs in this thread what a job of the worker hands back, unless the session is gone by then.
     template <class Answer>
     void deliver(Answer answer)

@@ -60,6 +60,7 @@ std::optional<NodeName> nodeOfPick(const Snapshot& shown)
 
 std::optional<TriangleId> pickedTriangle(const Snapshot& shown)
 {
+    if (shown.selectedTriangle) return shown.selectedTriangle;
     if (!shown.picked) return {};
     const auto facts = factsOf(shown, *shown.picked);
     return facts ? facts->triangle : std::nullopt;

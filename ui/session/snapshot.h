@@ -141,6 +141,7 @@ struct Snapshot {
     std::optional<EdgeRow>             selectedEdge;
     std::optional<int>                 selectedLevel;  // of the pyramid; nothing: that of the last question or update
     std::optional<NodeName>            selectedNode;
+    std::optional<TriangleId>          selectedTriangle;  // goes before the picked pixel's, until another pixel is picked
     VerdictSet                         shownNodes = everyVerdict();  // whose boxes are shown, and rows in the tree
     Layers                             layers;
     CompareState                       compare;
@@ -222,7 +223,7 @@ enum class Change {
     Camera    = 2,
     Picture   = 4,   // another frame or step, or which of them is shown
     Pipeline  = 8,   // pipeline or grain
-    Selection = 16,  // picked pixel, selected edge, level, node
+    Selection = 16,  // picked pixel, selected edge, level, node, triangle
     Busy      = 32,
     Layers    = 64,  // what is drawn over the picture, and which nodes
     Compare   = 128, // B, what of it is seen, and the result
@@ -245,7 +246,7 @@ struct PixelFacts {
 };
 std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel);
 
-/// The triangle of the picked pixel, whose rows light up.
+/// The triangle whose rows light up: the selected one, else that of the picked pixel.
 std::optional<TriangleId> pickedTriangle(const Snapshot& shown);
 
 }  // namespace zscope::ui

@@ -188,6 +188,29 @@ void FrameView::paintEvent(QPaintEvent*)
     painter.restore();
     paintWipe(painter);
     paintChips(painter);
+    paintLegend(painter);
+}
+
+/// What the colours of over-rendering stand for.
+void FrameView::paintLegend(QPainter& painter) const
+{
+    constexpr int kStripe = 14, kHigh = 12;
+    if (!m_shown.look.layer->needsTests || m_shown.compare.seen() == CompareShow::Difference) return;
+    const Theme&  theme = themeOf(palette());
+    const QString from = QStringLiteral("1"), to = QStringLiteral("%1+").arg(kMostTests), what = tr("depth tests per pixel");
+    const int     left = fontMetrics().horizontalAdvance(from), right = fontMetrics().horizontalAdvance(to);
+    const int     stripes = kMostTests * kStripe;
+    const QRectF  card(2 * kStep, height() - 6.5 * kStep, std::max(left + right + stripes + 5 * kStep, fontMetrics().horizontalAdvance(what) + 3 * kStep), 4.5 * kStep);
+    painter.setPen(theme.border);
+    painter.setBrush(theme.card);
+    painter.drawRoundedRect(card.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+    painter.setPen(theme.softText);
+    painter.drawText(card.adjusted(1.5 * kStep, 2, 0, 0), Qt::AlignLeft | Qt::AlignTop, what);
+    const double y = card.bottom() - kHigh - 5;
+    painter.drawText(QRectF(card.left() + 1.5 * kStep, y - 3, left, kHigh + 6), Qt::AlignCenter, from);
+    for (int i = 0; i < kMostTests; ++i)
+        painter.fillRect(QRectF(card.left() + 2 * kStep + left + i * kStripe, y, kStripe - 1, kHigh), QColor::fromRgb(heatOfTests(static_cast<std::uint32_t>(i) + 1)));
+    painter.drawText(QRectF(card.left() + 2.5 * kStep + left + stripes, y - 3, right, kHigh + 6), Qt::AlignCenter, to);
 }
 
 void FrameView::paintPicture(QPainter& painter, const QImage& picture) const

@@ -80,6 +80,7 @@ private:
     void    paintGrid(QPainter& painter) const;
     void    paintValues(QPainter& painter) const;
     void    paintChips(QPainter& painter) const;
+    void    paintLegend(QPainter& painter) const;
     void    paintHint(QPainter& painter) const;
     bool    usesCamera(Qt::KeyboardModifiers modifiers) const;
 

@@ -114,6 +114,7 @@ void Actions::makeViewMenu()
         m_session.pick({});
         m_session.selectEdge({});
         m_session.selectNode({});
+        m_session.selectTriangle({});
     });
     menu->addSeparator();
     makeLayersMenu(menu);

@@ -144,6 +144,8 @@ void MainWindow::placeDocks()
         dock->setWanted(true);
         dock->setNeeded(dock->entry().isNeededBy(m_session.now().pipeline));
     }
+    // Of the panels that share a place the first is seen.
+    for (auto dock = m_docks.rbegin(); dock != m_docks.rend(); ++dock) QTimer::singleShot(0, *dock, &QWidget::raise);
 }
 
 void MainWindow::showNeeded(const Snapshot& shown)
