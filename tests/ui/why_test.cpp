@@ -86,6 +86,7 @@ private slots:
         QVERIFY(event && event->node);
         QVERIFY(desk.session.now().selectedNode == event->node);
         desk.photograph("why");
+        tree->setFocus();
         QTest::keyClick(tree, Qt::Key_Return);
         QVERIFY(desk.settles());
         QCOMPARE(desk.session.now().grain, event->grain);

@@ -389,6 +389,10 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
             event->accept();
             return true;
         }
+        if (widget && widget->hasFocus() && (key == Qt::Key_Return || key == Qt::Key_Enter) && widget->property("ownsEnter").toBool()) {
+            event->accept();
+            return true;
+        }
         // Views that turn or move by arrow keys while they have the focus say so.
         const bool isArrow = key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
         const bool isPlain = !(static_cast<QKeyEvent*>(event)->modifiers() & (Qt::ControlModifier | Qt::AltModifier));

@@ -53,6 +53,7 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
     m_tree->setMinimumHeight(90);
     m_tree->setExpandsOnDoubleClick(false);
     m_tree->setProperty("ownsArrows", true);
+    m_tree->setProperty("ownsEnter", true);  // it jumps
     QFont small = m_tree->font();
     small.setPointSizeF(small.pointSizeF() * 0.92);
     m_tree->setFont(small);

@@ -235,4 +235,4 @@ int main(int argc, char** argv)
     return QTest::qExec(&test, argc, argv);
 }
 
-#include "compare_test.moc"
+#include "compare_panel_test.moc"
