@@ -178,6 +178,7 @@ private slots:
         desk.session.compareWith(pipelineOf("zbuffer"));  // has no lines: the same part of its run
         QVERIFY(desk.settles());
         desk.session.showCompared(CompareShow::Wipe);
+        desk.window.dock("compare")->raise();
         desk.photograph("compare");
         const double partA = static_cast<double>(now.step->state.step.value) / static_cast<double>(now.step->last());
         const double partB = static_cast<double>(now.compare.step->state.step.value) / static_cast<double>(now.compare.step->last());
