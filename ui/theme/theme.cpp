@@ -164,6 +164,10 @@ QString styleSheetOf(const Theme& theme)
         QTreeView { background: @card; border: none; outline: none; selection-background-color: @pickedTint; selection-color: @text; }
         QTreeView::item { padding: 1px 0; }
         QCheckBox { spacing: 8px; }
+        QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @softText; border-radius: 3px; background: @card; }
+        QCheckBox::indicator:checked { background: @picked; border-color: @picked; image: url(:/icons/@tick.svg); }
+        QCheckBox::indicator:disabled { border-color: @border; }
+        QCheckBox:focus { color: @picked; }
         QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
         QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
         QScrollBar::handle { background: @border; border-radius: 4px; min-height: 24px; min-width: 24px; margin: 1px; }
@@ -185,6 +189,7 @@ QString styleSheetOf(const Theme& theme)
         {"@pickedTint", theme.pickedTint.name()}, {"@picked", theme.picked.name()},
         {"@errorTint", theme.errorTint.name()},   {"@error", theme.error.name()},
         {"@idle", theme.idle.name()},             {"@faint", theme.dark ? "#66707c" : "#a3acb6"},
+        {"@tick", theme.dark ? "check-dark" : "check-light"},
         {"@arrow", theme.dark ? "arrow-down-light" : "arrow-down-dark"},
     };
     for (const auto& [word, value] : words) sheet.replace(QLatin1String(word), value);
