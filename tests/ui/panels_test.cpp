@@ -63,6 +63,16 @@ private slots:
         QVERIFY(!desk.window.dock("pyramid")->isVisible());
         QVERIFY(desk.window.dock("hierarchy")->isVisible());
     }
+    void aMeasuredChoiceShowsThePanelsOfWhatItsStepsRun()
+    {
+        Desk desk("auto");
+        QVERIFY(desk.open("builtin:cubes"));
+        QVERIFY(!desk.window.dock("pyramid")->isVisible());
+        QVERIFY(desk.open("builtin:office-tower"));
+        QVERIFY(desk.session.now().hierarchy() && desk.session.now().hierarchy()->tree);
+        QVERIFY(desk.window.dock("pyramid")->isVisible());
+        QVERIFY(desk.window.dock("hierarchy")->isVisible());
+    }
     void theWindowFitsASmallScreenWithEveryAlgorithm()
     {
         Desk desk;

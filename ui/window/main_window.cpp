@@ -148,13 +148,29 @@ void MainWindow::placeDocks()
     for (auto dock = m_docks.rbegin(); dock != m_docks.rend(); ++dock) QTimer::singleShot(0, *dock, &QWidget::raise);
 }
 
+namespace {
+
+/// What runs when the pipeline's choices are measured, as far as a panel cares: a step tells what it has.
+Pipeline ranIn(const Snapshot& shown)
+{
+    Pipeline               ran       = shown.pipeline;
+    const HierarchyState*  hierarchy = shown.hierarchy();
+    if (ran.chooser != Chooser::Measured || !hierarchy) return ran;
+    if (hierarchy->tree) ran.order = *hierarchy->tree == TreeKind::Octree ? Order::Octree : Order::Bvh;
+    if (!hierarchy->levels.empty()) ran.upkeep = Upkeep::OnQuery;
+    return ran;
+}
+
+}  // namespace
+
 void MainWindow::showNeeded(const Snapshot& shown)
 {
+    const Pipeline ran = ranIn(shown);
     bool changed = false;
     // First away, then in: all at once they would not fit, and a window that has grown does not shrink again.
     for (const bool needed : {false, true}) {
         for (PanelDock* dock : m_docks) {
-            if (dock->entry().isNeededBy(shown.pipeline) != needed || dock->isNeeded() == needed) continue;
+            if (dock->entry().isNeededBy(ran) != needed || dock->isNeeded() == needed) continue;
             dock->setNeeded(needed);
             // Above the others of its place, once the tabs are there.
             if (needed && !dock->entry().tabbedWith) QTimer::singleShot(0, dock, &QWidget::raise);
@@ -234,7 +250,7 @@ void MainWindow::present(Changes what)
     m_status->present(shown, what);
     m_actions->present(shown, what);
     for (PanelDock* dock : m_docks) dock->panel().present(shown, what);
-    if (what & Change::Pipeline) showNeeded(shown);
+    if (what & (Change::Pipeline | Change::Picture)) showNeeded(shown);
     if ((what & Change::Scene) && shown.scene) {
         m_messages->hide();
         m_sceneName->setText(tr("%1 — %2 triangles").arg(shown.scene->title, grouped(shown.scene->scene().triangleCount())));
