@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 
 namespace zscope {
@@ -21,6 +22,8 @@ void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, F
     m_width    = visible.width();
     m_isComplete = false;
     constexpr int kTile = 1 << kTileLevel;
+    static_assert(VisibilityBuffer::kTileWidth % kTile == 0 && VisibilityBuffer::kTileLines % kTile == 0, "a tile is readable or not, as a whole");
+    assert(firstRow % kTile == 0);
     int width = (visible.width() + kTile - 1) / kTile, height = (endRow - firstRow + kTile - 1) / kTile;
     std::size_t count = 0;
     for (;; width = halved(width), height = halved(height)) {
@@ -93,7 +96,8 @@ PyramidQuery Pyramid::askAtCorners(const PixelBox& box, float nearest) const
 {
     PyramidQuery query{box, nearest, 0, std::numeric_limits<float>::infinity(), true, 4};
     for (const int y : {box.y0, box.y1 - 1})
-        for (const int x : {box.x0, box.x1 - 1}) query.value = std::min(query.value, m_visible->depthRow(y)[x]);
+        for (const int x : {box.x0, box.x1 - 1})
+            query.value = std::min(query.value, m_visible->isReadable(x, y) ? m_visible->depthRow(y)[x] : m_visible->empty());
     query.hidden = isBehind(nearest, query.value);
     return query;
 }
@@ -104,6 +108,7 @@ float Pyramid::farthestPixel(int tileX, int tileY) const
     const int     x0 = tileX << kTileLevel, x1 = std::min(x0 + kTile, m_visible->width());
     const int     y0 = m_firstRow + (tileY << kTileLevel), y1 = std::min(y0 + kTile, m_endRow);
     if (m_fault == Fault::OddPadded && (x1 - x0 < kTile || y1 - y0 < kTile)) return std::numeric_limits<float>::infinity();
+    if (!m_visible->isReadable(x0, y0)) return m_visible->empty();
     if (x1 - x0 < kTile || m_fault == Fault::NearestInCells) {
         float all = m_visible->depthRow(y0)[x0];
         for (int y = y0; y < y1; ++y)

@@ -74,6 +74,7 @@ bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float near
 template <class Shape>
 bool Pyramid::pixelsHide(const PixelBox& box, float nearest, const Shape& shape) const
 {
+    if (!m_visible->isReadable(box.x0, box.y0)) return false;  // nothing is drawn here
     for (int y = box.y0; y < box.y1; ++y) {
         const float* depth = m_visible->depthRow(y);
         for (int x = box.x0; x < box.x1; ++x)

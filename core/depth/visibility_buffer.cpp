@@ -6,18 +6,43 @@ namespace zscope {
 
 void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encoding)
 {
+    const bool isSame = width == m_width && height == m_height && encoding.empty == m_encoding.empty;
+    m_encoding        = encoding;
+    if (isSame) return;
     m_width  = width;
     m_height = height;
     m_stride = static_cast<std::size_t>((width + 2 * kRowPadding - 1) / kRowPadding * kRowPadding);
-    m_encoding = encoding;
-    m_depth.resize(m_stride * static_cast<std::size_t>(height));
-    m_rank.resize(m_depth.size());
+    const std::size_t lines = m_stride * static_cast<std::size_t>((height + 1) / 2 * 2) / (sizeof(CacheLine<float>) / sizeof(float));
+    m_depth.resize(lines);
+    m_rank.resize(lines + kRankShift);
+    m_tiles.reset((width + kTileWidth - 1) / kTileWidth, (height + kTileLines - 1) / kTileLines, Tile::Stale);
 }
 
-void VisibilityBuffer::clearRows(int first, int end)
+void VisibilityBuffer::emptyRows(int first, int end)
 {
-    std::fill(m_depth.data() + offset(first), m_depth.data() + offset(end), empty());
-    std::fill(m_rank.data() + offset(first), m_rank.data() + offset(end), 0u);
+    for (int y = first / kTileLines; y * kTileLines < end; ++y)
+        for (Tile& tile : m_tiles.view().row(y))
+            if (tile == Tile::Drawn) tile = Tile::Stale;
+}
+
+void VisibilityBuffer::finishRows(int first, int end)
+{
+    for (int y = first / kTileLines; y * kTileLines < end; ++y)
+        for (int x = 0; x < m_tiles.width(); ++x) {
+            Tile& tile = m_tiles.at(x, y);
+            if (tile != Tile::Stale) continue;
+            clearTile(x, y);
+            tile = Tile::Empty;
+        }
+}
+
+void VisibilityBuffer::clearTile(int x, int y)
+{
+    const int left = x * kTileWidth, width = std::min(kTileWidth, static_cast<int>(m_stride) - left);
+    for (int line = y * kTileLines; line < std::min((y + 1) * kTileLines, m_height); ++line) {
+        std::fill_n(depthRow(line) + left, width, empty());
+        std::fill_n(rankRow(line) + left, width, 0u);
+    }
 }
 
 Picture pictureOf(const VisibilityBuffer& visible)

@@ -3,7 +3,11 @@
 // Depth      n/z as float32 (or as DepthEncoding says), larger is nearer. Background holds a value just below
 //            everything that may be kept, which makes the far test free; depthAt() reports it as 0
 // Rank       triangle id + 1; 0 is background. On equal depth the lower rank wins, so background never does
-// Rows       padded to kRowPadding values, so that a vector may be loaded at any pixel of the picture
+// Rows       padded to kRowPadding values, so that a vector may be loaded at any pixel of the picture; and an odd number of
+//            rows to an even one. What is written there is read by nobody
+// Emptying   costs what was drawn, not what there is: tiles of kTileWidth x kTileLines pixels know whether they were drawn
+//            to. emptyRows() only forgets them; open() empties a tile when something is about to be drawn there, while it is
+//            in the cache; finishRows() empties those that nothing was drawn to
 // Promise    the winner is the maximum of (depth, -id) over all samples offered, in whatever order they come
 // Source     docs/correctness.md, Depth and the winner
 #pragma once
@@ -15,6 +19,7 @@
 
 #include "core/base/depth_format.h"
 #include "core/base/grid.h"
+#include "core/geometry/pixel_box.h"
 
 namespace zscope {
 
@@ -23,36 +28,85 @@ inline constexpr int kRowPadding = 16;
 
 class VisibilityBuffer {
 public:
-    /// Sets the size; the contents are undefined until clearRows() has run over all rows.
+    static constexpr int kTileWidth = 64, kTileLines = 8;
+
+    /// Sets the size; the contents are undefined until clearRows() has run over all rows, or emptyRows() and finishRows().
     void resize(int width, int height, const DepthEncoding& encoding);
-    /// Empties the rows [first, end). Rows are independent: threads may clear different ones.
-    void clearRows(int first, int end);
+
+    // The rows [first, end) are whole lines of tiles, or end with the picture. Threads may work on different ones.
+    void clearRows(int first, int end)
+    {
+        emptyRows(first, end);
+        finishRows(first, end);
+    }
+    /// All pixels are background from now on, but only those of open tiles may be read or written.
+    void emptyRows(int first, int end);
+    /// Makes the tiles under the box ready to be drawn to; it lies in the picture.
+    void open(const PixelBox& box)
+    {
+        if (box.isEmpty()) return;
+        for (int y = box.y0 / kTileLines; y <= (box.y1 - 1) / kTileLines; ++y)
+            for (int x = box.x0 / kTileWidth; x <= (box.x1 - 1) / kTileWidth; ++x) openTile(x, y);
+    }
+    /// All pixels may be read.
+    void finishRows(int first, int end);
+    /// False if nothing was drawn to the tile of the pixel, which is background then.
+    bool isOpen(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) == Tile::Drawn; }
+    /// False if the pixel is background, but must not be read before finishRows().
+    bool isReadable(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) != Tile::Stale; }
 
     int   width() const { return m_width; }
     int   height() const { return m_height; }
     float empty() const { return m_encoding.empty; }
 
-    float*               depthRow(int y) { return m_depth.data() + offset(y); }
-    const float*         depthRow(int y) const { return m_depth.data() + offset(y); }
-    std::uint32_t*       rankRow(int y) { return m_rank.data() + offset(y); }
-    const std::uint32_t* rankRow(int y) const { return m_rank.data() + offset(y); }
+    /// Values from a pixel to the one below it.
+    std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(m_stride); }
+
+    float*               depthRow(int y) { return m_depth.data()->values + offset(y); }
+    const float*         depthRow(int y) const { return m_depth.data()->values + offset(y); }
+    std::uint32_t*       rankRow(int y) { return m_rank.data()[kRankShift].values + offset(y); }
+    const std::uint32_t* rankRow(int y) const { return m_rank.data()[kRankShift].values + offset(y); }
 
     /// Depth as it is reported: near/z, 0 for background.
     float depthAt(int x, int y) const { return rankRow(y)[x] == 0 ? 0.0f : m_encoding.depthOf(depthRow(y)[x]); }
     /// Triangle id, or -1 for background.
     std::int64_t idAt(int x, int y) const { return static_cast<std::int64_t>(rankRow(y)[x]) - 1; }
 
-    std::size_t bytes() const { return m_depth.capacity() * sizeof(float) + m_rank.capacity() * sizeof(std::uint32_t); }
+    std::size_t bytes() const { return m_depth.capacity() * sizeof(m_depth[0]) + m_rank.capacity() * sizeof(m_rank[0]); }
 
 private:
+    enum class Tile : std::uint8_t {
+        Empty,  // all background
+        Drawn,  // drawn to since emptyRows()
+        Stale,  // background, but memory holds something else
+    };
+
+    void openTile(int x, int y)
+    {
+        Tile& tile = m_tiles.at(x, y);
+        if (tile == Tile::Stale) clearTile(x, y);
+        tile = Tile::Drawn;
+    }
+    void clearTile(int x, int y);
+
+    /// A cache line: rows begin on one, so that no aligned vector crosses a border.
+    template <class T>
+    struct alignas(64) CacheLine {
+        T values[64 / sizeof(T)];
+    };
+    /// Lines before the first rank. Large allocations begin at the same place of a page; a processor that compares the low
+    /// twelve bits of addresses would take the rank of a pixel for its depth, and wait.
+    static constexpr std::size_t kRankShift = 32;
+
     std::size_t offset(int y) const { return static_cast<std::size_t>(y) * m_stride; }
 
     int                        m_width  = 0;
     int                        m_height = 0;
     std::size_t                m_stride = 0;  // >= m_width + kRowPadding
     DepthEncoding              m_encoding;
-    std::vector<float>         m_depth;       // m_stride * m_height
-    std::vector<std::uint32_t> m_rank;        // likewise
+    Grid<Tile>                 m_tiles;
+    std::vector<CacheLine<float>>         m_depth;  // m_stride * m_height values, rounded up to even rows
+    std::vector<CacheLine<std::uint32_t>> m_rank;   // likewise, after kRankShift lines
 };
 
 /// The reported picture, as the files ids.npy and depth.npy hold it.

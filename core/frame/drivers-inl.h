@@ -38,6 +38,7 @@ template <class Scan, class Rules, class Probe>
 struct ScanConvert {
     const Pass&      pass;
     const Stripe&    stripe;
+    BlockList&       blocks;
     const Occlusion& occlusion;
     StageClock&      clock;
     const Rules&     rules;
@@ -45,6 +46,11 @@ struct ScanConvert {
 
     DrawnTriangles operator()(std::span<const ScreenTriangle> triangles) const
     {
+        if (triangles.empty()) return {};
+        PixelBox reach = triangles.front().box;
+        for (const ScreenTriangle& triangle : triangles) reach.include(triangle.box);
+        stripe.visible.open(reach);
+
         const auto unshaded = [](const ScreenTriangle&) { return UnshadedFragments(); };
         const auto early    = [this](const ScreenTriangle& triangle) {
             return ShadedFragments<ShadingMoment::AfterTest>(*stripe.painter, triangle.rank());
@@ -86,7 +92,15 @@ private:
                 fill<kKeep>(triangle, fragmentsOf(triangle));
             probe(TriangleFinished{triangle.id});
         }
+        testBlocks<kKeep>(blocks, stripe.visible, probe);
         return all;
+    }
+
+    /// The next triangle may need to know what this one has left: small ones must not wait for the end of their batch.
+    bool drawsAtOnce() const
+    {
+        return Probe::listens || occlusion.asksTriangles ||
+               (occlusion.afterDrawing != AfterDrawing::Nothing && occlusion.afterDrawing != AfterDrawing::MarkStale);
     }
 
     template <Keep kKeep, class Fragments>
@@ -98,8 +112,21 @@ private:
                 return;
             }
         }
-        Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
+        fillPixels<kKeep>(triangle, fragments);
         keepTrue(occlusion, triangle, rules, probe);
+    }
+
+    template <Keep kKeep, class Fragments>
+    void fillPixels(const ScreenTriangle& triangle, const Fragments& fragments) const
+    {
+        if constexpr (std::is_same_v<Scan, HalfSpace>) {
+            if (HalfSpace::testsBlocks<Fragments, Rules>(triangle)) {
+                addBlocks(triangle, halfPlanesOf(triangle, rules.notOwned()), blocks);
+                if (drawsAtOnce()) testBlocks<kKeep>(blocks, stripe.visible, probe);
+                return;
+            }
+        }
+        Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
     }
 
     template <class Shape>
@@ -134,13 +161,13 @@ void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratc
     scratch.memory.begin(trees);
     probe(PassStarted{1});
     const Occlusion blind;
-    const Convert   drawAll{pass, stripe, blind, clock, rules, probe};
+    const Convert   drawAll{pass, stripe, scratch.blocks, blind, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, probe, &scratch.memory).drawRemembered();
     scratch.pyramid.allTouched();
     clock.lap(Stage::Upkeep);
 
     probe(PassStarted{2});
-    const Convert drawUnhidden{pass, stripe, occlusion, clock, rules, probe};
+    const Convert drawUnhidden{pass, stripe, scratch.blocks, occlusion, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, occlusion, clock, drawUnhidden, rules, probe, &scratch.memory).visitScene();
     scratch.memory.finish();
 }
@@ -150,7 +177,7 @@ template <class Scan, class Rules, class Probe>
 void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, StripeScratch& scratch,
               const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
 {
-    const ScanConvert<Scan, Rules, Probe> convert{pass, stripe, occlusion, clock, rules, probe};
+    const ScanConvert<Scan, Rules, Probe> convert{pass, stripe, scratch.blocks, occlusion, clock, rules, probe};
     if (pipeline.order == Order::Submitted) {
         visitAsSubmitted(stripe, scratch, clock, convert, rules, probe);
         return;
@@ -163,6 +190,15 @@ void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, 
         return;
     }
     drawTwoPasses<Scan>(pass, stripe, scratch, trees, occlusion, clock, rules, probe);
+}
+
+/// Forgets the last picture. Who listens may look at any time; approximate edges may leave the boxes of their triangles.
+template <class Rules, class Probe>
+void beginPicture(const Stripe& stripe)
+{
+    stripe.visible.emptyRows(stripe.firstRow, stripe.endRow);
+    if constexpr (Probe::listens) stripe.visible.finishRows(stripe.firstRow, stripe.endRow);
+    if constexpr (!Rules::kExact) stripe.visible.open(stripe.region());
 }
 
 inline AfterDrawing afterDrawing(const Pipeline& pipeline)
@@ -190,7 +226,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                                                                   : ShadingMoment::AfterTest;
 
     probe(StageStarted{Stage::Clear});
-    stripe.visible.clearRows(stripe.firstRow, stripe.endRow);
+    beginPicture<Rules, Probe>(stripe);
     if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
     const bool asksLast  = pipeline.coherence == Coherence::LastPyramid;
     const bool continues = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
@@ -233,26 +269,50 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
 /// Enters the triangles of a batch, or one face after another, in the edge table.
 template <class Rules>
 struct EnterEdges {
-    EdgeTable&   edges;
-    StageClock&  clock;
-    const Rules& rules;
+    const Stripe& stripe;
+    EdgeTable&    edges;
+    StageClock&   clock;
+    const Rules&  rules;
 
     void operator()(std::span<const ScreenTriangle> triangles) const
     {
-        for (const ScreenTriangle& triangle : triangles) edges.add(triangle, rules);
+        for (const ScreenTriangle& triangle : triangles) (*this)(triangle);
         clock.lap(Stage::Setup);
     }
-    void operator()(const ScreenTriangle& triangle) const { edges.add(triangle, rules); }
-    void operator()(const ScreenFace& face, std::span<const ScreenSide> sides) const { edges.add(face, sides, rules); }
+    void operator()(const ScreenTriangle& triangle) const
+    {
+        stripe.visible.open(triangle.box);
+        edges.add(triangle, rules);
+    }
+    void operator()(const ScreenFace& face, std::span<const ScreenSide> sides) const
+    {
+        stripe.visible.open(boxOf(sides));
+        edges.add(face, sides, rules);
+    }
+
+private:
+    PixelBox boxOf(std::span<const ScreenSide> sides) const
+    {
+        double x0 = sides.front().xa, x1 = x0, y0 = sides.front().ya, y1 = y0;
+        for (const ScreenSide& side : sides) {  // closed: every corner begins a side
+            x0 = std::min(x0, side.xa), x1 = std::max(x1, side.xa);
+            y0 = std::min(y0, side.ya), y1 = std::max(y1, side.ya);
+        }
+        const PixelBox region = stripe.region();
+        return {std::max(region.x0, firstPixelCentreFrom(x0)), std::max(region.y0, firstPixelCentreFrom(y0)),
+                std::min(region.x1, firstPixelCentreFrom(x1)), std::min(region.y1, firstPixelCentreFrom(y1))};
+    }
 };
 
 template <class Resolve, class Rules, class Probe>
 void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, Resolve resolve, StageClock& clock,
                const Rules& rules, const Probe& probe)
 {
+    beginPicture<Rules, Probe>(stripe);
+    clock.lap(Stage::Clear);
     probe(StageStarted{Stage::Setup});
     scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width());
-    const EnterEdges<Rules> enter{scratch.edges, clock, rules};
+    const EnterEdges<Rules> enter{stripe, scratch.edges, clock, rules};
     if (drawsFaces(pipeline))
         visitFacesAsSubmitted(stripe, scratch, clock, enter, rules, probe);
     else
@@ -275,13 +335,18 @@ void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
 {
     const PatternFinder patterns{stripe.scene.scene(), stripe.projection};
     switch (pipeline.scan) {
-    case Scan::HalfSpace: return drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules, probe);
-    case Scan::EdgeWalk: return drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules, probe);
-    case Scan::SweepZLine: return drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, patterns, rules), clock, rules, probe);
+    case Scan::HalfSpace: drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules, probe); break;
+    case Scan::EdgeWalk: drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules, probe); break;
+    case Scan::SweepZLine:
+        drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, patterns, rules), clock, rules, probe);
+        break;
     case Scan::SweepIntervals:
     case Scan::SweepPolygons:
-        return drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, scratch.open, rules), clock, rules, probe);
+        drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, scratch.open, rules), clock, rules, probe);
+        break;
     }
+    stripe.visible.finishRows(stripe.firstRow, stripe.endRow);
+    clock.lap(Stage::Clear);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

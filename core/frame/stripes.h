@@ -2,6 +2,7 @@
 //
 // Idea       the borders move after every frame: the time a stripe took is spread evenly over its lines, and the next
 //            borders give every stripe the same share of it
+// Grid       borders lie on multiples of kStripeGrid lines, so that blocks and tiles of the picture belong to one stripe
 // Promise    stripes cover every line exactly once, in order; the picture does not depend on the borders
 #pragma once
 
@@ -11,6 +12,8 @@
 #include <vector>
 
 namespace zscope {
+
+inline constexpr int kStripeGrid = 8;
 
 class StripeBorders {
 public:
@@ -31,7 +34,7 @@ public:
     int   count() const { return static_cast<int>(m_borders.size()) - 1; }
     Lines stripe(int i) const
     {
-        return {m_borders[static_cast<std::size_t>(i)], m_borders[static_cast<std::size_t>(i) + 1]};
+        return {onGrid(m_borders[static_cast<std::size_t>(i)]), onGrid(m_borders[static_cast<std::size_t>(i) + 1])};
     }
 
     /// `ms` is what each stripe took.
@@ -57,8 +60,10 @@ public:
     }
 
 private:
+    int onGrid(int line) const { return line == m_height ? line : line / kStripeGrid * kStripeGrid; }
+
     int              m_height = -1;
-    std::vector<int> m_borders;  // stripes + 1 entries, ascending, from 0 to m_height
+    std::vector<int> m_borders;  // stripes + 1 entries, ascending, from 0 to m_height, on the grid or not
 };
 
 }  // namespace zscope

@@ -22,7 +22,7 @@ struct HalfPlane {
 /// Always inlined, so that each instruction set gets it in its own instructions.
 [[gnu::always_inline]] inline std::array<HalfPlane, 3> halfPlanesOf(const ScreenTriangle& t, double notOwned)
 {
-    const auto halfPlane = [&](std::size_t a, std::size_t b) {
+    const auto halfPlane = [&](std::size_t a, std::size_t b) __attribute__((always_inline)) {
         const double dx = t.x[b] - t.x[a], dy = t.y[b] - t.y[a];
         const double px = t.box.x0 * kSubpixels + 128, py = t.box.y0 * kSubpixels + 128;
         const bool   isLeftOrTop = dy < 0 || (dy == 0 && dx > 0);
@@ -38,6 +38,14 @@ struct HalfPlane {
     for (const HalfPlane& plane : planes)
         if (plane.at(plane.perPixel > 0 ? lastRight : right, plane.perLine > 0 ? lastDown : down) < 0) return true;
     return false;
+}
+
+/// True if all edges have all of those pixels on their inner side.
+[[gnu::always_inline]] inline bool areInside(const std::array<HalfPlane, 3>& planes, int right, int down, int lastRight, int lastDown)
+{
+    for (const HalfPlane& plane : planes)
+        if (plane.at(plane.perPixel > 0 ? right : lastRight, plane.perLine > 0 ? down : lastDown) < 0) return false;
+    return true;
 }
 
 }  // namespace zscope

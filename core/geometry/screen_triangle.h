@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/geometry/pixel_box.h"
 #include "core/geometry/projection.h"
 #include "core/geometry/rules.h"
 
@@ -24,14 +25,6 @@ namespace zscope {
 struct DepthPlane {
     double a, b, c;
     float  farthest, nearest;  // lo and hi of the definition: float32 of the corners' depths
-};
-
-/// Pixels [x0, x1) x [y0, y1).
-struct PixelBox {
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-
-    bool isEmpty() const { return x0 >= x1 || y0 >= y1; }
-    friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
 struct ScreenTriangle {

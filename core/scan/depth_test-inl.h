@@ -41,6 +41,21 @@ inline constexpr double kNotCovered = -2;
 /// Rounded to float32 and back: the result of one float32 operation on float32 values, whichever way it was computed.
 inline Vec64 inFloat32(Vec64 value) { return hn::PromoteTo(F64(), hn::DemoteTo(F32(), value)); }
 
+/// The lanes whose fragment takes the pixel from who holds it. `empty` is the depth of background.
+template <Keep kKeep, class D, class Depths, class Ranks>
+HWY_INLINE hn::Mask<D> winners(D d32, Depths depth, Depths stored, Ranks rank, Ranks holder, [[maybe_unused]] float empty)
+{
+    if constexpr (kKeep == Keep::DepthOnly) {
+        return depth > stored;
+    } else if constexpr (kKeep == Keep::Equal) {
+        const auto one  = hn::Set(hn::Rebind<std::uint32_t, D>(), 1u);  // makes background, which nobody has claimed yet, the highest rank
+        const auto kept = depth > hn::Set(d32, empty);  // a depth that the far test dropped equals background's
+        return hn::And(hn::And(depth == stored, kept), hn::RebindMask(d32, rank - one < holder - one));
+    } else {
+        return hn::Or(depth > stored, hn::And(depth == stored, hn::RebindMask(d32, rank < holder)));
+    }
+}
+
 /// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c.
 template <Keep kKeep, class Rules>
 class DepthTest {
@@ -51,7 +66,7 @@ public:
     {
     }
 
-    /// a*(i + 0.5) for the pixels x, x + 1, ... of a span or box that begins at pixel `first`.
+    /// a*(i + 0.5) for the pixels x, x + 1, ... of a span or box that begins at pixel `first`; those before it do not count.
     Vec64 column(int x, [[maybe_unused]] int first) const
     {
         const auto centres = hn::Iota(F64(), 0.0) + hn::Set(F64(), x + 0.5);
@@ -175,22 +190,13 @@ private:
 
     hn::Mask<F32> wins(hn::Vec<F32> depth, hn::Vec<F32> stored, hn::Vec<U32> holder) const
     {
-        const F32  d32;
-        const auto rank = hn::Set(U32(), m_rank);
-        if constexpr (kKeep == Keep::DepthOnly) {
-            return depth > stored;
-        } else if constexpr (kKeep == Keep::Equal) {
-            const auto one  = hn::Set(U32(), 1u);  // makes background, which nobody has claimed yet, the highest rank
-            const auto kept = depth > hn::Set(d32, m_empty);  // a depth that the far test dropped equals background's
-            const auto same = hn::And(depth == stored, kept);
-            if constexpr (!Rules::kExact)
-                if (m_rules.firstComerKeepsTie()) return hn::And(same, hn::RebindMask(d32, holder == hn::Zero(U32())));
-            return hn::And(same, hn::RebindMask(d32, rank - one < holder - one));
-        } else {
-            if constexpr (!Rules::kExact)
-                if (m_rules.firstComerKeepsTie()) return depth > stored;
-            return hn::Or(depth > stored, hn::And(depth == stored, hn::RebindMask(d32, rank < holder)));
-        }
+        const F32 d32;
+        if constexpr (!Rules::kExact && kKeep == Keep::Nearest)
+            if (m_rules.firstComerKeepsTie()) return depth > stored;
+        if constexpr (!Rules::kExact && kKeep == Keep::Equal)
+            if (m_rules.firstComerKeepsTie())
+                return hn::And(hn::And(depth == stored, depth > hn::Set(d32, m_empty)), hn::RebindMask(d32, holder == hn::Zero(U32())));
+        return winners<kKeep>(d32, depth, stored, hn::Set(U32(), m_rank), holder, m_empty);
     }
 
     Vec64 limited(Vec64 z) const
@@ -217,7 +223,10 @@ private:
         HWY_ALIGN std::array<double, hn::MaxLanes(F64())> value;
         float                                             carry = a * (static_cast<float>(first) + 0.5f);
         for (int at = first; at < x; ++at) carry += a;
-        for (std::size_t lane = 0; lane < hn::Lanes(F64()); ++lane, carry += a) value[lane] = carry;
+        for (std::size_t lane = 0; lane < hn::Lanes(F64()); ++lane) {
+            value[lane] = carry;
+            if (x + static_cast<int>(lane) >= first) carry += a;
+        }
         return hn::Load(F64(), value.data());
     }
 

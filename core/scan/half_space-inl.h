@@ -1,8 +1,9 @@
 // Scan conversion by half-spaces: a pixel is inside a triangle if it lies on the inner side of all three edges.
 //
 // Edges      values are integers below 2^53 (core/geometry/half_plane.h), so float64 lanes hold them exactly
-// Tiles      the triangle's box is cut into columns one vector wide and tiles of kTileLines lines; a tile
-//            wholly on the outer side of one edge is skipped
+// Small      triangles without a long side are tested by blocks, in float32 (blocks-inl.h)
+// Tiles      the box of the others is cut into tiles of one vector by kTileLines lines, line of tiles after line of tiles. A
+//            tile wholly on the outer side of one edge is skipped, one on the inner side of all edges needs no edge values
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
 //            is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no pixel
 //            writes to it
@@ -20,6 +21,7 @@
 
 #include "core/depth/pyramid_told.h"
 #include "core/geometry/half_plane.h"
+#include "core/scan/blocks-inl.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/edge_walk-inl.h"
 
@@ -28,6 +30,14 @@ namespace zscope::HWY_NAMESPACE {
 
 struct HalfSpace {
     static constexpr int kTileLines = 8;
+
+    /// True if such fragments of the triangle may wait in a list of blocks; fill() is for the others.
+    template <class Fragments, class Rules>
+    static bool testsBlocks(const ScreenTriangle& triangle)
+    {
+        if constexpr (!Rules::kExact || Fragments::kMoment != ShadingMoment::Never || Fragments::kPatterned) return false;
+        return !triangle.wide && isCompact(triangle);
+    }
 
     template <Keep kKeep, class Fragments, class Rules, class Probe>
     static void fill(const ScreenTriangle& triangle, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
@@ -39,16 +49,17 @@ struct HalfSpace {
         }
         const PixelBox&                box    = triangle.box;
         const std::array<HalfPlane, 3> planes = halfPlanesOf(triangle, rules.notOwned());
-        const DepthTest<kKeep, Rules> test(triangle.depth, triangle.rank(), visible.empty(), rules);
-        const bool oneTile = box.x1 - box.x0 <= laneCount() && box.y1 - box.y0 <= kTileLines;
-
-        for (int x = box.x0; x < box.x1; x += laneCount()) {
-            const Vec64 column = test.column(x, box.x0);
-            for (int y = box.y0; y < box.y1; y += kTileLines) {
-                const int end = std::min(y + kTileLines, box.y1);
+        const DepthTest<kKeep, Rules>  test(triangle.depth, triangle.rank(), visible.empty(), rules);
+        for (int y = box.y0; y < box.y1; y += kTileLines) {
+            for (int x = box.x0 & -laneCount(); x < box.x1; x += laneCount()) {
                 const int right = x - box.x0, down = y - box.y0;
-                if (!oneTile && areOutside(planes, right, down, right + laneCount() - 1, down + kTileLines - 1)) continue;
-                fillTile(triangle, planes, test, column, x, y, end, fragments, visible, rules, probe);
+                const int lastRight = right + laneCount() - 1, lastDown = down + kTileLines - 1;
+                if (areOutside(planes, right, down, lastRight, lastDown)) continue;
+                const int end = std::min(y + kTileLines, box.y1);
+                if (areInside(planes, right, down, lastRight, lastDown))
+                    fillWholeTile(triangle, test, x, y, end, fragments, visible, rules, probe);
+                else
+                    fillTile(triangle, planes, test, test.column(x, box.x0), x, y, end, fragments, visible, rules, probe);
             }
         }
     }
@@ -96,6 +107,18 @@ private:
         const int    x = plane.a > 0 ? box.x1 - 1 : box.x0, y = plane.b > 0 ? box.y1 - 1 : box.y0;
         const double z = plane.a * (x + 0.5) + lineDepth(plane, y, rules);
         return rules.stored(std::min(std::max(z, double{plane.farthest}), double{plane.nearest}));
+    }
+
+    /// Lines [y, end) of the column of pixels x, x + 1, ..., all of them covered.
+    template <Keep kKeep, class Fragments, class Rules, class Probe>
+    static void fillWholeTile(const ScreenTriangle& triangle, const DepthTest<kKeep, Rules>& test, int x, int y, int end,
+                              const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    {
+        const auto column = test.column(x, triangle.box.x0);
+        const auto all    = hn::FirstN(F64(), hn::Lanes(F64()));
+        for (; y < end; ++y)
+            test.offer(column, lineDepth(triangle.depth, y, rules), all, visible.depthRow(y) + x, visible.rankRow(y) + x, x, y,
+                       fragments, probe);
     }
 
     /// Lines [y, end) of the column of pixels x, x + 1, ...

@@ -46,7 +46,6 @@ public:
             LineZBuffer(m_visible, m_patterns, m_rules).line(y, active, polygons, probe);
             return;
         }
-        m_visible.clearRows(y, y + 1);
         m_open.clear();
         int from = 0;
         for (const ActiveEdge& edge : active) {

@@ -53,7 +53,6 @@ public:
     template <class Probe>
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
     {
-        m_visible.clearRows(y, y + 1);
         forEachSpan(active, polygons, m_visible.width(), m_rules, [&](std::uint32_t row, int x0, int x1) HWY_ATTR {
             testPolygonSpan(polygons[row], y, x0, x1, m_visible, m_patterns, m_rules, probe);
             probe(SpanFilled{y, x0, x1, polygons[row].id});

@@ -13,6 +13,7 @@
 #include "core/geometry/prepared_scene.h"
 #include "core/geometry/screen_triangle.h"
 #include "core/geometry/screen_vertices.h"
+#include "core/scan/block_list.h"
 #include "core/sweep/active_edges.h"
 #include "core/sweep/active_polygons.h"
 #include "core/sweep/blend_scratch.h"
@@ -47,6 +48,7 @@ struct WaitingInstance {
 struct StripeScratch {
     ScreenVertices   vertices;
     TriangleList     triangles{2 * kBatchTriangles + 1};  // of the batch at hand
+    BlockList        blocks;                              // likewise, of small triangles
     EdgeTable        edges;                               // sweep methods only, like the next two
     ActiveEdges      active;
     ActivePolygons   polygons;
@@ -60,7 +62,7 @@ struct StripeScratch {
 
     std::size_t bytes() const
     {
-        return sizeof(*this) + triangles.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
+        return sizeof(*this) + triangles.bytes() + blocks.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
                open.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes() +
                blend.bytes() + memory.bytes();
     }

@@ -45,15 +45,15 @@ TEST(StripeBorders, CoverEveryLineOnceInOrderWhateverTheTimes)
 TEST(StripeBorders, BeginEvenAndBeginAnewWhenTheShapeChanges)
 {
     StripeBorders borders;
-    borders.prepare(100, 4);
-    for (int i = 0; i < 4; ++i) EXPECT_EQ(borders.stripe(i).end - borders.stripe(i).first, 25);
+    borders.prepare(128, 4);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(borders.stripe(i).end - borders.stripe(i).first, 32);
     borders.rebalance(std::vector<double>{9, 1, 1, 1});
-    EXPECT_LT(borders.stripe(0).end, 25);
+    EXPECT_LT(borders.stripe(0).end, 32);
     const int kept = borders.stripe(0).end;
-    borders.prepare(100, 4);
+    borders.prepare(128, 4);
     EXPECT_EQ(borders.stripe(0).end, kept) << "the same shape keeps what was learned";
-    borders.prepare(100, 2);
-    EXPECT_EQ(borders.stripe(0).end, 50);
+    borders.prepare(128, 2);
+    EXPECT_EQ(borders.stripe(0).end, 64);
     borders.prepare(80, 2);
     EXPECT_EQ(borders.stripe(0).end, 40);
 }

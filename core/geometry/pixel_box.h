@@ -1,0 +1,21 @@
+// A rectangle of pixels.
+#pragma once
+
+#include <algorithm>
+
+namespace zscope {
+
+/// Pixels [x0, x1) x [y0, y1).
+struct PixelBox {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    /// Grows to hold another box as well; neither is empty.
+    void include(const PixelBox& other)
+    {
+        *this = {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1), std::max(y1, other.y1)};
+    }
+    bool isEmpty() const { return x0 >= x1 || y0 >= y1; }
+    friend bool operator==(const PixelBox&, const PixelBox&) = default;
+};
+
+}  // namespace zscope
