@@ -50,6 +50,8 @@ public:
     }
     /// All pixels may be read.
     void finishRows(int first, int end);
+    int tileColumns() const { return m_tiles.width(); }
+    int tileRows() const { return m_tiles.height(); }
     /// False if nothing was drawn to the tile of the pixel, which is background then.
     bool isOpen(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) == Tile::Drawn; }
     /// False if the pixel is background, but must not be read before finishRows().

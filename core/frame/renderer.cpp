@@ -139,22 +139,30 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     std::vector<double>     stripeMs(static_cast<std::size_t>(plan->threads));
     std::atomic<bool>       outOfMemory = false;
     const ColourTable*      colours     = nullptr;
+    bool                    shadesByTiles = false;
     const TransparentSurfaces* transparent = nullptr;
     const ChosenRules       blendRules  = rulesOfBlending(request);
     try {
-        transparent = toBeBlended(request);
+        transparent   = toBeBlended(request);
+        shadesByTiles = !transparent && !shadesFragments(request.pipeline.depth);
         if (request.shade) colours = &coloursOf(*request.scene);
         frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
         if (!request.shade)
             frame.colour = {};
-        else if (frame.colour.width() != camera.width || frame.colour.height() != camera.height)
+        else if (frame.colour.width() != camera.width || frame.colour.height() != camera.height) {
             frame.colour.reset(camera.width, camera.height);
+            frame.painted.reset(frame.visible.tileColumns(), frame.visible.tileRows(), 1);
+        }
+        // Who shades early or blends colours pixels whatever tile they lie in.
+        if (!shadesByTiles) std::ranges::fill(frame.painted.values(), std::uint8_t{1});
         m_workspace->scratch.resize(std::max(m_workspace->scratch.size(), stageMs.size()));
     } catch (const std::bad_alloc&) {
         return Error{Trouble::Limit, "there is not enough memory for this picture"};
     }
     std::optional<Painter> painter;
-    if (colours) painter.emplace(Painter{request.scene->scene(), *colours, frame.colour.view(), operationsOf(request.pipeline.cost)});
+    if (colours)
+        painter.emplace(Painter{request.scene->scene(), *colours, frame.colour.view(), operationsOf(request.pipeline.cost),
+                                shadesByTiles ? frame.painted.view() : GridView<std::uint8_t>{}});
     const bool defers = painter && !shadesFragments(request.pipeline.depth);
     m_workspace->borders.prepare(camera.height, plan->threads);
 

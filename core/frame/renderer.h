@@ -57,6 +57,7 @@ struct DrawRequest {
 struct Frame {
     VisibilityBuffer    visible;
     Grid<std::uint32_t> colour;  // 0xAARRGGBB, opaque; empty if the request did not ask for shading
+    Grid<std::uint8_t>  painted; // the renderer's own: which tiles of `colour` the last frame painted
 };
 
 struct FrameReport {

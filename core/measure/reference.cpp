@@ -16,7 +16,7 @@ namespace {
 template <class Visit>
 void forEachCovered(const Part& part, const Visit& visit)
 {
-    const PixelBox& box = part.box();
+    const definition::PixelBox& box = part.box();
     const auto& [p, q, r] = part.sides();
     const auto rowIsOutside = [&box](const Side& side, int y) {  // the edge function is linear: its ends decide
         return side.at(box.x0, y) < 0 && side.at(box.x1, y) < 0;

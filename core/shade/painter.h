@@ -19,6 +19,8 @@ struct Painter {
     const ColourTable&      table;
     GridView<std::uint32_t> colour;      // of the whole picture
     int                     operations;  // per fragment: 0, or a multiple of kOperationsPerRound
+    GridView<std::uint8_t>  painted = {};  // per tile of the visibility buffer: 0 if all of its colours are the background's;
+                                           // without data nothing is known of them
 
     /// The colour of a triangle before it has cost anything; rank 0 is the background.
     std::uint32_t baseColour(std::uint32_t rank) const

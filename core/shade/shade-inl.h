@@ -8,6 +8,8 @@
 #define ZSCOPE_SHADE_INL_H
 #endif
 
+#include <algorithm>
+
 #include <hwy/highway.h>
 
 #include "core/depth/visibility_buffer.h"
@@ -62,20 +64,50 @@ int shadeRow(U32 u32, const std::uint32_t* rank, int x, int width, int y, int op
     return x;
 }
 
-/// Lines [first, end).
+/// Pixels [x0, x1) of line y.
+inline void shadeSpan(const Painter& painter, const VisibilityBuffer& visible, int x0, int x1, int y)
+{
+    const std::uint32_t* rank   = visible.rankRow(y);
+    std::uint32_t*       colour = painter.colour.row(y).data();
+    if (painter.table.isComplete())
+        baseColoursFromTable(rank + x0, x1 - x0, painter.table.data(), colour + x0);
+    else
+        baseColoursByRuns(painter, rank + x0, x1 - x0, colour + x0);
+    if (painter.operations == 0) return;
+    const int rest = shadeRow(hn::ScalableTag<std::uint32_t>(), rank, x0, x1, y, painter.operations, colour);
+    shadeRow(hn::CappedTag<std::uint32_t, 1>(), rank, rest, x1, y, painter.operations, colour);
+}
+
+/// Lines [first, end), which are whole lines of tiles or end with the picture. Tiles that nothing was drawn to are background,
+/// and need no colours if they had those before.
 inline void shadeRows(const Painter& painter, const VisibilityBuffer& visible, int first, int end)
 {
-    const int width = visible.width();
-    for (int y = first; y < end; ++y) {
-        const std::uint32_t* rank   = visible.rankRow(y);
-        std::uint32_t*       colour = painter.colour.row(y).data();
-        if (painter.table.isComplete())
-            baseColoursFromTable(rank, width, painter.table.data(), colour);
-        else
-            baseColoursByRuns(painter, rank, width, colour);
-        if (painter.operations == 0) continue;
-        const int rest = shadeRow(hn::ScalableTag<std::uint32_t>(), rank, 0, width, y, painter.operations, colour);
-        shadeRow(hn::CappedTag<std::uint32_t, 1>(), rank, rest, width, y, painter.operations, colour);
+    constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
+    const int     tiles  = (visible.width() + kWidth - 1) / kWidth;
+    for (int top = first; top < end; top += kLines) {
+        const int  bottom = std::min(top + kLines, end);
+        const auto isOpen = [&](int tile) { return visible.isOpen(tile * kWidth, top); };
+        for (int tile = 0; tile < tiles;) {
+            const bool open = isOpen(tile);
+            const int  from = tile;
+            bool       old  = false;  // some tile of the run has colours
+            for (; tile < tiles && isOpen(tile) == open; ++tile) {
+                if (!painter.painted.data) {
+                    old = true;
+                    continue;
+                }
+                std::uint8_t& painted = painter.painted.at(tile, top / kLines);
+                old     = old || painted != 0;
+                painted = open;
+            }
+            const int x0 = from * kWidth, x1 = std::min(tile * kWidth, visible.width());
+            for (int y = top; y < bottom && (open || old); ++y) {
+                if (open)
+                    shadeSpan(painter, visible, x0, x1, y);
+                else
+                    std::fill(painter.colour.row(y).data() + x0, painter.colour.row(y).data() + x1, kBackgroundColour);
+            }
+        }
     }
 }
 

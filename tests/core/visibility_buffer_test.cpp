@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <utility>
 #include <memory>
 #include <new>
 #include <thread>
@@ -29,20 +31,61 @@ TEST(VisibilityBuffer, BackgroundIsTheLargestDepthThatTheFarTestDrops)
     EXPECT_LT(DepthEncoding(DepthFormat::ReversedFloat32, 0.1, kInfinity).empty, 0.0f) << "without a far plane even depth 0 is kept";
 }
 
+/// Draws value 7 at depth 1/2 over the box.
+void draw(VisibilityBuffer& buffer, const PixelBox& box)
+{
+    buffer.open(box);
+    for (int y = box.y0; y < box.y1; ++y)
+        for (int x = box.x0; x < box.x1; ++x) buffer.depthRow(y)[x] = 0.5f, buffer.rankRow(y)[x] = 7;
+}
+
 TEST(VisibilityBuffer, ClearingRowsLeavesTheOthers)
 {
     VisibilityBuffer buffer;
     for (const int width : {1, 15, 16, 17, 1000}) {
-        buffer.resize(width, 5, DepthEncoding::withBackground(-1.0f));
-        buffer.clearRows(0, 5);
-        for (int y = 0; y < 5; ++y)
-            for (int x = 0; x < width; ++x) buffer.depthRow(y)[x] = 0.5f, buffer.rankRow(y)[x] = 7;
-        buffer.clearRows(2, 4);
-        for (int y = 0; y < 5; ++y) {
+        buffer.resize(width, 29, DepthEncoding::withBackground(-1.0f));
+        buffer.clearRows(0, 29);
+        draw(buffer, {0, 0, width, 29});
+        buffer.clearRows(8, 24);
+        for (int y = 0; y < 29; ++y) {
+            const bool isCleared = y >= 8 && y < 24;
             for (int x = 0; x < width; ++x) {
-                EXPECT_EQ(buffer.idAt(x, y), y == 2 || y == 3 ? -1 : 6);
-                EXPECT_EQ(buffer.depthAt(x, y), y == 2 || y == 3 ? 0.0f : 0.5f);
+                EXPECT_EQ(buffer.idAt(x, y), isCleared ? -1 : 6);
+                EXPECT_EQ(buffer.depthAt(x, y), isCleared ? 0.0f : 0.5f);
             }
+        }
+    }
+}
+
+TEST(VisibilityBuffer, WhatIsDrawnToIsEmptyBeforeAndEverythingElseIsAfterTheFrame)
+{
+    VisibilityBuffer buffer;
+    std::mt19937_64  random(3);
+    for (const auto& [width, height] : {std::pair{1, 1}, {64, 8}, {65, 9}, {200, 61}}) {
+        buffer.resize(width, height, DepthEncoding::withBackground(-1.0f));
+        const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+        for (int frame = 0; frame < 40; ++frame) {
+            buffer.emptyRows(0, height);
+            Grid<char> drawn(width, height);
+            for (int i = below(4); i > 0; --i) {
+                const int      x = below(width), y = below(height);
+                const PixelBox box{x, y, x + 1 + below(width - x), y + 1 + below(height - y)};
+                buffer.open(box);
+                for (int row = box.y0; row < box.y1; ++row)
+                    for (int column = box.x0; column < box.x1; ++column) {
+                        ASSERT_TRUE(buffer.isReadable(column, row));
+                        ASSERT_EQ(buffer.rankRow(row)[column], drawn.at(column, row) ? 7u : 0u);
+                        ASSERT_EQ(buffer.depthRow(row)[column], drawn.at(column, row) ? 0.5f : -1.0f);
+                        drawn.at(column, row) = 1;
+                    }
+                draw(buffer, box);
+            }
+            buffer.finishRows(0, height);
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    ASSERT_EQ(buffer.idAt(x, y), drawn.at(x, y) ? 6 : -1) << frame << ": " << x << ' ' << y;
+                    ASSERT_EQ(buffer.depthRow(y)[x], drawn.at(x, y) ? 0.5f : -1.0f);
+                }
         }
     }
 }
