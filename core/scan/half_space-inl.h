@@ -50,12 +50,14 @@ struct HalfSpace {
         const PixelBox&                box    = triangle.box;
         const std::array<HalfPlane, 3> planes = halfPlanesOf(triangle, rules.notOwned());
         const DepthTest<kKeep, Rules>  test(triangle.depth, triangle.rank(), visible.empty(), rules);
-        for (int y = box.y0; y < box.y1; y += kTileLines) {
+        // Small ones in the order of their blocks, so that a step shows the same pixel whether fragments are shaded or not.
+        const int lines = isCompact(triangle) ? kBlockLines : kTileLines;
+        for (int y = box.y0; y < box.y1; y += lines) {
             for (int x = box.x0 & -laneCount(); x < box.x1; x += laneCount()) {
                 const int right = x - box.x0, down = y - box.y0;
-                const int lastRight = right + laneCount() - 1, lastDown = down + kTileLines - 1;
+                const int lastRight = right + laneCount() - 1, lastDown = down + lines - 1;
                 if (areOutside(planes, right, down, lastRight, lastDown)) continue;
-                const int end = std::min(y + kTileLines, box.y1);
+                const int end = std::min(y + lines, box.y1);
                 if (areInside(planes, right, down, lastRight, lastDown))
                     fillWholeTile(triangle, test, x, y, end, fragments, visible, rules, probe);
                 else
