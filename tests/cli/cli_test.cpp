@@ -89,7 +89,7 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         {{"render", kScene, "--simd", "mmx"}, "auto, scalar"},
         {{"render", kScene, "--memory-limit", "0"}, "--memory-limit"},
         {{"render", kScene, "--show", "depth"}, "-o"},
-        {{"render", kScene, "-o", path("x.png"), "--show", "heat"}, "shaded, depth or ids"},
+        {{"render", kScene, "-o", path("x.png"), "--show", "heat"}, "shaded, depth, ids or tests"},
         {{"verify", kScene, "--algorithm", "zbuffer,,scanline"}, "''"},
         {{"verify", kScene, "--sample", "0"}, "--sample"},
         {{"export", kScene}, "--triangles"},

@@ -241,7 +241,7 @@ TEST_F(Cli, LayersAreDifferentPicturesOfOneFrame)
         ASSERT_EQ(run({"render", kScene, "--size", "64x48", "--show", layer, "-o", path("l.png")}).status, 0) << layer;
         pictures.insert(contentsOf(path("l.png")).substr(contentsOf(path("l.png")).find("IDAT")));
     }
-    EXPECT_EQ(pictures.size(), 3u);
+    EXPECT_EQ(pictures.size(), 4u);
 }
 
 TEST_F(Cli, AnOutputThatCannotBeWrittenEndsWithFourAndLeavesNothing)
