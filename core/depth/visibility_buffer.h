@@ -102,11 +102,11 @@ private:
 
     std::size_t offset(int y) const { return static_cast<std::size_t>(y) * m_stride; }
 
-    int                        m_width  = 0;
-    int                        m_height = 0;
-    std::size_t                m_stride = 0;  // >= m_width + kRowPadding
-    DepthEncoding              m_encoding;
-    Grid<Tile>                 m_tiles;
+    int                                   m_width  = 0;
+    int                                   m_height = 0;
+    std::size_t                           m_stride = 0;  // >= m_width + kRowPadding
+    DepthEncoding                         m_encoding;
+    Grid<Tile>                            m_tiles;
     std::vector<CacheLine<float>>         m_depth;  // m_stride * m_height values, rounded up to even rows
     std::vector<CacheLine<std::uint32_t>> m_rank;   // likewise, after kRankShift lines
 };

@@ -7,32 +7,19 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QStackedLayout>
-#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include "ui/panels/active_edges/bucket_chart.h"
 #include "ui/panels/active_edges/edge_table_model.h"
 #include "ui/panels/active_edges/line_strip.h"
+#include "ui/parts/row_delegate.h"
 #include "ui/text/numbers.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
+
 namespace {
-
-/// Keeps the colours of the marks in a selected row, and draws no box around one cell of it.
-class RowDelegate final : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-protected:
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
-    {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->state.setFlag(QStyle::State_HasFocus, false);
-        option->palette.setBrush(QPalette::HighlightedText, option->palette.brush(QPalette::Text));
-    }
-};
 
 constexpr std::size_t kPolygonsNamed = 60;  // the tool tip of the list; the line itself shows what fits
 

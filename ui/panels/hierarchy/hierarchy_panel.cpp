@@ -7,35 +7,18 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QStackedLayout>
-#include <QStyledItemDelegate>
 #include <QTreeView>
 #include <QVBoxLayout>
 
 #include "ui/panels/hierarchy/depth_chart.h"
 #include "ui/panels/hierarchy/node_model.h"
+#include "ui/parts/row_delegate.h"
 #include "ui/parts/verdict_bar.h"
 #include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
-namespace {
-
-/// Keeps the colours of the verdicts in a selected row, and draws no box around one cell of it.
-class RowDelegate final : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-protected:
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
-    {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->state.setFlag(QStyle::State_HasFocus, false);
-        option->palette.setBrush(QPalette::HighlightedText, option->palette.brush(QPalette::Text));
-    }
-};
-
-}  // namespace
 
 HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_model(new NodeModel(this)), m_filter(new NodeFilter(*m_model, this)), m_tree(new QTreeView),

@@ -10,34 +10,17 @@
 #include <QRegularExpression>
 #include <QRegularExpressionValidator>
 #include <QStackedLayout>
-#include <QStyledItemDelegate>
 #include <QTreeView>
 #include <QVBoxLayout>
 
 #include "core/lesson/explain.h"
 #include "ui/panels/why/why_model.h"
+#include "ui/parts/row_delegate.h"
 #include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
-namespace {
-
-/// Keeps the colours of the fates in a selected row, and draws no box around one cell of it.
-class RowDelegate final : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-protected:
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
-    {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->state.setFlag(QStyle::State_HasFocus, false);
-        option->palette.setBrush(QPalette::HighlightedText, option->palette.brush(QPalette::Text));
-    }
-};
-
-}  // namespace
 
 WhyPanel::WhyPanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_model(new WhyModel(this)), m_tree(new QTreeView), m_sentence(new QLabel), m_detail(new QLabel), m_hint(new QLabel),
