@@ -26,6 +26,7 @@ struct Options {
     std::string               settings;    // a file; empty: the user's own
     std::string               screenshot;  // a file; empty: none
     std::string               grain;
+    std::string               language;
     std::optional<std::uint64_t> step;
     zscope::cli::ViewOptions  view;
     zscope::cli::HowOptions   how;
@@ -41,6 +42,7 @@ void declare(CLI::App& parser, Options& options)
     parser.add_option("--grain", options.grain, "Grain of the steps: stage, triangle, line, span or pixel")->type_name("GRAIN")->group("Step");
     parser.add_option("--at", options.step, "Step to begin at, counted from 0 (default: the finished picture)")->type_name("K")->group("Step");
     parser.add_flag("--reset-settings", options.resetSettings, "Forget layout, recent files and appearance")->group("Window");
+    parser.add_option("--language", options.language, "Language of the window in this run: system, en or zh_CN")->type_name("LANGUAGE")->group("Window");
     parser.add_option("--settings", options.settings, "Keep settings in this file instead")->type_name("FILE")->group("Window");
     parser.add_option("--screenshot", options.screenshot,
                       "Save a picture of the whole window once the scene is drawn, and quit; for course notes and tests")
@@ -108,6 +110,10 @@ Exit run(int argc, char** argv)
     if (!options.grain.empty() && !grain)
         return complain(Exit::Usage, "unknown grain '" + options.grain + "': see zscope-cli list grains");
 
+    const auto language = zscope::ui::languageOf(options.language);
+    if (!options.language.empty() && !language)
+        return complain(Exit::Usage, "unknown language '" + options.language + "': one of system, en, zh_CN");
+
     const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
     if (!set("QT_QPA_PLATFORM") && !set("DISPLAY") && !set("WAYLAND_DISPLAY")) {
         std::fprintf(stderr, "%s\n", kNoDisplay);
@@ -129,6 +135,7 @@ Exit run(int argc, char** argv)
     settings.beginStart();
     zscope::ui::Session session({.threads = how->threads, .simd = how->simd, .memoryLimit = how->memoryLimit});
     zscope::ui::MainWindow window(session, settings, system);
+    if (language) window.speak(*language);
     session.setPipeline(how->algorithm().pipeline);
     if (grain) session.setGrain(*grain);
     window.show();

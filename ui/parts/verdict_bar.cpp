@@ -10,9 +10,8 @@
 
 namespace zscope::ui {
 
-VerdictBar::VerdictBar(const QString& accessibleName, const VerdictSet& on, QWidget* parent) : QWidget(parent), m_chosen(on)
+VerdictBar::VerdictBar(const VerdictSet& on, QWidget* parent) : QWidget(parent), m_chosen(on)
 {
-    setAccessibleName(accessibleName);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -62,7 +61,7 @@ void VerdictBar::dress()
 
 void VerdictBar::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::PaletteChange && m_buttons[0]) dress();
+    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange) && m_buttons[0]) dress();
     QWidget::changeEvent(event);
 }
 

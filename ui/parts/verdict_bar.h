@@ -18,7 +18,7 @@ class VerdictBar final : public QWidget {
     Q_OBJECT
 
 public:
-    VerdictBar(const QString& accessibleName, const VerdictSet& on, QWidget* parent = nullptr);
+    explicit VerdictBar(const VerdictSet& on, QWidget* parent = nullptr);
 
     const VerdictSet& chosen() const { return m_chosen; }
     /// Switches of verdicts that no node has are hidden, but for the usual four.

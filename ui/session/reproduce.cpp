@@ -10,6 +10,8 @@
 
 #include "core/io/png.h"
 
+#include "ui/text/phrase_book.h"
+
 namespace zscope::ui {
 namespace {
 
@@ -92,8 +94,7 @@ QString freePictureName(const Snapshot& shown, const QString& folder)
 std::optional<QString> savePicture(const QImage& image, const QString& file, const Snapshot& shown,
                                    const DrawSettings& settings, bool replace)
 {
-    const auto tr = [](const char* source) { return QCoreApplication::translate("SavePicture", source); };
-    if (!replace && QFileInfo::exists(file)) return tr("%1 is there already; it was left as it is.").arg(file);
+    if (!replace && QFileInfo::exists(file)) return QCoreApplication::translate("SavePicture", "%1 is there already; it was left as it is.").arg(file);
 
     const auto texts = [&] {
         const std::string command = commandLineOf(commandOf(shown, settings)).toStdString();
@@ -105,7 +106,7 @@ std::optional<QString> savePicture(const QImage& image, const QString& file, con
     const GridView<const std::uint32_t> pixels{reinterpret_cast<const std::uint32_t*>(opaque.constBits()), opaque.width(),
                                                opaque.height(), static_cast<std::size_t>(opaque.bytesPerLine()) / 4};
     const auto written = writePng(file.toStdString(), pixels, texts);
-    if (!written) return QString::fromStdString(written.error().text());
+    if (!written) return said(written.error().text());
     return {};
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/text/phrase_book.h"
+
 namespace zscope::ui {
 namespace {
 
@@ -63,8 +65,8 @@ void Session::load(const QString& word, const ViewOf& viewOf, bool keepsCamera)
             const auto time = std::chrono::steady_clock::now();
             if (time - told < kProgressEvery) return;
             told = time;
-            deliver([this, fraction, text = QString::fromUtf8(what.data(), static_cast<qsizetype>(what.size()))] {
-                if (m_worker->isBusy()) setBusy(tr("Loading: %1").arg(text), fraction);
+            deliver([this, fraction, text = std::string(what)] {
+                if (m_worker->isBusy()) setBusy(tr("Loading: %1").arg(said(text)), fraction);
             });
         };
         auto loaded = m_engine->load(word, options);
@@ -432,7 +434,7 @@ void Session::stepMade(const std::shared_ptr<const ShownStep>& step, std::uint64
 void Session::troubled(const Error& error)
 {
     if (error.kind == Trouble::Cancelled) return;
-    emit failed(QString::fromStdString(error.text()));
+    emit failed(said(error.text()));
 }
 
 void Session::setBusy(const QString& what, double progress)

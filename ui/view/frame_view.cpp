@@ -13,6 +13,7 @@
 #include <QWheelEvent>
 
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/view/magnifier.h"
 #include "ui/view/range_bar.h"
 
@@ -33,13 +34,15 @@ constexpr double kFlyFaster    = 4;     // with Shift
 FrameView::FrameView(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_magnifier(new Magnifier(this)), m_range(new RangeBar(session, this))
 {
-    setAccessibleName(tr("Frame view"));
-    setAccessibleDescription(tr("The picture of the chosen algorithm at the chosen step"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     m_flight.setInterval(16);
     connect(&m_flight, &QTimer::timeout, this, &FrameView::moveOn);
+    spoken(*this, [this] {
+        setAccessibleName(tr("Frame view"));
+        setAccessibleDescription(tr("The picture of the chosen algorithm at the chosen step"));
+    });
 }
 
 void FrameView::present(const Snapshot& shown, Changes what)

@@ -5,6 +5,7 @@
 #include <QPainter>
 
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -18,8 +19,10 @@ constexpr int kMost   = 6;   // lines of text
 Magnifier::Magnifier(QWidget* parent) : QFrame(parent)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAccessibleName(tr("Magnifier"));
     hide();
+    spoken(*this, [this] {
+        setAccessibleName(tr("Magnifier"));
+    });
 }
 
 QSize Magnifier::sizeHint() const

@@ -11,6 +11,7 @@
 
 #include "core/lesson/colour_maps.h"
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -32,14 +33,9 @@ float RangeScale::depthAt(double part) const
 RangeBar::RangeBar(Session& session, QWidget* parent)
     : QFrame(parent), m_session(session), m_fit(new QToolButton(this)), m_log(new QToolButton(this))
 {
-    setAccessibleName(tr("Range of depths"));
     setFocusPolicy(Qt::StrongFocus);
     setProperty("ownsArrows", true);
     setCursor(Qt::ArrowCursor);
-    m_fit->setText(tr("Fit"));
-    m_fit->setToolTip(tr("From the farthest to the nearest depth of the picture (N)"));
-    m_log->setText(tr("Log"));
-    m_log->setToolTip(tr("Equal ratios of depth, not equal differences, are equal steps of colour"));
     m_log->setCheckable(true);
     for (QToolButton* button : {m_fit, m_log}) {
         button->setFocusPolicy(Qt::TabFocus);
@@ -56,6 +52,13 @@ RangeBar::RangeBar(Session& session, QWidget* parent)
         m_session.setDepthRange(range);
     });
     hide();
+    spoken(*this, [this] {
+        setAccessibleName(tr("Range of depths"));
+        m_fit->setText(tr("Fit"));
+        m_fit->setToolTip(tr("From the farthest to the nearest depth of the picture (N)"));
+        m_log->setText(tr("Log"));
+        m_log->setToolTip(tr("Equal ratios of depth, not equal differences, are equal steps of colour"));
+    });
 }
 
 QSize RangeBar::sizeHint() const { return {300, 2 * kStep + kHigh + 6 + fontMetrics().height() + 4 + kRow}; }

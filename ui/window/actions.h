@@ -6,11 +6,13 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include <QObject>
 
 #include "ui/session/session.h"
+#include "ui/text/language.h"
 #include "ui/view/frame_view.h"
 
 class QAction;
@@ -19,6 +21,7 @@ class QComboBox;
 class QMainWindow;
 class QMenu;
 class QToolBar;
+class QToolButton;
 
 namespace zscope::ui {
 
@@ -27,6 +30,7 @@ struct WindowRequests {
     std::function<void()>                   open, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel,
                                             resetLayout, about, keys;
     std::function<void(Appearance)>         look;
+    std::function<void(Language)>           speak;
     std::function<void(const QString&)>     openWord;
 };
 
@@ -40,6 +44,7 @@ public:
     void showTool(Tool tool);
     void showRecent(const QStringList& files);
     void showAppearance(Appearance appearance);
+    void showLanguage(Language language);
     void dress(const Theme& theme);
 
     QMenu*    panelsMenu() const { return m_panels; }
@@ -48,13 +53,19 @@ public:
     const std::vector<QAction*>& all() const { return m_all; }
 
 private:
-    QAction* add(QMenu* menu, const QString& text, const QList<QKeySequence>& keys, std::function<void()> run,
+    /// `label` is marked with QT_TR_NOOP: say() translates it, now and when the language changes. `under` the menu bar: nullptr.
+    QMenu*   addMenu(QMenu* under, const char* label);
+    QAction* add(QMenu* menu, const char* label, const QList<QKeySequence>& keys, std::function<void()> run,
                  const QString& icon = {});
-    QAction* add(QMenu* menu, const QString& text, const QKeySequence& key, std::function<void()> run,
+    QAction* add(QMenu* menu, const char* label, const QKeySequence& key, std::function<void()> run,
                  const QString& icon = {})
     {
-        return add(menu, text, key.isEmpty() ? QList<QKeySequence>{} : QList<QKeySequence>{key}, std::move(run), icon);
+        return add(menu, label, key.isEmpty() ? QList<QKeySequence>{} : QList<QKeySequence>{key}, std::move(run), icon);
     }
+    /// By a name that no language changes, or that say() makes.
+    QAction* addNamed(QMenu* menu, const QString& name, const QList<QKeySequence>& keys, std::function<void()> run,
+                      const QString& icon = {});
+    void say();
     void makeFileMenu();
     void makeViewMenu();
     void makeLayersMenu(QMenu* view);
@@ -64,6 +75,7 @@ private:
     void makeAlgorithmMenu();
     void makeStepMenu();
     void makeCompareMenu();
+    void makeLanguageMenu();
     void makeHelpMenu();
     void makeToolBar();
     void showNamedViews(const Snapshot& shown);
@@ -74,6 +86,8 @@ private:
     WindowRequests m_requests;
 
     std::vector<QAction*>                      m_all;
+    std::vector<std::pair<QAction*, const char*>>      m_labels, m_tips;  // in English
+    std::vector<std::pair<QAction*, std::string_view>> m_titles;          // tool tips that are core's, in English
     std::vector<std::pair<QAction*, QString>>  m_icons;         // with the name of each one's icon
     std::vector<QAction*>                      m_inspectOnly, m_cameraOnly, m_needScene;
     std::vector<QAction*>                      m_algorithms;    // in the order of presets()
@@ -83,10 +97,11 @@ private:
     std::vector<std::pair<QAction*, bool Layers::*>> m_layerToggles;
     QAction *                                  m_open = nullptr, *m_inspect = nullptr, *m_camera = nullptr,
             *m_fit = nullptr, *m_cull = nullptr;
-    std::vector<QAction*> m_appearances;
+    std::vector<QAction*> m_appearances, m_languages, m_sizes;
     QMenu *               m_recent = nullptr, *m_panels = nullptr, *m_namedViews = nullptr, *m_layers = nullptr;
     QToolBar*             m_toolBar       = nullptr;
     QComboBox*            m_algorithmBox  = nullptr;
+    QToolButton*          m_layersButton  = nullptr;
 };
 
 }  // namespace zscope::ui

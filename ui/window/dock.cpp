@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "ui/panels/registry.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
 
@@ -20,10 +21,13 @@ bool isTitled(const PanelEntry& entry) { return entry.area != Qt::BottomDockWidg
 }  // namespace
 
 PanelDock::PanelDock(const PanelEntry& entry, Panel* panel, QWidget* parent)
-    : QDockWidget(entry.translatedTitle(), parent), m_entry(entry), m_panel(panel)
+    : QDockWidget(parent), m_entry(entry), m_panel(panel)
 {
     setObjectName(QString("dock-") + entry.word);
-    setAccessibleName(entry.translatedTitle());
+    spoken(*this, [this] {
+        setWindowTitle(m_entry.translatedTitle());
+        setAccessibleName(m_entry.translatedTitle());
+    });
     auto* body = new QFrame;
     body->setObjectName("cardBody");
     auto* layout = new QVBoxLayout(body);
@@ -55,15 +59,18 @@ QWidget* PanelDock::makeTitle()
 {
     auto* title = new QFrame;
     title->setObjectName("cardTitle");
-    auto* name = new QLabel(windowTitle());
+    auto* name = new QLabel;
     name->setObjectName("title");
     m_summary = new QLabel;
     m_summary->setObjectName("soft");
     m_close = new QToolButton;
     m_close->setObjectName("plain");
     m_close->setFocusPolicy(Qt::TabFocus);
-    m_close->setAccessibleName(tr("Close the panel %1").arg(windowTitle()));
-    m_close->setToolTip(tr("Close; the View menu opens it again"));
+    spoken(*title, [this, name] {
+        name->setText(m_entry.translatedTitle());
+        m_close->setAccessibleName(tr("Close the panel %1").arg(m_entry.translatedTitle()));
+        m_close->setToolTip(tr("Close; the View menu opens it again"));
+    });
     connect(m_close, &QToolButton::clicked, this, [this] { setWanted(false); });
     connect(m_panel, &Panel::summaryChanged, m_summary, &QLabel::setText);
 

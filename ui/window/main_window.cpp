@@ -28,6 +28,7 @@
 #include "ui/panels/registry.h"
 #include "ui/session/reproduce.h"
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
 #include "ui/view/frame_view.h"
@@ -41,6 +42,7 @@ namespace zscope::ui {
 MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& systemPalette)
     : m_session(session), m_settings(settings), m_systemPalette(systemPalette)
 {
+    m_translation.speak(settings.language());  // before anything is said
     registerIcons();
     setWindowTitle(tr("ZScope"));
     setWindowIcon(QIcon(":/icons/zscope.svg"));
@@ -68,6 +70,10 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
                                  m_settings.setAppearance(look);
                                  applyAppearance(look);
                              },
+                             .speak            = [this](Language language) {
+                                 m_settings.setLanguage(language);
+                                 speak(language);
+                             },
                              .openWord         = [this](const QString& word) { open(word); }});
     m_sceneName = new QLabel;
     m_sceneName->setObjectName("soft");
@@ -86,6 +92,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
 
     m_actions->showRecent(settings.recentFiles());
     m_actions->showAppearance(settings.appearance());
+    m_actions->showLanguage(settings.language());
     applyAppearance(settings.appearance());
     resize(1280, 800);
     resetLayout();
@@ -119,7 +126,8 @@ void MainWindow::makeDocks()
 {
     for (const PanelEntry& entry : panels()) {
         auto* dock   = new PanelDock(entry, entry.make(m_session), this);
-        auto* toggle = m_actions->panelsMenu()->addAction(entry.translatedTitle());
+        auto* toggle = m_actions->panelsMenu()->addAction(QString());
+        spoken(*toggle, [toggle, &entry] { toggle->setText(entry.translatedTitle()); });
         toggle->setCheckable(true);
         toggle->setChecked(true);
         connect(toggle, &QAction::triggered, dock, &PanelDock::setWanted);
@@ -239,6 +247,19 @@ void MainWindow::applyAppearance(Appearance appearance)
     qApp->setStyleSheet(styleSheetOf(theme));
     m_actions->dress(theme);
     present(kEverything);
+}
+
+void MainWindow::speak(Language language)
+{
+    m_translation.speak(language);
+    m_actions->showLanguage(language);
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    const bool isHandled = QMainWindow::event(event);  // passes a change of language on to all that is in the window
+    if (event->type() == QEvent::LanguageChange && m_actions) present(kEverything);
+    return isHandled;
 }
 
 // The snapshot ------------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "ui/session/session.h"
+#include "ui/text/language.h"
 #include "ui/window/settings.h"
 
 class QLabel;
@@ -31,6 +32,8 @@ public:
 
     /// Files are added to the recent ones; builtin scenes are not.
     void open(const QString& word, const Session::ViewOf& viewOf = {});
+    /// For this run; the Language menu is what keeps a choice.
+    void speak(Language language);
 
     FrameView&  view() const { return *m_view; }
     MessageBar& messages() const { return *m_messages; }
@@ -42,6 +45,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void present(Changes what);
@@ -65,6 +69,7 @@ private:
     Session&                m_session;
     Settings&               m_settings;
     const QPalette          m_systemPalette;
+    Translation             m_translation;
     FrameView*              m_view     = nullptr;
     MessageBar*             m_messages = nullptr;
     StatusLine*             m_status   = nullptr;

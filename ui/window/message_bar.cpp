@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "ui/text/spoken.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
 
@@ -15,12 +16,10 @@ MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_icon(new QLabel), m_text(new QLabel), m_close(new QToolButton)
 {
     setObjectName("messageBar");
-    setAccessibleName(tr("Message"));
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_close->setObjectName("plain");
-    m_close->setAccessibleName(tr("Close the message"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(kStep + 4, kStep, kStep, kStep);
     layout->setSpacing(kStep);
@@ -30,6 +29,10 @@ MessageBar::MessageBar(QWidget* parent)
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
     dress();
     hide();
+    spoken(*this, [this] {
+        setAccessibleName(tr("Message"));
+        m_close->setAccessibleName(tr("Close the message"));
+    });
 }
 
 void MessageBar::tell(const QString& sentence)

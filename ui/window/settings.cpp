@@ -89,6 +89,17 @@ void Settings::setAppearance(Appearance appearance)
                                                                             : "system");
 }
 
+Language Settings::language() const
+{
+    return languageOf(m_settings.value("look/language").toString().toStdString()).value_or(Language::System);
+}
+
+void Settings::setLanguage(Language language)
+{
+    const std::string_view word = wordOf(language);
+    m_settings.setValue("look/language", QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
+}
+
 QString Settings::pictureFolder() const
 {
     const QString kept = m_settings.value("files/pictures").toString();

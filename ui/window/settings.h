@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QStringList>
 
+#include "ui/text/language.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -36,6 +37,9 @@ public:
 
     Appearance appearance() const;
     void       setAppearance(Appearance appearance);
+
+    Language language() const;
+    void     setLanguage(Language language);
 
     QString pictureFolder() const;
     void    setPictureFolder(const QString& folder);

@@ -6,6 +6,8 @@
 #include <QToolButton>
 
 #include "ui/text/numbers.h"
+#include "ui/text/phrase_book.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -27,15 +29,10 @@ StatusLine::StatusLine(Session& session, QWidget* parent)
 {
     setSizeGripEnabled(false);
     m_algorithm->setObjectName("title");
-    m_time->setAccessibleName(tr("Time of the frame"));
-    m_triangles->setAccessibleName(tr("Triangles"));
-    m_pixel->setAccessibleName(tr("Pixel"));
     m_machine->setObjectName("soft");
     m_progress->setTextVisible(false);
     m_progress->setFixedWidth(120);
-    m_cancel->setText(tr("Cancel"));
     m_cancel->setObjectName("plain");
-    m_cancel->setToolTip(tr("Stop what is being loaded, drawn or replayed (Esc)"));
     connect(m_cancel, &QToolButton::clicked, this, [this] { m_session.cancelWork(); });
     for (QLabel* label : {m_algorithm, m_time, m_exact, m_triangles}) addWidget(label);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_work, m_progress, m_cancel, m_pixel, m_machine})
@@ -45,6 +42,13 @@ StatusLine::StatusLine(Session& session, QWidget* parent)
     m_patience.setSingleShot(true);
     m_patience.setInterval(250);
     connect(&m_patience, &QTimer::timeout, this, [this] { showBusy(m_session.now()); });
+    spoken(*this, [this] {
+        m_time->setAccessibleName(tr("Time of the frame"));
+        m_triangles->setAccessibleName(tr("Triangles"));
+        m_pixel->setAccessibleName(tr("Pixel"));
+        m_cancel->setText(tr("Cancel"));
+        m_cancel->setToolTip(tr("Stop what is being loaded, drawn or replayed (Esc)"));
+    });
 }
 
 void StatusLine::present(const Snapshot& shown, Changes what)
@@ -54,8 +58,8 @@ void StatusLine::present(const Snapshot& shown, Changes what)
         const std::string name   = nameOf(frame.pipeline);
         const Preset*     preset = findPreset(name);
         m_algorithm->setText(QString::fromStdString(name));
-        m_algorithm->setToolTip(!frame.report.why.empty() ? QString::fromStdString(frame.report.why)
-                                : preset ? QString::fromUtf8(preset->title.data(), static_cast<qsizetype>(preset->title.size())) : QString());
+        m_algorithm->setToolTip(!frame.report.why.empty() ? said(frame.report.why)
+                                : preset ? said(preset->title) : QString());
         m_time->setText(milliseconds(frame.report.frameMs));
         m_time->setToolTip(tr("One frame at full speed; replaying up to this step took %1")
                                .arg(shown.step ? milliseconds(shown.step->replayMs) : QStringLiteral("–")));

@@ -15,6 +15,7 @@
 #include "ui/panels/active_edges/line_strip.h"
 #include "ui/parts/row_delegate.h"
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -31,7 +32,6 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
 {
     m_table->setModel(m_model);
     m_table->setItemDelegate(new RowDelegate(m_table));
-    m_table->setAccessibleName(tr("Active edge table"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setShowGrid(false);
@@ -77,6 +77,9 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
     });
     connect(m_strip, &LineStrip::picked, this, [this](int x) {
         if (const SweepState* sweep = this->session().now().sweep()) this->session().pick(QPoint(x, sweep->y));
+    });
+    spoken(*this, [this] {
+        m_table->setAccessibleName(tr("Active edge table"));
     });
 }
 

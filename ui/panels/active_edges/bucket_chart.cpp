@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -24,9 +25,11 @@ std::vector<int> gathered(const std::vector<int>& counts, int columns)
 
 BucketChart::BucketChart(QWidget* parent) : QWidget(parent)
 {
-    setAccessibleName(tr("Edge table"));
-    setToolTip(tr("How many edges start on each line of the picture: the buckets of the edge table"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    spoken(*this, [this] {
+        setAccessibleName(tr("Edge table"));
+        setToolTip(tr("How many edges start on each line of the picture: the buckets of the edge table"));
+    });
 }
 
 void BucketChart::present(const Snapshot& shown)

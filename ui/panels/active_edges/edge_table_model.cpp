@@ -187,7 +187,7 @@ QVariant EdgeTableModel::headerData(int section, Qt::Orientation orientation, in
     case Mark: return QString();
     case Polygon: return tr("polygon");
     case X: return tr("x");
-    case XSubpixels: return tr("x\u00B7256");
+    case XSubpixels: return tr("x·256");
     case Dx: return tr("dx");
     case DxFraction: return tr("exact");
     case FirstLine: return tr("first");

@@ -11,6 +11,7 @@
 #include <QToolTip>
 
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -61,9 +62,11 @@ LineStripContents stripOf(const StepState& state)
 
 LineStrip::LineStrip(QWidget* parent) : QWidget(parent)
 {
-    setAccessibleName(tr("Strip of the current line"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setMouseTracking(true);
+    spoken(*this, [this] {
+        setAccessibleName(tr("Strip of the current line"));
+    });
 }
 
 QSize LineStrip::sizeHint() const

@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -18,6 +17,8 @@
 #include "ui/panels/compare/compare_words.h"
 #include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
+#include "ui/text/phrase_book.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -27,17 +28,20 @@ constexpr int kWipeSteps = 1000;
 
 QString wordOf(const Pipeline& pipeline) { return QString::fromStdString(nameOf(pipeline)); }
 
-QComboBox* presetBox(const QString& accessibleName)
+QComboBox* presetBox()
 {
     auto* box = new QComboBox;
-    box->setAccessibleName(accessibleName);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
-    for (std::size_t i = 0; i < presets().size(); ++i) {
+    for (std::size_t i = 0; i < presets().size(); ++i)
         box->addItem(QString::fromUtf8(presets()[i].name.data(), static_cast<qsizetype>(presets()[i].name.size())), static_cast<int>(i));
-        box->setItemData(box->count() - 1, QCoreApplication::translate("Registry", std::string(presets()[i].title).c_str()), Qt::ToolTipRole);
-    }
     return box;
+}
+
+/// What the presets of a box are, `first` being the first one's row.
+void sayTitles(QComboBox& box, int first)
+{
+    for (std::size_t i = 0; i < presets().size(); ++i) box.setItemData(first + static_cast<int>(i), said(presets()[i].title), Qt::ToolTipRole);
 }
 
 /// A composition without a name of its own stands below the others while it is chosen.
@@ -56,31 +60,22 @@ void choose(QComboBox& box, const std::optional<Pipeline>& pipeline, int first)
 }  // namespace
 
 ComparePanel::ComparePanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_a(presetBox(tr("Algorithm A"))), m_b(presetBox(tr("Algorithm B"))), m_swap(new QPushButton(tr("Swap"))),
-      m_keep(new QPushButton(tr("Keep A as B"))), m_worst(new QPushButton(tr("Worst pixel"))), m_wipe(new QSlider(Qt::Horizontal)),
-      m_tolerance(new QSpinBox), m_linked(new QCheckBox(tr("Step B with A"))), m_verdict(new QLabel), m_times(new QLabel),
+    : Panel(session, parent), m_a(presetBox()), m_b(presetBox()), m_swap(new QPushButton),
+      m_keep(new QPushButton), m_worst(new QPushButton), m_wipe(new QSlider(Qt::Horizontal)),
+      m_tolerance(new QSpinBox), m_linked(new QCheckBox), m_verdict(new QLabel), m_times(new QLabel),
       m_hint(new QLabel), m_grid(new QGridLayout), m_body(new QWidget)
 {
-    m_b->insertItem(0, tr("nothing"), -1);
-    m_swap->setToolTip(tr("B becomes A, and A becomes B"));
-    m_keep->setToolTip(tr("Keeps A as it is as B, so that you can change A and see what that does"));
-    m_worst->setToolTip(tr("Picks a pixel where the two differ most: another surface before another depth"));
+    m_b->insertItem(0, QString(), -1);
     m_wipe->setRange(0, kWipeSteps);
-    m_wipe->setAccessibleName(tr("Where the wipe lies"));
     m_tolerance->setRange(0, 1'000'000'000);
     m_tolerance->setAlignment(Qt::AlignRight);
-    m_tolerance->setAccessibleName(tr("Tolerance in float32 steps"));
     m_tolerance->setKeyboardTracking(false);
-    m_tolerance->setToolTip(tr("Depths of one triangle that are no more float32 steps apart count as equal"));
     m_linked->setFocusPolicy(Qt::TabFocus);
-    m_linked->setToolTip(tr("B stops at the same moment: the same step of the same grain, or the same part of its run"));
     m_verdict->setWordWrap(true);
-    m_verdict->setAccessibleName(tr("Result of the comparison"));
     m_verdict->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
     m_times->setObjectName("soft");
     m_hint->setObjectName("hint");
     m_hint->setWordWrap(true);
-    m_hint->setText(tr("Choose B, or press Shift and a digit, to hold one algorithm against another."));
     for (QPushButton* button : {m_swap, m_keep, m_worst}) button->setFocusPolicy(Qt::TabFocus);
 
     auto* choices = new QGridLayout;
@@ -96,13 +91,8 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
 
     auto* shows = new QHBoxLayout;
     shows->setSpacing(4);
-    const std::array texts{tr("A"), tr("B"), tr("Wipe"), tr("Difference")};
-    const std::array tips{tr("A (T goes to and fro)"), tr("B (T goes to and fro; hold Shift to see it for a moment)"),
-                          tr("A to the left, B to the right of a handle (W)"), tr("Where they differ, and by how much (D)")};
     for (std::size_t i = 0; i < m_shows.size(); ++i) {
         m_shows[i] = new QToolButton;
-        m_shows[i]->setText(texts[i]);
-        m_shows[i]->setToolTip(tips[i]);
         m_shows[i]->setCheckable(true);
         m_shows[i]->setFocusPolicy(Qt::TabFocus);
         shows->addWidget(m_shows[i]);
@@ -115,7 +105,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
 
     auto* tolerance = new QHBoxLayout;
     tolerance->setSpacing(kStep);
-    auto* toleranceName = new QLabel(tr("tolerance, float32 steps"));
+    auto* toleranceName = new QLabel;
     toleranceName->setObjectName("soft");
     tolerance->addWidget(toleranceName);
     tolerance->addWidget(m_tolerance, 1);
@@ -163,6 +153,34 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     connect(m_wipe, &QSlider::valueChanged, this, [this](int value) { this->session().setWipe(static_cast<double>(value) / kWipeSteps); });
     connect(m_tolerance, &QSpinBox::valueChanged, this, [this](int steps) { this->session().setTolerance(static_cast<std::uint32_t>(steps)); });
     connect(m_linked, &QCheckBox::clicked, this, [this](bool on) { this->session().linkSteps(on); });
+    spoken(*this, [this, toleranceName] {
+        m_a->setAccessibleName(tr("Algorithm A"));
+        m_b->setAccessibleName(tr("Algorithm B"));
+        m_swap->setText(tr("Swap"));
+        m_keep->setText(tr("Keep A as B"));
+        m_worst->setText(tr("Worst pixel"));
+        m_linked->setText(tr("Step B with A"));
+        m_swap->setToolTip(tr("B becomes A, and A becomes B"));
+        m_keep->setToolTip(tr("Keeps A as it is as B, so that you can change A and see what that does"));
+        m_worst->setToolTip(tr("Picks a pixel where the two differ most: another surface before another depth"));
+        m_wipe->setAccessibleName(tr("Where the wipe lies"));
+        m_tolerance->setAccessibleName(tr("Tolerance in float32 steps"));
+        m_tolerance->setToolTip(tr("Depths of one triangle that are no more float32 steps apart count as equal"));
+        m_linked->setToolTip(tr("B stops at the same moment: the same step of the same grain, or the same part of its run"));
+        m_verdict->setAccessibleName(tr("Result of the comparison"));
+        m_hint->setText(tr("Choose B, or press Shift and a digit, to hold one algorithm against another."));
+        toleranceName->setText(tr("tolerance, float32 steps"));
+        m_b->setItemText(0, tr("nothing"));
+        sayTitles(*m_a, 0);
+        sayTitles(*m_b, 1);
+        const std::array texts{tr("A"), tr("B"), tr("Wipe"), tr("Difference")};
+        const std::array tips{tr("A (T goes to and fro)"), tr("B (T goes to and fro; hold Shift to see it for a moment)"),
+                              tr("A to the left, B to the right of a handle (W)"), tr("Where they differ, and by how much (D)")};
+        for (std::size_t i = 0; i < m_shows.size(); ++i) {
+            m_shows[i]->setText(texts[i]);
+            m_shows[i]->setToolTip(tips[i]);
+        }
+    });
 }
 
 void ComparePanel::present(const Snapshot& shown, Changes what)

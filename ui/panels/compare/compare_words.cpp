@@ -8,7 +8,9 @@
 namespace zscope::ui {
 namespace {
 
-QString tr(const char* source) { return QCoreApplication::translate("Compare", source); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(Compare)
+};
 
 }  // namespace
 
@@ -21,24 +23,24 @@ CompareWords wordsOf(const Comparison& result)
     const bool isFinished = result.a || (result.stepA->isLast() && result.stepB->isLast());
     words.isWrong = isFinished && figures.wrongPixels() > 0;  // half done, one has simply come farther than the other
     if (figures.isExact())
-        words.verdict = tr("B is A to the bit: the same triangle and the same depth at all %1 pixels.").arg(grouped(figures.pixels));
+        words.verdict = Words::tr("B is A to the bit: the same triangle and the same depth at all %1 pixels.").arg(grouped(figures.pixels));
     else if (difference.differing() == 0)
-        words.verdict = tr("Every pixel shows the same triangle; no depth is farther off than the tolerance.");
+        words.verdict = Words::tr("Every pixel shows the same triangle; no depth is farther off than the tolerance.");
     else
-        words.verdict = (isFinished ? counted(difference.differing(), tr("1 pixel differs."), tr("%1 pixels differ."))
-                                    : counted(difference.differing(), tr("1 pixel differs at this moment."), tr("%1 pixels differ at this moment."))) + ' ' +
-                        tr("Of all: %1 %.").arg(decimal(100.0 * static_cast<double>(difference.differing()) / static_cast<double>(figures.pixels), 3));
+        words.verdict = (isFinished ? counted(difference.differing(), Words::tr("1 pixel differs."), Words::tr("%1 pixels differ."))
+                                    : counted(difference.differing(), Words::tr("1 pixel differs at this moment."), Words::tr("%1 pixels differ at this moment."))) + ' ' +
+                        Words::tr("Of all: %1 %.").arg(decimal(100.0 * static_cast<double>(difference.differing()) / static_cast<double>(figures.pixels), 3));
 
     words.figures = {
-        {tr("holes: A shows something, B does not"), grouped(figures.holes), isFinished && figures.holes > 0},
-        {tr("spills: B shows something, A does not"), grouped(figures.spills), isFinished && figures.spills > 0},
-        {tr("another surface, farther off than a tie"), grouped(figures.realWrongSurface), isFinished && figures.realWrongSurface > 0},
-        {tr("another surface, a near tie"), grouped(figures.nearTies), isFinished && figures.nearTies > 0},
-        {tr("same triangle, B nearer"), grouped(count(PixelDifference::DepthNearer))},
-        {tr("same triangle, B farther"), grouped(count(PixelDifference::DepthFarther))},
-        {tr("most float32 steps on a triangle"), grouped(difference.mostSteps)},
-        {tr("steps at 99 of 100 pixels, at most"), grouped(figures.p99DepthSteps)},
-        {tr("triangles lost"), grouped(figures.lostTriangles), isFinished && figures.lostTriangles > 0},
+        {Words::tr("holes: A shows something, B does not"), grouped(figures.holes), isFinished && figures.holes > 0},
+        {Words::tr("spills: B shows something, A does not"), grouped(figures.spills), isFinished && figures.spills > 0},
+        {Words::tr("another surface, farther off than a tie"), grouped(figures.realWrongSurface), isFinished && figures.realWrongSurface > 0},
+        {Words::tr("another surface, a near tie"), grouped(figures.nearTies), isFinished && figures.nearTies > 0},
+        {Words::tr("same triangle, B nearer"), grouped(count(PixelDifference::DepthNearer))},
+        {Words::tr("same triangle, B farther"), grouped(count(PixelDifference::DepthFarther))},
+        {Words::tr("most float32 steps on a triangle"), grouped(difference.mostSteps)},
+        {Words::tr("steps at 99 of 100 pixels, at most"), grouped(figures.p99DepthSteps)},
+        {Words::tr("triangles lost"), grouped(figures.lostTriangles), isFinished && figures.lostTriangles > 0},
     };
     return words;
 }

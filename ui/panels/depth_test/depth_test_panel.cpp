@@ -8,58 +8,61 @@
 #include <QVBoxLayout>
 
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
 namespace {
 
-QString tr(const char* source) { return QCoreApplication::translate("DepthTest", source); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(DepthTest)
+};
 
 void tellPixel(const PixelState& pixel, DepthTestContents& told)
 {
-    if (pixel.discarded) told.verdict = tr("It lies in a hole of its material: there is no fragment to test.");
+    if (pixel.discarded) told.verdict = Words::tr("It lies in a hole of its material: there is no fragment to test.");
     else if (pixel.keep == Keep::DepthOnly)
-        told.verdict = pixel.won ? tr("The nearest so far: the pre-pass keeps its D.") : tr("Not nearer than the D that the pre-pass has kept.");
+        told.verdict = pixel.won ? Words::tr("The nearest so far: the pre-pass keeps its D.") : Words::tr("Not nearer than the D that the pre-pass has kept.");
     else if (!pixel.rival && !pixel.won)
-        told.verdict = pixel.keep == Keep::Equal ? tr("Farther than the D that the pre-pass kept: it is hidden.")
-                                                 : tr("It lies beyond the far plane: the pixel stays background.");
-    else if (!pixel.rival) told.verdict = tr("The pixel was background: the first triangle to cover it owns it.");
+        told.verdict = pixel.keep == Keep::Equal ? Words::tr("Farther than the D that the pre-pass kept: it is hidden.")
+                                                 : Words::tr("It lies beyond the far plane: the pixel stays background.");
+    else if (!pixel.rival) told.verdict = Words::tr("The pixel was background: the first triangle to cover it owns it.");
     else if (pixel.depth == pixel.rivalDepth)
-        told.verdict = pixel.won ? tr("Equal depth, and the lower number wins: the pixel changes hands.")
-                                 : tr("Equal depth, and the lower number wins: the pixel stays as it is.");
+        told.verdict = pixel.won ? Words::tr("Equal depth, and the lower number wins: the pixel changes hands.")
+                                 : Words::tr("Equal depth, and the lower number wins: the pixel stays as it is.");
     else
-        told.verdict = pixel.won ? tr("The larger D is nearer: the pixel changes hands.")
-                                 : tr("The smaller D is farther: the pixel stays as it is.");
-    told.facts.push_back({tr("pixel"), QString("%1, %2").arg(pixel.x).arg(pixel.y)});
-    told.facts.push_back({tr("offered by triangle"), grouped(pixel.triangle.value)});
-    told.facts.push_back({tr("its depth D"), depthText(pixel.depth)});
-    if (pixel.unmovedDepth) told.facts.push_back({tr("D before its relief"), depthText(*pixel.unmovedDepth)});
-    told.facts.push_back({tr("owner before"), pixel.rival ? grouped(pixel.rival->value) : tr("background")});
-    if (pixel.rival) told.facts.push_back({tr("its depth D"), depthText(pixel.rivalDepth)});
+        told.verdict = pixel.won ? Words::tr("The larger D is nearer: the pixel changes hands.")
+                                 : Words::tr("The smaller D is farther: the pixel stays as it is.");
+    told.facts.push_back({Words::tr("pixel"), QString("%1, %2").arg(pixel.x).arg(pixel.y)});
+    told.facts.push_back({Words::tr("offered by triangle"), grouped(pixel.triangle.value)});
+    told.facts.push_back({Words::tr("its depth D"), depthText(pixel.depth)});
+    if (pixel.unmovedDepth) told.facts.push_back({Words::tr("D before its relief"), depthText(*pixel.unmovedDepth)});
+    told.facts.push_back({Words::tr("owner before"), pixel.rival ? grouped(pixel.rival->value) : Words::tr("background")});
+    if (pixel.rival) told.facts.push_back({Words::tr("its depth D"), depthText(pixel.rivalDepth)});
 }
 
 void tellTriangle(const TriangleState& triangle, DepthTestContents& told)
 {
-    told.facts.push_back({tr("triangle"), grouped(triangle.triangle.value)});
+    told.facts.push_back({Words::tr("triangle"), grouped(triangle.triangle.value)});
     for (const auto& corner : triangle.corners)
-        told.facts.push_back({tr("corner"), QString("%1,  %2").arg(decimal(corner[0], 2), decimal(corner[1], 2))});
-    told.facts.push_back({tr("pixels won so far"), grouped(triangle.pixelsWon)});
+        told.facts.push_back({Words::tr("corner"), QString("%1,  %2").arg(decimal(corner[0], 2), decimal(corner[1], 2))});
+    told.facts.push_back({Words::tr("pixels won so far"), grouped(triangle.pixelsWon)});
 }
 
 void tellPick(const PixelFacts& facts, DepthTestContents& told)
 {
-    told.facts.push_back({tr("picked pixel"), QString("%1, %2").arg(facts.pixel.x()).arg(facts.pixel.y())});
+    told.facts.push_back({Words::tr("picked pixel"), QString("%1, %2").arg(facts.pixel.x()).arg(facts.pixel.y())});
     if (!facts.triangle) {
-        told.facts.push_back({tr("owner"), tr("background")});
+        told.facts.push_back({Words::tr("owner"), Words::tr("background")});
         return;
     }
-    told.facts.push_back({tr("owner, triangle"), grouped(facts.triangle->value)});
-    told.facts.push_back({tr("depth D"), depthText(facts.depth)});
-    told.facts.push_back({tr("distance z"), decimal(facts.z, 6)});
-    told.facts.push_back({tr("polygon of the file"), grouped(facts.polygon)});
-    if (!facts.instance.isEmpty()) told.facts.push_back({tr("instance"), facts.instance});
-    if (!facts.group.isEmpty()) told.facts.push_back({tr("group"), facts.group});
-    if (!facts.material.isEmpty()) told.facts.push_back({tr("material"), facts.material});
+    told.facts.push_back({Words::tr("owner, triangle"), grouped(facts.triangle->value)});
+    told.facts.push_back({Words::tr("depth D"), depthText(facts.depth)});
+    told.facts.push_back({Words::tr("distance z"), decimal(facts.z, 6)});
+    told.facts.push_back({Words::tr("polygon of the file"), grouped(facts.polygon)});
+    if (!facts.instance.isEmpty()) told.facts.push_back({Words::tr("instance"), facts.instance});
+    if (!facts.group.isEmpty()) told.facts.push_back({Words::tr("group"), facts.group});
+    if (!facts.material.isEmpty()) told.facts.push_back({Words::tr("material"), facts.material});
 }
 
 }  // namespace
@@ -72,15 +75,14 @@ DepthTestContents depthTestOf(const Snapshot& shown)
     if (step && step->state.triangle) tellTriangle(*step->state.triangle, told);
     if (const auto facts = shown.picked ? factsOf(shown, *shown.picked) : std::nullopt) tellPick(*facts, told);
     if (told.verdict.isEmpty() && told.facts.empty())
-        told.verdict = shown.scene ? tr("Click a pixel of the picture to see who owns it, or step by the grain “pixel” to "
+        told.verdict = shown.scene ? Words::tr("Click a pixel of the picture to see who owns it, or step by the grain “pixel” to "
                                         "watch each depth test.")
-                                   : tr("Open a scene to see its depth tests.");
+                                   : Words::tr("Open a scene to see its depth tests.");
     return told;
 }
 
 DepthTestPanel::DepthTestPanel(Session& session, QWidget* parent) : Panel(session, parent), m_verdict(new QLabel)
 {
-    setAccessibleName(tr("Depth test"));
     m_verdict->setWordWrap(true);
     auto* inside = new QWidget;
     auto* layout = new QVBoxLayout(inside);
@@ -103,6 +105,9 @@ DepthTestPanel::DepthTestPanel(Session& session, QWidget* parent) : Panel(sessio
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scroll);
     setMinimumHeight(96);
+    spoken(*this, [this] {
+        setAccessibleName(tr("Depth test"));
+    });
 }
 
 void DepthTestPanel::present(const Snapshot& shown, Changes what)

@@ -9,6 +9,7 @@
 #include <QToolTip>
 
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/verdicts.h"
 
 namespace zscope::ui {
@@ -22,11 +23,13 @@ constexpr int kLabelWidth = 44;
 
 DepthChart::DepthChart(QWidget* parent) : QWidget(parent)
 {
-    setAccessibleName(tr("Nodes per depth"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.85);
     setFont(small);
+    spoken(*this, [this] {
+        setAccessibleName(tr("Nodes per depth"));
+    });
 }
 
 void DepthChart::present(const std::vector<std::array<std::size_t, 6>>& counts)

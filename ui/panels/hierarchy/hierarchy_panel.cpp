@@ -16,18 +16,18 @@
 #include "ui/parts/verdict_bar.h"
 #include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
 
 HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_model(new NodeModel(this)), m_filter(new NodeFilter(*m_model, this)), m_tree(new QTreeView),
-      m_text(new QLineEdit), m_verdicts(new VerdictBar(tr("Nodes in the tree, by verdict"), everyVerdict())), m_depths(new DepthChart),
-      m_boxes(new QCheckBox(tr("Boxes over the picture"))), m_hint(new QLabel)
+      m_text(new QLineEdit), m_verdicts(new VerdictBar(everyVerdict())), m_depths(new DepthChart),
+      m_boxes(new QCheckBox), m_hint(new QLabel)
 {
     m_tree->setModel(m_filter);
     m_tree->setItemDelegate(new RowDelegate(m_tree));
-    m_tree->setAccessibleName(tr("Nodes of the hierarchy"));
     m_tree->setUniformRowHeights(true);
     m_tree->setProperty("ownsArrows", true);
     m_tree->setFrameShape(QFrame::NoFrame);
@@ -43,10 +43,7 @@ HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionsMovable(false);
     m_tree->header()->setSectionResizeMode(QHeaderView::Fixed);
-    m_text->setPlaceholderText(tr("Filter: part of a path, or an instance"));
-    m_text->setAccessibleName(tr("Filter of the nodes"));
     m_text->setClearButtonEnabled(true);
-    m_boxes->setToolTip(tr("Draws the boxes of the nodes that the switches above let through"));
     m_boxes->setFocusPolicy(Qt::TabFocus);
     m_hint->setObjectName("hint");
     m_hint->setWordWrap(true);
@@ -92,6 +89,14 @@ HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
         Layers layers = this->session().now().layers;
         layers.boxes  = on;
         this->session().setLayers(layers);
+    });
+    spoken(*this, [this] {
+        m_verdicts->setAccessibleName(tr("Nodes in the tree, by verdict"));
+        m_boxes->setText(tr("Boxes over the picture"));
+        m_tree->setAccessibleName(tr("Nodes of the hierarchy"));
+        m_text->setPlaceholderText(tr("Filter: part of a path, or an instance"));
+        m_text->setAccessibleName(tr("Filter of the nodes"));
+        m_boxes->setToolTip(tr("Draws the boxes of the nodes that the switches above let through"));
     });
 }
 

@@ -12,6 +12,7 @@
 #include "ui/parts/verdict_bar.h"
 #include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -23,12 +24,10 @@ constexpr VerdictSet kBoxesAtFirst{false, true, true, false, true, true};  // by
 }  // namespace
 
 ObserverPanel::ObserverPanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_view(new ObserverView), m_boxes(new VerdictBar(tr("Boxes seen by the observer, by verdict"), kBoxesAtFirst)),
-      m_freeze(new QCheckBox(tr("Freeze the culling view"))), m_reset(new QPushButton(tr("Whole scene"))), m_words(new QLabel), m_hint(new QLabel)
+    : Panel(session, parent), m_view(new ObserverView), m_boxes(new VerdictBar(kBoxesAtFirst)),
+      m_freeze(new QCheckBox), m_reset(new QPushButton), m_words(new QLabel), m_hint(new QLabel)
 {
-    m_freeze->setToolTip(tr("Keeps this step's view and verdicts here while the camera of the picture moves on"));
     m_freeze->setFocusPolicy(Qt::TabFocus);
-    m_reset->setToolTip(tr("Looks at the whole scene and the frustum again"));
     m_reset->setFocusPolicy(Qt::TabFocus);
     m_words->setObjectName("soft");
     m_words->setWordWrap(true);
@@ -37,7 +36,6 @@ ObserverPanel::ObserverPanel(Session& session, QWidget* parent)
     m_hint->setWordWrap(true);
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setMargin(2 * kStep);
-    m_hint->setText(tr("The boxes appear here as soon as the hierarchy is visited. Press Right to go on, or choose the grain “node”."));
 
     auto* row = new QHBoxLayout;
     row->setSpacing(kStep);
@@ -70,6 +68,15 @@ ObserverPanel::ObserverPanel(Session& session, QWidget* parent)
         m_frozen      = on && now.hierarchy() ? now.step : nullptr;
         m_frozenScene = m_frozen ? now.scene : nullptr;
         showStep(now);
+    });
+    spoken(*this, [this] {
+        m_boxes->setAccessibleName(tr("Boxes seen by the observer, by verdict"));
+        m_freeze->setText(tr("Freeze the culling view"));
+        m_reset->setText(tr("Whole scene"));
+        m_freeze->setToolTip(tr("Keeps this step's view and verdicts here while the camera of the picture moves on"));
+        m_reset->setToolTip(tr("Looks at the whole scene and the frustum again"));
+        m_hint->setText(tr("The boxes appear here as soon as the hierarchy is visited. Press Right to go on, or choose the grain “node”."));
+        showWords();
     });
 }
 

@@ -9,6 +9,7 @@
 #include <QWheelEvent>
 
 #include "ui/session/engine.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -24,11 +25,13 @@ constexpr int    kThreads      = 1;     // the picture in the middle has the oth
 
 ObserverView::ObserverView(QWidget* parent) : QWidget(parent), m_worker(std::make_unique<Worker>())
 {
-    setAccessibleName(tr("The hierarchy from outside"));
-    setAccessibleDescription(tr("Drag orbits, the middle button pans, the wheel comes closer, arrow keys turn, a click selects a node"));
     setFocusPolicy(Qt::StrongFocus);
     setProperty("ownsArrows", true);
     setAttribute(Qt::WA_OpaquePaintEvent);
+    spoken(*this, [this] {
+        setAccessibleName(tr("The hierarchy from outside"));
+        setAccessibleDescription(tr("Drag orbits, the middle button pans, the wheel comes closer, arrow keys turn, a click selects a node"));
+    });
 }
 
 ObserverView::~ObserverView() = default;

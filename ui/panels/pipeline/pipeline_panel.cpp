@@ -2,7 +2,6 @@
 #include "ui/panels/pipeline/pipeline_panel.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -12,15 +11,14 @@
 #include <QVBoxLayout>
 
 #include "ui/text/numbers.h"
+#include "ui/text/phrase_book.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
 namespace {
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
-
-/// Registry titles are English; a translation may know them in the context "Registry".
-QString translated(std::string_view title) { return QCoreApplication::translate("Registry", std::string(title).c_str()); }
 
 }  // namespace
 
@@ -37,8 +35,9 @@ PipelinePanel::PipelinePanel(Session& session, QWidget* parent) : Panel(session,
     addAxes(*choices);
     layout->addLayout(choices);
 
-    auto* ran = new QLabel(tr("What ran"));
+    auto* ran = new QLabel;
     ran->setObjectName("section");
+    spoken(*ran, [ran] { ran->setText(tr("What ran")); });
     layout->addSpacing(4);
     layout->addWidget(ran);
     auto* stages = new QGridLayout;
@@ -68,18 +67,18 @@ void PipelinePanel::addAxes(QGridLayout& grid)
 {
     for (std::size_t i = 0; i < axes().size(); ++i) {
         const AxisEntry& axis  = axes()[i];
-        auto*            name  = new QLabel(text(axis.word));
+        auto*            name  = new QLabel;
         auto*            combo = new QComboBox;
         name->setObjectName("soft");
-        name->setToolTip(translated(axis.title));
-        combo->setAccessibleName(translated(axis.title));
+        spoken(*combo, [combo, name, &axis] {
+            name->setText(said(axis.word));
+            name->setToolTip(said(axis.title));
+            combo->setAccessibleName(said(axis.title));
+        });
         combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         combo->setMinimumContentsLength(10);
         combo->setObjectName("compact");
-        for (const ChoiceEntry& choice : axis.choices) {
-            combo->addItem(text(choice.word));
-            combo->setItemData(combo->count() - 1, translated(choice.title), Qt::ToolTipRole);
-        }
+        for (const ChoiceEntry& choice : axis.choices) combo->addItem(text(choice.word));  // showChoices() adds its title
         name->setBuddy(combo);
         grid.addWidget(name, static_cast<int>(i), 0);
         grid.addWidget(combo, static_cast<int>(i), 1);
@@ -91,8 +90,9 @@ void PipelinePanel::addAxes(QGridLayout& grid)
 void PipelinePanel::addStages(QGridLayout& grid)
 {
     for (const Stage stage : kStages) {
-        const StageRow row{new QLabel(text(wordOf(stage))), new QLabel};
+        const StageRow row{new QLabel, new QLabel};
         const int      line = static_cast<int>(m_stages.size());
+        spoken(*row.name, [name = row.name, stage] { name->setText(said(wordOf(stage))); });
         row.ms->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         grid.addWidget(row.name, line, 0);
         grid.addWidget(row.ms, line, 1);
@@ -123,13 +123,13 @@ void PipelinePanel::showChoices(const Snapshot& shown)
         for (std::size_t c = 0; c < axis.choices.size(); ++c) {
             if (axis.choices[c].word == chosen(shown.pipeline, axis.word)) {
                 m_axes[i]->setCurrentIndex(static_cast<int>(c));
-                m_axes[i]->setToolTip(translated(axis.choices[c].title));
+                m_axes[i]->setToolTip(said(axis.choices[c].title));
             }
             const auto possible = withChoice(shown.pipeline, axis.word, axis.choices[c].word);
             const auto why      = possible ? explainInvalid(*possible) : std::nullopt;
             QStandardItem* item = model->item(static_cast<int>(c));
             item->setEnabled(!why);
-            item->setToolTip(why ? QString::fromStdString(*why) : translated(axis.choices[c].title));
+            item->setToolTip(why ? said(*why) : said(axis.choices[c].title));
         }
     }
     const Preset* preset = findPreset(nameOf(shown.pipeline));
@@ -148,10 +148,10 @@ void PipelinePanel::showStages(const Snapshot& shown)
         m_stages[i].ms->setVisible(ran);
         if (ran) {
             m_stages[i].ms->setText(milliseconds(stage->ms));
-            m_stages[i].name->setToolTip(QString::fromStdString(stage->why));
+            m_stages[i].name->setToolTip(said(stage->why));
         } else if (stage) {
-            QString why = text(wordOf(stage->stage));
-            if (!stage->why.empty()) why += ": " + QString::fromStdString(stage->why);
+            QString why = said(wordOf(stage->stage));
+            if (!stage->why.empty()) why += ": " + said(stage->why);
             notRun << why;
         }
     }

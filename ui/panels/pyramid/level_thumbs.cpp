@@ -12,6 +12,7 @@
 
 #include "ui/session/engine.h"
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -43,8 +44,10 @@ ThumbLayout thumbLayout(int count, int width, QSize picture, int gap)
 LevelThumbs::LevelThumbs(QWidget* parent) : QWidget(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Levels of the pyramid"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    spoken(*this, [this] {
+        setAccessibleName(tr("Levels of the pyramid"));
+    });
 }
 
 int LevelThumbs::heightFor(int width) const

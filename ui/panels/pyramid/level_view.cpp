@@ -8,6 +8,7 @@
 
 #include "ui/panels/pyramid/pyramid_words.h"
 #include "ui/session/engine.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 #include "ui/view/overlay.h"
 
@@ -15,9 +16,11 @@ namespace zscope::ui {
 
 LevelView::LevelView(QWidget* parent) : QWidget(parent)
 {
-    setAccessibleName(tr("One level of the pyramid, large"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMouseTracking(true);
+    spoken(*this, [this] {
+        setAccessibleName(tr("One level of the pyramid, large"));
+    });
 }
 
 void LevelView::present(const Snapshot& shown)

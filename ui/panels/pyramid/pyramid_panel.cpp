@@ -14,13 +14,14 @@
 #include "ui/panels/pyramid/pyramid_words.h"
 #include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
 
 PyramidPanel::PyramidPanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_thumbs(new LevelThumbs), m_large(new LevelView), m_question(new QLabel), m_update(new QLabel),
-      m_hint(new QLabel), m_overlay(new QCheckBox(tr("Over the picture"))), m_follow(new QPushButton(tr("Follow the step")))
+      m_hint(new QLabel), m_overlay(new QCheckBox), m_follow(new QPushButton)
 {
     m_hint->setObjectName("hint");
     m_hint->setWordWrap(true);
@@ -33,11 +34,7 @@ PyramidPanel::PyramidPanel(Session& session, QWidget* parent)
         label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
     }
-    m_question->setAccessibleName(tr("The last question to the pyramid"));
-    m_update->setAccessibleName(tr("The cell written last"));
-    m_overlay->setToolTip(tr("Lays the cells of this level over the picture, with their values when zoomed in"));
     m_overlay->setFocusPolicy(Qt::TabFocus);
-    m_follow->setToolTip(tr("Shows the level that the last question or update was about"));
     m_follow->setFocusPolicy(Qt::TabFocus);
 
     auto* row = new QHBoxLayout;
@@ -67,6 +64,14 @@ PyramidPanel::PyramidPanel(Session& session, QWidget* parent)
         Layers layers  = this->session().now().layers;
         layers.pyramid = on;
         this->session().setLayers(layers);
+    });
+    spoken(*this, [this] {
+        m_overlay->setText(tr("Over the picture"));
+        m_follow->setText(tr("Follow the step"));
+        m_question->setAccessibleName(tr("The last question to the pyramid"));
+        m_update->setAccessibleName(tr("The cell written last"));
+        m_overlay->setToolTip(tr("Lays the cells of this level over the picture, with their values when zoomed in"));
+        m_follow->setToolTip(tr("Shows the level that the last question or update was about"));
     });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/scene/scene_panel.h"
 
+#include <array>
+
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -10,6 +12,8 @@
 #include <QVBoxLayout>
 
 #include "ui/text/numbers.h"
+#include "ui/text/phrase_book.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -21,7 +25,7 @@ constexpr std::size_t kWarningsShown = 200;
 
 ScenePanel::ScenePanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_title(new QLabel), m_hint(new QLabel), m_facts(new QWidget), m_turning(new QWidget),
-      m_normalise(new QPushButton(tr("Normalise"))), m_warningsTitle(new QLabel), m_warnings(new QListWidget)
+      m_normalise(new QPushButton), m_warningsTitle(new QLabel), m_warnings(new QListWidget)
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
@@ -31,16 +35,16 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     layout->addWidget(m_title);
     m_hint->setObjectName("hint");
     m_hint->setWordWrap(true);
-    m_hint->setText(tr("Drop an OBJ file on the window, press Ctrl+O, or choose File ▸ Examples."));
     layout->addWidget(m_hint);
 
     auto* facts = new QGridLayout(m_facts);
     facts->setContentsMargins(0, 0, 0, 0);
     facts->setVerticalSpacing(3);
     facts->setColumnStretch(1, 1);
-    const std::array names{tr("triangles"), tr("polygons"), tr("vertices"), tr("instances"), tr("size")};
-    for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-        auto* name = new QLabel(names[static_cast<std::size_t>(i)]);
+    std::array<QLabel*, 5> factNames{};
+    for (int i = 0; i < static_cast<int>(factNames.size()); ++i) {
+        auto*& name = factNames[static_cast<std::size_t>(i)];
+        name        = new QLabel;
         name->setObjectName("soft");
         auto*& value = m_values[static_cast<std::size_t>(i)];
         value        = new QLabel;
@@ -54,12 +58,11 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     auto* turning = new QVBoxLayout(m_turning);
     turning->setContentsMargins(0, 0, 0, 0);
     turning->setSpacing(6);
-    auto* section = new QLabel(tr("Turn the model: y, z, y in degrees"));
+    auto* section = new QLabel;
     section->setObjectName("soft");
     turning->addWidget(section);
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
-    const std::array axisNames{tr("First angle, about y"), tr("Second angle, about z"), tr("Third angle, about y")};
     for (std::size_t i = 0; i < m_angles.size(); ++i) {
         m_angles[i] = new QDoubleSpinBox;
         m_angles[i]->setRange(-360, 360);
@@ -67,15 +70,12 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
         m_angles[i]->setSingleStep(5);
         m_angles[i]->setAlignment(Qt::AlignRight);
         m_angles[i]->setKeyboardTracking(false);
-        m_angles[i]->setAccessibleName(axisNames[i]);
-        m_angles[i]->setToolTip(tr("%1. The camera goes round the model, so the light turns with it.").arg(axisNames[i]));
         m_angles[i]->setMinimumWidth(40);
         row->addWidget(m_angles[i], 1);
         connect(m_angles[i], &QDoubleSpinBox::valueChanged, this, &ScenePanel::turn);
     }
     turning->addLayout(row);
     m_normalise->setFocusPolicy(Qt::TabFocus);
-    m_normalise->setToolTip(tr("Puts the mean of the vertices in the middle and fits the model's cube to the picture"));
     turning->addWidget(m_normalise);
     connect(m_normalise, &QPushButton::clicked, this, [this] { this->session().normaliseModel(); });
     layout->addWidget(m_turning);
@@ -84,10 +84,23 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     layout->addWidget(m_warningsTitle);
     m_warnings->setFrameShape(QFrame::NoFrame);
     m_warnings->setWordWrap(true);
-    m_warnings->setAccessibleName(tr("Warnings"));
     layout->addWidget(m_warnings, 1);
     layout->addStretch(0);
     showScene(session.now());
+    spoken(*this, [this, section, factNames] {
+        m_normalise->setText(tr("Normalise"));
+        m_hint->setText(tr("Drop an OBJ file on the window, press Ctrl+O, or choose File ▸ Examples."));
+        m_normalise->setToolTip(tr("Puts the mean of the vertices in the middle and fits the model's cube to the picture"));
+        m_warnings->setAccessibleName(tr("Warnings"));
+        section->setText(tr("Turn the model: y, z, y in degrees"));
+        const std::array factTexts{tr("triangles"), tr("polygons"), tr("vertices"), tr("instances"), tr("size")};
+        for (std::size_t i = 0; i < factTexts.size(); ++i) factNames[i]->setText(factTexts[i]);
+        const std::array axisNames{tr("First angle, about y"), tr("Second angle, about z"), tr("Third angle, about y")};
+        for (std::size_t i = 0; i < axisNames.size(); ++i) {
+            m_angles[i]->setAccessibleName(axisNames[i]);
+            m_angles[i]->setToolTip(tr("%1. The camera goes round the model, so the light turns with it.").arg(axisNames[i]));
+        }
+    });
 }
 
 void ScenePanel::present(const Snapshot& shown, Changes what)
@@ -125,8 +138,8 @@ void ScenePanel::showScene(const Snapshot& shown)
     m_warnings->setVisible(true);
     for (std::size_t i = 0; i < warnings && i < kWarningsShown; ++i) {
         const Warning& warning = scene.warnings[i];
-        m_warnings->addItem(warning.line > 0 ? tr("line %1: %2").arg(warning.line).arg(QString::fromStdString(warning.sentence))
-                                             : QString::fromStdString(warning.sentence));
+        m_warnings->addItem(warning.line > 0 ? tr("line %1: %2").arg(warning.line).arg(said(warning.sentence))
+                                             : said(warning.sentence));
     }
     if (warnings > kWarningsShown)
         m_warnings->addItem(tr("and %1 more").arg(grouped(warnings - kWarningsShown)));

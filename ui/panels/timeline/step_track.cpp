@@ -10,6 +10,7 @@
 #include <QToolTip>
 
 #include "ui/text/numbers.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -35,12 +36,14 @@ StepTrack::StepTrack(QWidget* parent) : QAbstractSlider(parent)
 {
     setOrientation(Qt::Horizontal);
     setFocusPolicy(Qt::TabFocus);
-    setAccessibleName(tr("Step"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setMouseTracking(true);
     connect(this, &QAbstractSlider::valueChanged, this, [this](int position) {
         update();
         if (!m_presenting) emit stepChosen(m_scale.stepOf(position));
+    });
+    spoken(*this, [this] {
+        setAccessibleName(tr("Step"));
     });
 }
 

@@ -13,6 +13,8 @@
 
 #include "ui/panels/timeline/step_track.h"
 #include "ui/text/numbers.h"
+#include "ui/text/phrase_book.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
 
@@ -48,25 +50,14 @@ QString positionText(const std::optional<Session::Position>& at)
 }
 
 TimelinePanel::TimelinePanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_first(new QPushButton), m_back(new QPushButton(tr("Left"))),
-      m_play(new QPushButton), m_forward(new QPushButton(tr("Right"))), m_last(new QPushButton), m_grain(new QComboBox),
+    : Panel(session, parent), m_first(new QPushButton), m_back(new QPushButton),
+      m_play(new QPushButton), m_forward(new QPushButton), m_last(new QPushButton), m_grain(new QComboBox),
       m_speed(new QComboBox), m_position(new QLabel), m_track(new StepTrack), m_sentence(new QLabel)
 {
-    m_first->setAccessibleName(tr("First step"));
-    m_first->setToolTip(tr("First step (Home)"));
-    m_back->setToolTip(tr("One step back (Left); Shift+Left: one of the next coarser grain"));
-    m_play->setToolTip(tr("Play or pause (Space)"));
     m_play->setObjectName("strong");
-    m_forward->setToolTip(tr("One step forward (Right); Shift+Right: one of the next coarser grain"));
     m_forward->setLayoutDirection(Qt::RightToLeft);  // the arrow after the word
-    m_last->setAccessibleName(tr("Last step"));
-    m_last->setToolTip(tr("The finished picture (End)"));
-    m_grain->setAccessibleName(tr("Grain of a step"));
-    m_grain->setToolTip(tr("How large a step is"));
-    m_speed->setAccessibleName(tr("Speed of playing"));
-    m_speed->setToolTip(tr("Steps per second while playing"));
     for (const int speed : kSpeeds) {
-        m_speed->addItem(tr("%1 / s").arg(grouped(static_cast<unsigned>(speed))), speed);
+        m_speed->addItem(QString(), speed);
         if (speed == kFirstSpeed) m_speed->setCurrentIndex(m_speed->count() - 1);
     }
     session.player().setSpeed(kFirstSpeed);
@@ -87,7 +78,6 @@ TimelinePanel::TimelinePanel(Session& session, QWidget* parent)
     m_sentence->setWordWrap(true);
     m_sentence->setTextFormat(Qt::PlainText);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_sentence->setAccessibleName(tr("What this step did"));
     m_sentence->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     QFont large = m_sentence->font();
     large.setPointSizeF(large.pointSizeF() * 1.15);
@@ -114,7 +104,24 @@ TimelinePanel::TimelinePanel(Session& session, QWidget* parent)
     });
     connect(m_speed, &QComboBox::activated, this,
             [this](int index) { this->session().player().setSpeed(m_speed->itemData(index).toDouble()); });
-    dressButtons();
+    spoken(*this, [this] {
+        m_back->setText(tr("Left"));
+        m_forward->setText(tr("Right"));
+        m_first->setAccessibleName(tr("First step"));
+        m_first->setToolTip(tr("First step (Home)"));
+        m_back->setToolTip(tr("One step back (Left); Shift+Left: one of the next coarser grain"));
+        m_play->setToolTip(tr("Play or pause (Space)"));
+        m_forward->setToolTip(tr("One step forward (Right); Shift+Right: one of the next coarser grain"));
+        m_last->setAccessibleName(tr("Last step"));
+        m_last->setToolTip(tr("The finished picture (End)"));
+        m_grain->setAccessibleName(tr("Grain of a step"));
+        m_grain->setToolTip(tr("How large a step is"));
+        m_speed->setAccessibleName(tr("Speed of playing"));
+        m_speed->setToolTip(tr("Steps per second while playing"));
+        m_sentence->setAccessibleName(tr("What this step did"));
+        for (int i = 0; i < m_speed->count(); ++i) m_speed->setItemText(i, tr("%1 / s").arg(grouped(m_speed->itemData(i).toUInt())));
+        dressButtons();
+    });
 }
 
 void TimelinePanel::dressButtons()
@@ -151,7 +158,7 @@ void TimelinePanel::showStep(const Snapshot& shown)
     m_track->setEnabled(at.has_value());
     m_position->setText(positionText(at));
     const ShownStep* step = shown.stepOfPicture();
-    m_sentence->setText(step ? QString::fromStdString(step->state.sentence)
+    m_sentence->setText(step ? said(step->state.sentence)
                         : shown.scene ? QString()
                                       : tr("The steps of the algorithm appear here once a scene is open."));
     const bool scene = shown.scene != nullptr;

@@ -5,11 +5,14 @@
 #include <QFont>
 
 #include "ui/text/numbers.h"
+#include "ui/text/phrase_book.h"
 
 namespace zscope::ui {
 namespace {
 
-QString tr(const char* source) { return QCoreApplication::translate("Why", source); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(Why)
+};
 
 constexpr quintptr kTop = 0;  // internal id of a top row; of an event: 1 + the row of its triangle
 
@@ -18,24 +21,24 @@ constexpr quintptr kTop = 0;  // internal id of a top row; of an event: 1 + the 
 QString nameOf(PixelFate fate)
 {
     switch (fate) {
-    case PixelFate::Winner: return tr("seen");
-    case PixelFate::Overwritten: return tr("overwritten");
-    case PixelFate::Farther: return tr("farther");
-    case PixelFate::LostTie: return tr("lost a tie");
-    case PixelFate::IntervalLost: return tr("interval lost");
-    case PixelFate::Hole: return tr("in a hole");
-    case PixelFate::BeyondFar: return tr("beyond far");
-    case PixelFate::TileRejected: return tr("tile rejected");
-    case PixelFate::TriangleHidden: return tr("hidden");
-    case PixelFate::NodeHidden: return tr("node hidden");
-    case PixelFate::NodeOutside: return tr("node outside");
-    case PixelFate::NodeSmall: return tr("node too small");
-    case PixelFate::BatchOutside: return tr("outside");
-    case PixelFate::BackFace: return tr("back face");
-    case PixelFate::NearClip: return tr("before near");
-    case PixelFate::NotFilled: return tr("not filled");
-    case PixelFate::Blended: return tr("blended");
-    case PixelFate::BehindOpaque: return tr("behind opaque");
+    case PixelFate::Winner: return Words::tr("seen");
+    case PixelFate::Overwritten: return Words::tr("overwritten");
+    case PixelFate::Farther: return Words::tr("farther");
+    case PixelFate::LostTie: return Words::tr("lost a tie");
+    case PixelFate::IntervalLost: return Words::tr("interval lost");
+    case PixelFate::Hole: return Words::tr("in a hole");
+    case PixelFate::BeyondFar: return Words::tr("beyond far");
+    case PixelFate::TileRejected: return Words::tr("tile rejected");
+    case PixelFate::TriangleHidden: return Words::tr("hidden");
+    case PixelFate::NodeHidden: return Words::tr("node hidden");
+    case PixelFate::NodeOutside: return Words::tr("node outside");
+    case PixelFate::NodeSmall: return Words::tr("node too small");
+    case PixelFate::BatchOutside: return Words::tr("outside");
+    case PixelFate::BackFace: return Words::tr("back face");
+    case PixelFate::NearClip: return Words::tr("before near");
+    case PixelFate::NotFilled: return Words::tr("not filled");
+    case PixelFate::Blended: return Words::tr("blended");
+    case PixelFate::BehindOpaque: return Words::tr("behind opaque");
     }
     return {};
 }
@@ -43,21 +46,21 @@ QString nameOf(PixelFate fate)
 QString nameOf(Happening happening)
 {
     switch (happening) {
-    case Happening::SetUp: return tr("set up");
-    case Happening::NodeOutside: return tr("its node lies outside");
-    case Happening::NodeHidden: return tr("its node is hidden");
-    case Happening::NodeSmall: return tr("its node is too small");
-    case Happening::NodeEntered: return tr("its node is entered");
-    case Happening::NodeRecalled: return tr("its node is recalled");
-    case Happening::TriangleHidden: return tr("hidden by the pyramid");
-    case Happening::TrianglePassed: return tr("passed the pyramid");
-    case Happening::TileRejected: return tr("rejected with the tile");
-    case Happening::Discarded: return tr("in a hole of its material");
-    case Happening::Won: return tr("won the depth test");
-    case Happening::Lost: return tr("lost the depth test");
-    case Happening::Overtaken: return tr("overtaken");
-    case Happening::IntervalWon: return tr("won the interval");
-    case Happening::IntervalLost: return tr("lost the interval");
+    case Happening::SetUp: return Words::tr("set up");
+    case Happening::NodeOutside: return Words::tr("its node lies outside");
+    case Happening::NodeHidden: return Words::tr("its node is hidden");
+    case Happening::NodeSmall: return Words::tr("its node is too small");
+    case Happening::NodeEntered: return Words::tr("its node is entered");
+    case Happening::NodeRecalled: return Words::tr("its node is recalled");
+    case Happening::TriangleHidden: return Words::tr("hidden by the pyramid");
+    case Happening::TrianglePassed: return Words::tr("passed the pyramid");
+    case Happening::TileRejected: return Words::tr("rejected with the tile");
+    case Happening::Discarded: return Words::tr("in a hole of its material");
+    case Happening::Won: return Words::tr("won the depth test");
+    case Happening::Lost: return Words::tr("lost the depth test");
+    case Happening::Overtaken: return Words::tr("overtaken");
+    case Happening::IntervalWon: return Words::tr("won the interval");
+    case Happening::IntervalLost: return Words::tr("lost the interval");
     }
     return {};
 }
@@ -154,9 +157,9 @@ std::optional<TriangleId> WhyModel::triangleOf(const QModelIndex& at) const
 QString WhyModel::sentenceOf(const QModelIndex& at) const
 {
     if (!at.isValid()) return {};
-    if (m_pixel && at.internalId() == kTop) return QString::fromStdString(candidateOf(at)->sentence);
+    if (m_pixel && at.internalId() == kTop) return said(candidateOf(at)->sentence);
     const Event* event = eventOf(at);
-    return event ? QString::fromStdString(event->sentence) : QString();
+    return event ? said(event->sentence) : QString();
 }
 
 QModelIndex WhyModel::index(int row, int column, const QModelIndex& parent) const

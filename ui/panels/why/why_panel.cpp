@@ -18,17 +18,18 @@
 #include "ui/parts/row_delegate.h"
 #include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
+#include "ui/text/phrase_book.h"
+#include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
 
 WhyPanel::WhyPanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_model(new WhyModel(this)), m_tree(new QTreeView), m_sentence(new QLabel), m_detail(new QLabel), m_hint(new QLabel),
-      m_jump(new QPushButton(tr("Go there"))), m_triangle(new QLineEdit), m_worker(std::make_unique<Worker>())
+      m_jump(new QPushButton), m_triangle(new QLineEdit), m_worker(std::make_unique<Worker>())
 {
     m_tree->setModel(m_model);
     m_tree->setItemDelegate(new RowDelegate(m_tree));
-    m_tree->setAccessibleName(tr("Triangles that cover the pixel"));
     m_tree->setUniformRowHeights(true);
     m_tree->setFrameShape(QFrame::NoFrame);
     m_tree->setIndentation(12);
@@ -51,16 +52,11 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
         label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
     }
-    m_sentence->setAccessibleName(tr("Why"));
-    m_detail->setAccessibleName(tr("What happened to the chosen triangle"));
     m_hint->setObjectName("hint");
     m_hint->setWordWrap(true);
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setMargin(2 * kStep);
-    m_jump->setToolTip(tr("Goes to the step of the run that the chosen row tells of (Enter)"));
     m_jump->setFocusPolicy(Qt::TabFocus);
-    m_triangle->setPlaceholderText(tr("Why not triangle …"));
-    m_triangle->setAccessibleName(tr("Number of a triangle to ask about"));
     m_triangle->setValidator(new QRegularExpressionValidator(QRegularExpression("[0-9]{0,10}"), m_triangle));
     m_triangle->setMaximumWidth(150);
 
@@ -88,6 +84,15 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
         bool       isNumber = false;
         const uint number   = m_triangle->text().toUInt(&isNumber);
         if (isNumber) askAbout(TriangleId{number});
+    });
+    spoken(*this, [this] {
+        m_jump->setText(tr("Go there"));
+        m_tree->setAccessibleName(tr("Triangles that cover the pixel"));
+        m_sentence->setAccessibleName(tr("Why"));
+        m_detail->setAccessibleName(tr("What happened to the chosen triangle"));
+        m_jump->setToolTip(tr("Goes to the step of the run that the chosen row tells of (Enter)"));
+        m_triangle->setPlaceholderText(tr("Why not triangle …"));
+        m_triangle->setAccessibleName(tr("Number of a triangle to ask about"));
     });
 }
 
@@ -146,7 +151,7 @@ void WhyPanel::ask()
                     m_model->setPalette(palette());
                     m_model->present(answer);
                     m_answerOrHint->setCurrentIndex(0);
-                    m_sentence->setText(QString::fromStdString(answer->sentence));
+                    m_sentence->setText(said(answer->sentence));
                     if constexpr (std::is_same_v<decltype(answer), std::shared_ptr<const PixelExplanation>>) {
                         m_pixelAnswer = answer;
                         emit summaryChanged(tr("pixel %1, %2 · %3").arg(answer->pixel.x).arg(answer->pixel.y)
@@ -164,7 +169,7 @@ void WhyPanel::ask()
             using Answer = std::remove_cvref_t<decltype(*made)>;
             if (cancel) return;
             if (made) deliver(std::make_shared<const Answer>(std::move(made).value()), QString());
-            else deliver(std::shared_ptr<const Answer>(), QString::fromStdString(made.error().text()));
+            else deliver(std::shared_ptr<const Answer>(), said(made.error().text()));
         };
         if (question.triangle) hand(explainTriangle(request, *question.triangle, progress));
         else hand(explainPixel(request, {question.pixel->x(), question.pixel->y()}, progress));
@@ -217,6 +222,7 @@ void WhyPanel::showEvent(QShowEvent* event)
 void WhyPanel::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange && m_model) m_model->setPalette(palette());
+    if (event->type() == QEvent::LanguageChange) m_asked.reset();  // the next snapshot asks again, and the answer is said anew
     Panel::changeEvent(event);
 }
 

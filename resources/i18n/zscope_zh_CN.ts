@@ -1,0 +1,2161 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>Compare</name>
+    <message>
+        <source>B is A to the bit: the same triangle and the same depth at all %1 pixels.</source>
+        <translation>B 与 A 逐位相同：全部 %1 个像素的三角形和深度都相同。</translation>
+    </message>
+    <message>
+        <source>Every pixel shows the same triangle; no depth is farther off than the tolerance.</source>
+        <translation>每个像素显示的三角形都相同；深度之差均不超过容差。</translation>
+    </message>
+    <message>
+        <source>1 pixel differs.</source>
+        <translation>有 1 个像素不同。</translation>
+    </message>
+    <message>
+        <source>%1 pixels differ.</source>
+        <translation>有 %1 个像素不同。</translation>
+    </message>
+    <message>
+        <source>1 pixel differs at this moment.</source>
+        <translation>此刻有 1 个像素不同。</translation>
+    </message>
+    <message>
+        <source>%1 pixels differ at this moment.</source>
+        <translation>此刻有 %1 个像素不同。</translation>
+    </message>
+    <message>
+        <source>Of all: %1 %.</source>
+        <translation>占全部的 %1 %。</translation>
+    </message>
+    <message>
+        <source>holes: A shows something, B does not</source>
+        <translation>空洞：A 有而 B 没有</translation>
+    </message>
+    <message>
+        <source>spills: B shows something, A does not</source>
+        <translation>溢出：B 有而 A 没有</translation>
+    </message>
+    <message>
+        <source>another surface, farther off than a tie</source>
+        <translation>表面不同，且深度差超过近似相等</translation>
+    </message>
+    <message>
+        <source>another surface, a near tie</source>
+        <translation>表面不同，但深度近似相等</translation>
+    </message>
+    <message>
+        <source>same triangle, B nearer</source>
+        <translation>同一三角形，B 更近</translation>
+    </message>
+    <message>
+        <source>same triangle, B farther</source>
+        <translation>同一三角形，B 更远</translation>
+    </message>
+    <message>
+        <source>most float32 steps on a triangle</source>
+        <translation>同一三角形上最多相差的 float32 步数</translation>
+    </message>
+    <message>
+        <source>steps at 99 of 100 pixels, at most</source>
+        <translation>99% 的像素相差的步数不超过</translation>
+    </message>
+    <message>
+        <source>triangles lost</source>
+        <translation>丢失的三角形</translation>
+    </message>
+</context>
+<context>
+    <name>DepthTest</name>
+    <message>
+        <source>It lies in a hole of its material: there is no fragment to test.</source>
+        <translation>它落在材质的孔洞中：没有片元可测试。</translation>
+    </message>
+    <message>
+        <source>The nearest so far: the pre-pass keeps its D.</source>
+        <translation>目前最近：预深度通道保留它的 D。</translation>
+    </message>
+    <message>
+        <source>Not nearer than the D that the pre-pass has kept.</source>
+        <translation>不比预深度通道保留的 D 更近。</translation>
+    </message>
+    <message>
+        <source>Farther than the D that the pre-pass kept: it is hidden.</source>
+        <translation>比预深度通道保留的 D 更远：它被遮挡。</translation>
+    </message>
+    <message>
+        <source>It lies beyond the far plane: the pixel stays background.</source>
+        <translation>它在远平面之外：像素仍为背景。</translation>
+    </message>
+    <message>
+        <source>The pixel was background: the first triangle to cover it owns it.</source>
+        <translation>像素原为背景：第一个覆盖它的三角形得到它。</translation>
+    </message>
+    <message>
+        <source>Equal depth, and the lower number wins: the pixel changes hands.</source>
+        <translation>深度相等，编号小者胜：像素易主。</translation>
+    </message>
+    <message>
+        <source>Equal depth, and the lower number wins: the pixel stays as it is.</source>
+        <translation>深度相等，编号小者胜：像素不变。</translation>
+    </message>
+    <message>
+        <source>The larger D is nearer: the pixel changes hands.</source>
+        <translation>D 较大者更近：像素易主。</translation>
+    </message>
+    <message>
+        <source>The smaller D is farther: the pixel stays as it is.</source>
+        <translation>D 较小者更远：像素不变。</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>offered by triangle</source>
+        <translation>来自三角形</translation>
+    </message>
+    <message>
+        <source>its depth D</source>
+        <translation>它的深度 D</translation>
+    </message>
+    <message>
+        <source>D before its relief</source>
+        <translation>浮雕偏移前的 D</translation>
+    </message>
+    <message>
+        <source>owner before</source>
+        <translation>原归属</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>pixels won so far</source>
+        <translation>目前赢得的像素</translation>
+    </message>
+    <message>
+        <source>picked pixel</source>
+        <translation>选取的像素</translation>
+    </message>
+    <message>
+        <source>owner</source>
+        <translation>归属</translation>
+    </message>
+    <message>
+        <source>owner, triangle</source>
+        <translation>归属三角形</translation>
+    </message>
+    <message>
+        <source>depth D</source>
+        <translation>深度 D</translation>
+    </message>
+    <message>
+        <source>distance z</source>
+        <translation>距离 z</translation>
+    </message>
+    <message>
+        <source>polygon of the file</source>
+        <translation>文件中的多边形</translation>
+    </message>
+    <message>
+        <source>instance</source>
+        <translation>实例</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>材质</translation>
+    </message>
+    <message>
+        <source>Click a pixel of the picture to see who owns it, or step by the grain “pixel” to watch each depth test.</source>
+        <translation>单击图像中的像素查看它的归属，或按粒度“像素”单步观察每次深度测试。</translation>
+    </message>
+    <message>
+        <source>Open a scene to see its depth tests.</source>
+        <translation>打开一个场景来查看它的深度测试。</translation>
+    </message>
+</context>
+<context>
+    <name>Numbers</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+</context>
+<context>
+    <name>Panels</name>
+    <message>
+        <source>Scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Pipeline</source>
+        <translation>流水线</translation>
+    </message>
+    <message>
+        <source>Active edges</source>
+        <translation>活动边</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>金字塔</translation>
+    </message>
+    <message>
+        <source>Hierarchy</source>
+        <translation>层次结构</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>观察者</translation>
+    </message>
+    <message>
+        <source>Depth test</source>
+        <translation>深度测试</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>为什么</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>对比</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间轴</translation>
+    </message>
+</context>
+<context>
+    <name>PixelFacts</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>Pyramid</name>
+    <message>
+        <source>hidden</source>
+        <translation>被遮挡</translation>
+    </message>
+    <message>
+        <source>may be seen</source>
+        <translation>可能可见</translation>
+    </message>
+    <message>
+        <source>may be seen, entered</source>
+        <translation>可能可见，进入</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>A node</source>
+        <translation>一个结点</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>结点 %1</translation>
+    </message>
+    <message>
+        <source>%1 of instance %2</source>
+        <translation>实例 %2 的%1</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>%1 covers %2 × %3 px: level %4, %5 × %6 cells. </source>
+        <translation>%1覆盖 %2 × %3 像素：第 %4 级，%5 × %6 个单元格。</translation>
+    </message>
+    <message>
+        <source>There is background among them; it is at nearest %1: </source>
+        <translation>其中有背景；它最近为 %1：</translation>
+    </message>
+    <message>
+        <source>Farthest held %1, it is at nearest %2: </source>
+        <translation>所存最远为 %1，它最近为 %2：</translation>
+    </message>
+    <message>
+        <source>Finer cells decided. </source>
+        <translation>由更细的单元格决定。</translation>
+    </message>
+    <message>
+        <source>1 cell or pixel read.</source>
+        <translation>读取了 1 个单元格或像素。</translation>
+    </message>
+    <message>
+        <source>%1 cells or pixels read.</source>
+        <translation>读取了 %1 个单元格或像素。</translation>
+    </message>
+    <message>
+        <source>Cell (%1, %2) of level %3: </source>
+        <translation>第 %3 级的单元格（%1, %2）：</translation>
+    </message>
+    <message>
+        <source>%1 as before. </source>
+        <translation>%1，与之前相同。</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2. </source>
+        <translation>%1，取代 %2。</translation>
+    </message>
+    <message>
+        <source>Way up: %1, and it stops there.</source>
+        <translation>向上传播：%1，到此为止。</translation>
+    </message>
+    <message>
+        <source>Way up so far: %1.</source>
+        <translation>目前已向上传播：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>SavePicture</name>
+    <message>
+        <source>%1 is there already; it was left as it is.</source>
+        <translation>%1 已经存在；未作改动。</translation>
+    </message>
+</context>
+<context>
+    <name>Verdicts</name>
+    <message>
+        <source>entered</source>
+        <translation>进入</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>已绘制</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>被遮挡</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>视锥外</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>太小</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>等待中</translation>
+    </message>
+</context>
+<context>
+    <name>Why</name>
+    <message>
+        <source>seen</source>
+        <translation>可见</translation>
+    </message>
+    <message>
+        <source>overwritten</source>
+        <translation>被覆盖</translation>
+    </message>
+    <message>
+        <source>farther</source>
+        <translation>更远</translation>
+    </message>
+    <message>
+        <source>lost a tie</source>
+        <translation>平局落败</translation>
+    </message>
+    <message>
+        <source>interval lost</source>
+        <translation>区间落败</translation>
+    </message>
+    <message>
+        <source>in a hole</source>
+        <translation>在孔洞中</translation>
+    </message>
+    <message>
+        <source>beyond far</source>
+        <translation>远平面外</translation>
+    </message>
+    <message>
+        <source>tile rejected</source>
+        <translation>块被拒绝</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>被遮挡</translation>
+    </message>
+    <message>
+        <source>node hidden</source>
+        <translation>结点被遮挡</translation>
+    </message>
+    <message>
+        <source>node outside</source>
+        <translation>结点在视锥外</translation>
+    </message>
+    <message>
+        <source>node too small</source>
+        <translation>结点太小</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>视锥外</translation>
+    </message>
+    <message>
+        <source>back face</source>
+        <translation>背面</translation>
+    </message>
+    <message>
+        <source>before near</source>
+        <translation>近平面前</translation>
+    </message>
+    <message>
+        <source>not filled</source>
+        <translation>未填充</translation>
+    </message>
+    <message>
+        <source>blended</source>
+        <translation>已混合</translation>
+    </message>
+    <message>
+        <source>behind opaque</source>
+        <translation>在不透明面后</translation>
+    </message>
+    <message>
+        <source>set up</source>
+        <translation>建立</translation>
+    </message>
+    <message>
+        <source>its node lies outside</source>
+        <translation>其结点在视锥外</translation>
+    </message>
+    <message>
+        <source>its node is hidden</source>
+        <translation>其结点被遮挡</translation>
+    </message>
+    <message>
+        <source>its node is too small</source>
+        <translation>其结点太小</translation>
+    </message>
+    <message>
+        <source>its node is entered</source>
+        <translation>进入其结点</translation>
+    </message>
+    <message>
+        <source>its node is recalled</source>
+        <translation>沿用其结点</translation>
+    </message>
+    <message>
+        <source>hidden by the pyramid</source>
+        <translation>被金字塔判为遮挡</translation>
+    </message>
+    <message>
+        <source>passed the pyramid</source>
+        <translation>通过金字塔测试</translation>
+    </message>
+    <message>
+        <source>rejected with the tile</source>
+        <translation>随块一起被拒绝</translation>
+    </message>
+    <message>
+        <source>in a hole of its material</source>
+        <translation>在材质的孔洞中</translation>
+    </message>
+    <message>
+        <source>won the depth test</source>
+        <translation>赢得深度测试</translation>
+    </message>
+    <message>
+        <source>lost the depth test</source>
+        <translation>深度测试落败</translation>
+    </message>
+    <message>
+        <source>overtaken</source>
+        <translation>被超过</translation>
+    </message>
+    <message>
+        <source>won the interval</source>
+        <translation>赢得区间</translation>
+    </message>
+    <message>
+        <source>lost the interval</source>
+        <translation>区间落败</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::Actions</name>
+    <message>
+        <source>B: %1</source>
+        <translation>B：%1</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Algorithm</source>
+        <translation>算法</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Examples</source>
+        <translation>示例(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>疑难场景</translation>
+    </message>
+    <message>
+        <source>Re&amp;load</source>
+        <translation>重新载入(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture</source>
+        <translation>保存图像(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save picture &amp;without decoration</source>
+        <translation>保存无标注图像(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Save picture &amp;as…</source>
+        <translation>图像另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>复制图像(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>适合窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;1:1</source>
+        <translation>&amp;1:1</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>放大(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>缩小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Go to pixel…</source>
+        <translation>转到像素(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Pick the pixel to the left</source>
+        <translation>选取左边的像素</translation>
+    </message>
+    <message>
+        <source>Pick the pixel to the right</source>
+        <translation>选取右边的像素</translation>
+    </message>
+    <message>
+        <source>Pick the pixel above</source>
+        <translation>选取上方的像素</translation>
+    </message>
+    <message>
+        <source>Pick the pixel below</source>
+        <translation>选取下方的像素</translation>
+    </message>
+    <message>
+        <source>&amp;Stop work, or forget the pick</source>
+        <translation>停止工作，或取消选取(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>恢复默认布局(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Layers</source>
+        <translation>图层(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Fit the range of depths</source>
+        <translation>自动调整深度范围</translation>
+    </message>
+    <message>
+        <source>Current line</source>
+        <translation>当前扫描线</translation>
+    </message>
+    <message>
+        <source>Active edges</source>
+        <translation>活动边</translation>
+    </message>
+    <message>
+        <source>What is still to come, pale</source>
+        <translation>尚未绘制的部分（淡色）</translation>
+    </message>
+    <message>
+        <source>Triangle of the step</source>
+        <translation>本步的三角形</translation>
+    </message>
+    <message>
+        <source>Last question and update of the pyramid</source>
+        <translation>金字塔最近一次查询与更新</translation>
+    </message>
+    <message>
+        <source>Boxes of the nodes, by verdict</source>
+        <translation>结点包围盒（按判定着色）</translation>
+    </message>
+    <message>
+        <source>Cells of the pyramid, with values</source>
+        <translation>金字塔单元格及其数值</translation>
+    </message>
+    <message>
+        <source>Grid and numbers in large pixels</source>
+        <translation>放大时的像素网格与数值</translation>
+    </message>
+    <message>
+        <source>Magnifier</source>
+        <translation>放大镜</translation>
+    </message>
+    <message>
+        <source>Picture si&amp;ze</source>
+        <translation>图像尺寸(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>As large as the view</source>
+        <translation>与视图同大</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>外观(&amp;A)</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>相机(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>查看(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Inspect (I): the wheel zooms, dragging pans, a click picks a pixel, Right and Left step</source>
+        <translation>查看（I）：滚轮缩放，拖动平移，单击选取像素，左右方向键单步</translation>
+    </message>
+    <message>
+        <source>Camera (C, or while Alt is held): left drag orbits, middle drag pans, the wheel dollies, the arrow keys turn the model, WASD flies</source>
+        <translation>相机（C，或按住 Alt）：左键拖动环绕，中键拖动平移，滚轮推拉，方向键转动模型，WASD 飞行</translation>
+    </message>
+    <message>
+        <source>From the &amp;front</source>
+        <translation>前视图(&amp;F)</translation>
+    </message>
+    <message>
+        <source>From the &amp;right</source>
+        <translation>右视图(&amp;R)</translation>
+    </message>
+    <message>
+        <source>From &amp;above</source>
+        <translation>俯视图(&amp;A)</translation>
+    </message>
+    <message>
+        <source>R&amp;eset</source>
+        <translation>复位(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Views of the &amp;scene</source>
+        <translation>场景自带视角(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Turn: first angle, less</source>
+        <translation>转动：减小第一个角</translation>
+    </message>
+    <message>
+        <source>Turn: first angle, more</source>
+        <translation>转动：增大第一个角</translation>
+    </message>
+    <message>
+        <source>Turn: second angle, less</source>
+        <translation>转动：减小第二个角</translation>
+    </message>
+    <message>
+        <source>Turn: second angle, more</source>
+        <translation>转动：增大第二个角</translation>
+    </message>
+    <message>
+        <source>Turn: third angle, less</source>
+        <translation>转动：减小第三个角</translation>
+    </message>
+    <message>
+        <source>Turn: third angle, more</source>
+        <translation>转动：增大第三个角</translation>
+    </message>
+    <message>
+        <source>&amp;Normalise the model</source>
+        <translation>模型归一化(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Algorithm</source>
+        <translation>算法(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Leave out &amp;back faces</source>
+        <translation>剔除背面(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>单步(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>播放或暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>前进(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>后退(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Forward by the coarser grain</source>
+        <translation>按更粗的粒度前进</translation>
+    </message>
+    <message>
+        <source>Back by the coarser grain</source>
+        <translation>按更粗的粒度后退</translation>
+    </message>
+    <message>
+        <source>F&amp;irst step</source>
+        <translation>第一步(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Last step</source>
+        <translation>最后一步(&amp;L)</translation>
+    </message>
+    <message>
+        <source>C&amp;ompare</source>
+        <translation>对比(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;B</source>
+        <translation>&amp;B</translation>
+    </message>
+    <message>
+        <source>&amp;Keep A as B</source>
+        <translation>把 A 存为 B(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;To and fro between A and B</source>
+        <translation>在 A 与 B 之间切换(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>卷帘(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Difference</source>
+        <translation>差异(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Swap A and B</source>
+        <translation>交换 A 与 B(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;End the comparison</source>
+        <translation>结束对比(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>键盘与鼠标(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About ZScope</source>
+        <translation>关于 ZScope(&amp;A)</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::ActiveEdgesPanel</name>
+    <message>
+        <source>Active edge table</source>
+        <translation>活动边表</translation>
+    </message>
+    <message>
+        <source>This algorithm keeps no active edges. Choose the scanline algorithm to see them.</source>
+        <translation>此算法没有活动边表。请选择扫描线算法来观察它。</translation>
+    </message>
+    <message>
+        <source>The edges appear when the edge table has been built.</source>
+        <translation>边表建好之后，边会显示在这里。</translation>
+    </message>
+    <message>
+        <source>Open a scene to see its edges.</source>
+        <translation>打开一个场景来查看它的边。</translation>
+    </message>
+    <message>
+        <source>No edge is active here. Press Right to go on, or choose the grain “line”.</source>
+        <translation>此处没有活动边。按右方向键继续，或选择粒度“扫描线”。</translation>
+    </message>
+    <message>
+        <source>The picture is finished and no edge is active. Press Left to step back, or drag the timeline.</source>
+        <translation>图像已完成，没有活动边。按左方向键后退，或拖动时间轴。</translation>
+    </message>
+    <message>
+        <source>line %1 · %2 · %3</source>
+        <translation>第 %1 行 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>1 edge</source>
+        <translation>1 条边</translation>
+    </message>
+    <message>
+        <source>%1 edges</source>
+        <translation>%1 条边</translation>
+    </message>
+    <message>
+        <source>1 polygon</source>
+        <translation>1 个多边形</translation>
+    </message>
+    <message>
+        <source>%1 polygons</source>
+        <translation>%1 个多边形</translation>
+    </message>
+    <message>
+        <source>%1 entered</source>
+        <translation>%1 条进入</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 条离开</translation>
+    </message>
+    <message>
+        <source>Active polygons   %1</source>
+        <translation>活动多边形   %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::BucketChart</name>
+    <message>
+        <source>Edge table</source>
+        <translation>边表</translation>
+    </message>
+    <message>
+        <source>How many edges start on each line of the picture: the buckets of the edge table</source>
+        <translation>图像每一行上有多少条边开始：边表的各个桶</translation>
+    </message>
+    <message>
+        <source>1 edge starts on the current line</source>
+        <translation>有 1 条边从当前行开始</translation>
+    </message>
+    <message>
+        <source>%1 edges start on the current line</source>
+        <translation>有 %1 条边从当前行开始</translation>
+    </message>
+    <message>
+        <source>The edge table is empty</source>
+        <translation>边表为空</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>edges that start on each line; none is active yet</source>
+        <translation>从各行开始的边；目前还没有活动边</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::ComparePanel</name>
+    <message>
+        <source>Algorithm A</source>
+        <translation>算法 A</translation>
+    </message>
+    <message>
+        <source>Algorithm B</source>
+        <translation>算法 B</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>交换</translation>
+    </message>
+    <message>
+        <source>Keep A as B</source>
+        <translation>把 A 存为 B</translation>
+    </message>
+    <message>
+        <source>Worst pixel</source>
+        <translation>差异最大的像素</translation>
+    </message>
+    <message>
+        <source>Step B with A</source>
+        <translation>B 随 A 同步单步</translation>
+    </message>
+    <message>
+        <source>B becomes A, and A becomes B</source>
+        <translation>B 变为 A，A 变为 B</translation>
+    </message>
+    <message>
+        <source>Keeps A as it is as B, so that you can change A and see what that does</source>
+        <translation>把现在的 A 保留为 B，这样就可以修改 A 并观察其效果</translation>
+    </message>
+    <message>
+        <source>Picks a pixel where the two differ most: another surface before another depth</source>
+        <translation>选取两者差异最大的像素：先看表面不同，再看深度不同</translation>
+    </message>
+    <message>
+        <source>Where the wipe lies</source>
+        <translation>卷帘的位置</translation>
+    </message>
+    <message>
+        <source>Tolerance in float32 steps</source>
+        <translation>容差（以 float32 步计）</translation>
+    </message>
+    <message>
+        <source>Depths of one triangle that are no more float32 steps apart count as equal</source>
+        <translation>同一三角形的深度相差不超过这么多个 float32 步时，视为相等</translation>
+    </message>
+    <message>
+        <source>B stops at the same moment: the same step of the same grain, or the same part of its run</source>
+        <translation>B 停在同一时刻：同一粒度的同一步，或运行进度的同一比例处</translation>
+    </message>
+    <message>
+        <source>Result of the comparison</source>
+        <translation>对比结果</translation>
+    </message>
+    <message>
+        <source>Choose B, or press Shift and a digit, to hold one algorithm against another.</source>
+        <translation>选择 B，或按 Shift 加数字键，把一种算法与另一种作对比。</translation>
+    </message>
+    <message>
+        <source>tolerance, float32 steps</source>
+        <translation>容差，float32 步</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>卷帘</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>A (T goes to and fro)</source>
+        <translation>A（按 T 来回切换）</translation>
+    </message>
+    <message>
+        <source>B (T goes to and fro; hold Shift to see it for a moment)</source>
+        <translation>B（按 T 来回切换；按住 Shift 可暂时查看）</translation>
+    </message>
+    <message>
+        <source>A to the left, B to the right of a handle (W)</source>
+        <translation>分隔线左边为 A，右边为 B（W）</translation>
+    </message>
+    <message>
+        <source>Where they differ, and by how much (D)</source>
+        <translation>哪里不同，相差多少（D）</translation>
+    </message>
+    <message>
+        <source>B is being drawn.</source>
+        <translation>正在绘制 B。</translation>
+    </message>
+    <message>
+        <source>A %1 · B %2, this frame</source>
+        <translation>本帧：A %1 · B %2</translation>
+    </message>
+    <message>
+        <source>equal</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>1 pixel</source>
+        <translation>1 个像素</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 个像素</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::DepthChart</name>
+    <message>
+        <source>Nodes per depth</source>
+        <translation>各层的结点数</translation>
+    </message>
+    <message>
+        <source>Depth %1: %2</source>
+        <translation>第 %1 层：%2</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>层</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::DepthTestPanel</name>
+    <message>
+        <source>Depth test</source>
+        <translation>深度测试</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::EdgeTableModel</name>
+    <message>
+        <source>entered on this line</source>
+        <translation>在本行进入</translation>
+    </message>
+    <message>
+        <source>has left: its last line is over</source>
+        <translation>已离开：它的最后一行已过</translation>
+    </message>
+    <message>
+        <source>this step is about its polygon</source>
+        <translation>本步处理的是它的多边形</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>活动</translation>
+    </message>
+    <message>
+        <source>Triangle %1, lines %2 to %3: %4</source>
+        <translation>三角形 %1，第 %2 至 %3 行：%4</translation>
+    </message>
+    <message>
+        <source>▲ entered on this line, ▼ has just left, ● this step</source>
+        <translation>▲ 在本行进入，▼ 刚刚离开，● 本步</translation>
+    </message>
+    <message>
+        <source>The triangle that the edge bounds</source>
+        <translation>这条边所属的三角形</translation>
+    </message>
+    <message>
+        <source>Where the edge meets the line&apos;s centre, in pixels</source>
+        <translation>边与扫描线中心的交点，以像素计</translation>
+    </message>
+    <message>
+        <source>The same in 1/256 of a pixel, rounded down</source>
+        <translation>同上，以 1/256 像素计，向下取整</translation>
+    </message>
+    <message>
+        <source>How far x moves from one line to the next, in pixels</source>
+        <translation>从一行到下一行 x 的增量，以像素计</translation>
+    </message>
+    <message>
+        <source>The same as an exact fraction</source>
+        <translation>同上，写成精确的分数</translation>
+    </message>
+    <message>
+        <source>The first line that the edge crosses</source>
+        <translation>边穿过的第一行</translation>
+    </message>
+    <message>
+        <source>The last line that the edge crosses</source>
+        <translation>边穿过的最后一行</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>dx</source>
+        <translation>dx</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>首行</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>末行</translation>
+    </message>
+    <message>
+        <source>x·256</source>
+        <translation>x·256</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::FrameView</name>
+    <message>
+        <source>Frame view</source>
+        <translation>图像视图</translation>
+    </message>
+    <message>
+        <source>The picture of the chosen algorithm at the chosen step</source>
+        <translation>所选算法在所选步骤处的图像</translation>
+    </message>
+    <message>
+        <source>depth tests per pixel</source>
+        <translation>每像素深度测试次数</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Finished picture</source>
+        <translation>完成的图像</translation>
+    </message>
+    <message>
+        <source>A  %1</source>
+        <translation>A  %1</translation>
+    </message>
+    <message>
+        <source>B  %1</source>
+        <translation>B  %1</translation>
+    </message>
+    <message>
+        <source>A  %1  |  B  %2</source>
+        <translation>A  %1  |  B  %2</translation>
+    </message>
+    <message>
+        <source>Difference  %1, %2</source>
+        <translation>差异  %1，%2</translation>
+    </message>
+    <message>
+        <source>Active edges</source>
+        <translation>活动边</translation>
+    </message>
+    <message>
+        <source>%1 of %2 node boxes</source>
+        <translation>%1 / %2 个结点包围盒</translation>
+    </message>
+    <message>
+        <source>1 node box</source>
+        <translation>1 个结点包围盒</translation>
+    </message>
+    <message>
+        <source>%1 node boxes</source>
+        <translation>%1 个结点包围盒</translation>
+    </message>
+    <message>
+        <source>Pyramid, level %1</source>
+        <translation>金字塔，第 %1 级</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Drop an OBJ file here</source>
+        <translation>把 OBJ 文件拖到这里</translation>
+    </message>
+    <message>
+        <source>or press Ctrl+O to open one, or choose an example in File ▸ Examples</source>
+        <translation>或按 Ctrl+O 打开文件，或在“文件 ▸ 示例”中选一个示例</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::HierarchyPanel</name>
+    <message>
+        <source>Nodes in the tree, by verdict</source>
+        <translation>树中的结点，按判定</translation>
+    </message>
+    <message>
+        <source>Boxes over the picture</source>
+        <translation>在图像上显示包围盒</translation>
+    </message>
+    <message>
+        <source>Nodes of the hierarchy</source>
+        <translation>层次结构的结点</translation>
+    </message>
+    <message>
+        <source>Filter: part of a path, or an instance</source>
+        <translation>筛选：路径的一部分，或实例</translation>
+    </message>
+    <message>
+        <source>Filter of the nodes</source>
+        <translation>结点筛选</translation>
+    </message>
+    <message>
+        <source>Draws the boxes of the nodes that the switches above let through</source>
+        <translation>绘制上方开关所允许的结点的包围盒</translation>
+    </message>
+    <message>
+        <source>Open a scene to see its hierarchy.</source>
+        <translation>打开一个场景来查看它的层次结构。</translation>
+    </message>
+    <message>
+        <source>The nodes appear here as the visit comes to know them. Press Right to go on, or choose the grain “node”.</source>
+        <translation>结点在遍历到时显示在这里。按右方向键继续，或选择粒度“结点”。</translation>
+    </message>
+    <message>
+        <source>1 node</source>
+        <translation>1 个结点</translation>
+    </message>
+    <message>
+        <source>%1 nodes</source>
+        <translation>%1 个结点</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>太小</translation>
+    </message>
+    <message>
+        <source>screen px</source>
+        <translation>屏幕像素</translation>
+    </message>
+    <message>
+        <source>around the eye</source>
+        <translation>包住视点</translation>
+    </message>
+    <message>
+        <source>nearest D</source>
+        <translation>最近 D</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::LevelThumbs</name>
+    <message>
+        <source>Levels of the pyramid</source>
+        <translation>金字塔的各级</translation>
+    </message>
+    <message>
+        <source>Level %1 is shown large</source>
+        <translation>第 %1 级放大显示</translation>
+    </message>
+    <message>
+        <source>Level 0: the depth buffer itself</source>
+        <translation>第 0 级：深度缓冲本身</translation>
+    </message>
+    <message>
+        <source>Level %1: a cell holds the farthest depth of %2 × %2 pixels</source>
+        <translation>第 %1 级：每个单元格存放 %2 × %2 个像素中最远的深度</translation>
+    </message>
+    <message>
+        <source>Level %1 is not stored: a question reads the %2 × %2 pixels instead</source>
+        <translation>第 %1 级不存储：查询时改为读取 %2 × %2 个像素</translation>
+    </message>
+    <message>
+        <source>1 cell lags behind its pixels</source>
+        <translation>1 个单元格落后于它的像素</translation>
+    </message>
+    <message>
+        <source>%1 cells lag behind their pixels</source>
+        <translation>%1 个单元格落后于各自的像素</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::LevelView</name>
+    <message>
+        <source>One level of the pyramid, large</source>
+        <translation>放大显示金字塔的一级</translation>
+    </message>
+    <message>
+        <source>Cell (%1, %2) of level %3: %4</source>
+        <translation>第 %3 级的单元格（%1, %2）：%4</translation>
+    </message>
+    <message>
+        <source>It lags behind its pixels, which are nearer by now.</source>
+        <translation>它落后于自己的像素，那些像素现在更近了。</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::LineStrip</name>
+    <message>
+        <source>Strip of the current line</source>
+        <translation>当前扫描线的条带</translation>
+    </message>
+    <message>
+        <source>1 interval has an owner</source>
+        <translation>1 个区间有归属</translation>
+    </message>
+    <message>
+        <source>%1 intervals have an owner</source>
+        <translation>%1 个区间有归属</translation>
+    </message>
+    <message>
+        <source>Nothing on this line</source>
+        <translation>此行上什么也没有</translation>
+    </message>
+    <message>
+        <source>x %1</source>
+        <translation>x %1</translation>
+    </message>
+    <message>
+        <source>no span of this line is filled yet</source>
+        <translation>此行还没有填充任何跨度</translation>
+    </message>
+    <message>
+        <source>spans offered, owners below</source>
+        <translation>上为候选跨度，下为归属</translation>
+    </message>
+    <message>
+        <source>x %1: background</source>
+        <translation>x %1：背景</translation>
+    </message>
+    <message>
+        <source>x %1 to %2: triangle %3</source>
+        <translation>x %1 至 %2：三角形 %3</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::Magnifier</name>
+    <message>
+        <source>Magnifier</source>
+        <translation>放大镜</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>depth D</source>
+        <translation>深度 D</translation>
+    </message>
+    <message>
+        <source>distance z</source>
+        <translation>距离 z</translation>
+    </message>
+    <message>
+        <source>instance</source>
+        <translation>实例</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>材质</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>no triangle</source>
+        <translation>没有三角形</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::MainWindow</name>
+    <message>
+        <source>ZScope</source>
+        <translation>ZScope</translation>
+    </message>
+    <message>
+        <source>%1 — %2 triangles</source>
+        <translation>%1 — %2 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 — ZScope</source>
+        <translation>%1 — ZScope</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>打开场景</translation>
+    </message>
+    <message>
+        <source>Scenes (*.obj *.OBJ *.json);;All files (*)</source>
+        <translation>场景 (*.obj *.OBJ *.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>保存图像</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture is in the clipboard</source>
+        <translation>图像已复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Go to pixel</source>
+        <translation>转到像素</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>键盘与鼠标</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Inspect&lt;/b&gt;: the wheel zooms to the cursor, dragging pans, a click picks a pixel.&lt;br&gt;&lt;b&gt;Camera&lt;/b&gt;, or Alt held: left drag orbits, middle drag pans, right drag looks around, the wheel dollies, the arrow keys turn the model, W A S D Q E fly, Shift flies faster.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;查看&lt;/b&gt;：滚轮以光标为中心缩放，拖动平移，单击选取像素。&lt;br&gt;&lt;b&gt;相机&lt;/b&gt;，或按住 Alt：左键拖动环绕，中键拖动平移，右键拖动环视，滚轮推拉，方向键转动模型，W A S D Q E 飞行，Shift 加速飞行。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>About ZScope</source>
+        <translation>关于 ZScope</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;ZScope %1&lt;/h3&gt;&lt;p&gt;A microscope for visible-surface algorithms.&lt;/p&gt;&lt;p&gt;The window is free software under the GNU General Public License, version 3 or later; the core library under the MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;ZScope %1&lt;/h3&gt;&lt;p&gt;可见面判定算法的显微镜。&lt;/p&gt;&lt;p&gt;窗口程序是自由软件，遵循 GNU 通用公共许可证第 3 版或更新版本；核心库遵循 MIT 许可证。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>关闭消息</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::NodeModel</name>
+    <message>
+        <source>%1  instance %2</source>
+        <translation>%1  实例 %2</translation>
+    </message>
+    <message>
+        <source>around the eye</source>
+        <translation>包住视点</translation>
+    </message>
+    <message>
+        <source>Node %1, depth %2: %3</source>
+        <translation>结点 %1，第 %2 层：%3</translation>
+    </message>
+    <message>
+        <source>, in the tree of instance %1</source>
+        <translation>，位于实例 %1 的树中</translation>
+    </message>
+    <message>
+        <source>%1 triangles below</source>
+        <translation>其下有 %1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 instances below</source>
+        <translation>其下有 %1 个实例</translation>
+    </message>
+    <message>
+        <source>The slots taken from the root of its tree; from 8 on they straddle the planes of division</source>
+        <translation>从树根到它依次经过的子槽；8 及以上表示跨越分割平面</translation>
+    </message>
+    <message>
+        <source>What became of it so far</source>
+        <translation>到目前为止的判定</translation>
+    </message>
+    <message>
+        <source>Pixels of the rectangle that its box could touch</source>
+        <translation>它的包围盒可能触及的矩形的像素数</translation>
+    </message>
+    <message>
+        <source>No depth inside its box is larger, that is nearer</source>
+        <translation>其包围盒内没有更大（即更近）的深度</translation>
+    </message>
+    <message>
+        <source>node</source>
+        <translation>结点</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>screen px</source>
+        <translation>屏幕像素</translation>
+    </message>
+    <message>
+        <source>nearest D</source>
+        <translation>最近 D</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::ObserverPanel</name>
+    <message>
+        <source>Boxes seen by the observer, by verdict</source>
+        <translation>观察者看到的包围盒，按判定</translation>
+    </message>
+    <message>
+        <source>Freeze the culling view</source>
+        <translation>冻结剔除视角</translation>
+    </message>
+    <message>
+        <source>Whole scene</source>
+        <translation>整个场景</translation>
+    </message>
+    <message>
+        <source>Keeps this step&apos;s view and verdicts here while the camera of the picture moves on</source>
+        <translation>图像的相机继续移动时，这里保留本步的视角和判定</translation>
+    </message>
+    <message>
+        <source>Looks at the whole scene and the frustum again</source>
+        <translation>重新观看整个场景和视锥</translation>
+    </message>
+    <message>
+        <source>The boxes appear here as soon as the hierarchy is visited. Press Right to go on, or choose the grain “node”.</source>
+        <translation>开始遍历层次结构后，包围盒会显示在这里。按右方向键继续，或选择粒度“结点”。</translation>
+    </message>
+    <message>
+        <source>frozen</source>
+        <translation>已冻结</translation>
+    </message>
+    <message>
+        <source>drag to orbit</source>
+        <translation>拖动以环绕</translation>
+    </message>
+    <message>
+        <source>%1 triangles: as in the picture where drawn, else in the colour of their node&apos;s verdict.</source>
+        <translation>%1 个三角形：已绘制的与图像中相同，其余用其结点判定的颜色。</translation>
+    </message>
+    <message>
+        <source>%1 more are left out.</source>
+        <translation>另有 %1 个未画出。</translation>
+    </message>
+    <message>
+        <source>%1 boxes are left out.</source>
+        <translation>有 %1 个包围盒未画出。</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::ObserverView</name>
+    <message>
+        <source>The hierarchy from outside</source>
+        <translation>从外部看层次结构</translation>
+    </message>
+    <message>
+        <source>Drag orbits, the middle button pans, the wheel comes closer, arrow keys turn, a click selects a node</source>
+        <translation>拖动环绕，中键平移，滚轮拉近，方向键转动，单击选择结点</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::PanelDock</name>
+    <message>
+        <source>Close the panel %1</source>
+        <translation>关闭面板 %1</translation>
+    </message>
+    <message>
+        <source>Close; the View menu opens it again</source>
+        <translation>关闭；可从“视图”菜单重新打开</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::PipelinePanel</name>
+    <message>
+        <source>What ran</source>
+        <translation>执行了什么</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>exact by face</source>
+        <translation>按面精确</translation>
+    </message>
+    <message>
+        <source>approximate</source>
+        <translation>近似</translation>
+    </message>
+    <message>
+        <source>Nothing yet: open a scene.</source>
+        <translation>还没有内容：请打开一个场景。</translation>
+    </message>
+    <message>
+        <source>Not needed: %1</source>
+        <translation>不需要：%1</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::PyramidPanel</name>
+    <message>
+        <source>Over the picture</source>
+        <translation>叠加到图像上</translation>
+    </message>
+    <message>
+        <source>Follow the step</source>
+        <translation>跟随步骤</translation>
+    </message>
+    <message>
+        <source>The last question to the pyramid</source>
+        <translation>对金字塔的最近一次查询</translation>
+    </message>
+    <message>
+        <source>The cell written last</source>
+        <translation>最近写入的单元格</translation>
+    </message>
+    <message>
+        <source>Lays the cells of this level over the picture, with their values when zoomed in</source>
+        <translation>把这一级的单元格叠加到图像上，放大时显示数值</translation>
+    </message>
+    <message>
+        <source>Shows the level that the last question or update was about</source>
+        <translation>显示最近一次查询或更新所涉及的一级</translation>
+    </message>
+    <message>
+        <source>Open a scene to see its pyramid of depths.</source>
+        <translation>打开一个场景来查看它的深度金字塔。</translation>
+    </message>
+    <message>
+        <source>The pyramid appears when the frame has been cleared. Press Right to go on.</source>
+        <translation>帧清除之后显示金字塔。按右方向键继续。</translation>
+    </message>
+    <message>
+        <source>level %1 · %2 × %3</source>
+        <translation>第 %1 级 · %2 × %3</translation>
+    </message>
+    <message>
+        <source> · not stored</source>
+        <translation> · 不存储</translation>
+    </message>
+    <message>
+        <source> · %1</source>
+        <translation> · %1</translation>
+    </message>
+    <message>
+        <source>1 cell lags</source>
+        <translation>1 个单元格落后</translation>
+    </message>
+    <message>
+        <source>%1 cells lag</source>
+        <translation>%1 个单元格落后</translation>
+    </message>
+    <message>
+        <source>Nothing has been asked yet: step by the grain “query”.</source>
+        <translation>还没有查询过：请按粒度“查询”单步。</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::RangeBar</name>
+    <message>
+        <source>Range of depths</source>
+        <translation>深度范围</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合</translation>
+    </message>
+    <message>
+        <source>From the farthest to the nearest depth of the picture (N)</source>
+        <translation>从图像的最远深度到最近深度（N）</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>Equal ratios of depth, not equal differences, are equal steps of colour</source>
+        <translation>等比（而非等差）的深度对应相等的颜色间隔</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>从 %1 到 %2</translation>
+    </message>
+    <message>
+        <source>far  %1</source>
+        <translation>远  %1</translation>
+    </message>
+    <message>
+        <source>near  %1</source>
+        <translation>近  %1</translation>
+    </message>
+    <message>
+        <source>depth D</source>
+        <translation>深度 D</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::ScenePanel</name>
+    <message>
+        <source>Normalise</source>
+        <translation>归一化</translation>
+    </message>
+    <message>
+        <source>Drop an OBJ file on the window, press Ctrl+O, or choose File ▸ Examples.</source>
+        <translation>把 OBJ 文件拖到窗口上，按 Ctrl+O，或选择“文件 ▸ 示例”。</translation>
+    </message>
+    <message>
+        <source>Puts the mean of the vertices in the middle and fits the model&apos;s cube to the picture</source>
+        <translation>把顶点的平均位置移到中央，并使模型的立方体适合图像</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Turn the model: y, z, y in degrees</source>
+        <translation>转动模型：绕 y、z、y，以度计</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>polygons</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>instances</source>
+        <translation>实例</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>First angle, about y</source>
+        <translation>第一个角，绕 y 轴</translation>
+    </message>
+    <message>
+        <source>Second angle, about z</source>
+        <translation>第二个角，绕 z 轴</translation>
+    </message>
+    <message>
+        <source>Third angle, about y</source>
+        <translation>第三个角，绕 y 轴</translation>
+    </message>
+    <message>
+        <source>%1. The camera goes round the model, so the light turns with it.</source>
+        <translation>%1。相机绕模型转动，所以光线也随之转动。</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 条警告</translation>
+    </message>
+    <message>
+        <source>%1 warnings</source>
+        <translation>%1 条警告</translation>
+    </message>
+    <message>
+        <source>Left out or mended while reading</source>
+        <translation>读取时舍弃或修补的内容</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>以及另外 %1 条</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::Session</name>
+    <message>
+        <source>Loading</source>
+        <translation>正在载入</translation>
+    </message>
+    <message>
+        <source>Loading: %1</source>
+        <translation>正在载入：%1</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>正在绘制</translation>
+    </message>
+    <message>
+        <source>Replaying</source>
+        <translation>正在重放</translation>
+    </message>
+    <message>
+        <source>Drawing B</source>
+        <translation>正在绘制 B</translation>
+    </message>
+    <message>
+        <source>Replaying B</source>
+        <translation>正在重放 B</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::StatusLine</name>
+    <message>
+        <source>x %1  y %2</source>
+        <translation>x %1  y %2</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>Time of the frame</source>
+        <translation>本帧用时</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop what is being loaded, drawn or replayed (Esc)</source>
+        <translation>停止正在进行的载入、绘制或重放（Esc）</translation>
+    </message>
+    <message>
+        <source>One frame at full speed; replaying up to this step took %1</source>
+        <translation>全速绘制一帧的时间；重放到本步用了 %1</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>exact by face</source>
+        <translation>按面精确</translation>
+    </message>
+    <message>
+        <source>approximate</source>
+        <translation>近似</translation>
+    </message>
+    <message>
+        <source>%1 of %2 triangles seen in %3 pixels</source>
+        <translation>%2 个三角形中有 %1 个可见，共 %3 个像素</translation>
+    </message>
+    <message>
+        <source>1 thread</source>
+        <translation>1 个线程</translation>
+    </message>
+    <message>
+        <source>%1 threads</source>
+        <translation>%1 个线程</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::StepTrack</name>
+    <message>
+        <source>Step</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>第 %1 步</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::TimelinePanel</name>
+    <message>
+        <source>frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>stage</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>node</source>
+        <translation>结点</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>query</source>
+        <translation>查询</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>扫描线</translation>
+    </message>
+    <message>
+        <source>interval</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>span</source>
+        <translation>跨度</translation>
+    </message>
+    <message>
+        <source>update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>前进</translation>
+    </message>
+    <message>
+        <source>First step</source>
+        <translation>第一步</translation>
+    </message>
+    <message>
+        <source>First step (Home)</source>
+        <translation>第一步（Home）</translation>
+    </message>
+    <message>
+        <source>One step back (Left); Shift+Left: one of the next coarser grain</source>
+        <translation>后退一步（左方向键）；Shift+左方向键：按更粗一级的粒度后退</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>播放或暂停（空格）</translation>
+    </message>
+    <message>
+        <source>One step forward (Right); Shift+Right: one of the next coarser grain</source>
+        <translation>前进一步（右方向键）；Shift+右方向键：按更粗一级的粒度前进</translation>
+    </message>
+    <message>
+        <source>Last step</source>
+        <translation>最后一步</translation>
+    </message>
+    <message>
+        <source>The finished picture (End)</source>
+        <translation>完成的图像（End）</translation>
+    </message>
+    <message>
+        <source>Grain of a step</source>
+        <translation>单步的粒度</translation>
+    </message>
+    <message>
+        <source>How large a step is</source>
+        <translation>一步有多大</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>播放速度</translation>
+    </message>
+    <message>
+        <source>Steps per second while playing</source>
+        <translation>播放时每秒的步数</translation>
+    </message>
+    <message>
+        <source>What this step did</source>
+        <translation>这一步做了什么</translation>
+    </message>
+    <message>
+        <source>%1 / s</source>
+        <translation>%1 步/秒</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>The steps of the algorithm appear here once a scene is open.</source>
+        <translation>打开场景后，算法的步骤会显示在这里。</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::VerdictBar</name>
+    <message>
+        <source>%1 nodes, %2</source>
+        <translation>%1的结点，%2 个</translation>
+    </message>
+    <message>
+        <source>%1: shown. Click to hide them.</source>
+        <translation>%1：显示中。单击以隐藏。</translation>
+    </message>
+    <message>
+        <source>%1: not shown. Click to show them.</source>
+        <translation>%1：未显示。单击以显示。</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::WhyModel</name>
+    <message>
+        <source>level %1</source>
+        <translation>第 %1 级</translation>
+    </message>
+    <message>
+        <source>%1, face %2</source>
+        <translation>%1，面 %2</translation>
+    </message>
+    <message>
+        <source>what happened</source>
+        <translation>发生了什么</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>何处</translation>
+    </message>
+    <message>
+        <source>fate</source>
+        <translation>结局</translation>
+    </message>
+    <message>
+        <source>depth D</source>
+        <translation>深度 D</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::WhyPanel</name>
+    <message>
+        <source>Go there</source>
+        <translation>转到该处</translation>
+    </message>
+    <message>
+        <source>Triangles that cover the pixel</source>
+        <translation>覆盖该像素的三角形</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>为什么</translation>
+    </message>
+    <message>
+        <source>What happened to the chosen triangle</source>
+        <translation>所选三角形的经历</translation>
+    </message>
+    <message>
+        <source>Goes to the step of the run that the chosen row tells of (Enter)</source>
+        <translation>转到所选行所述的那一步（Enter）</translation>
+    </message>
+    <message>
+        <source>Why not triangle …</source>
+        <translation>为什么不是三角形…</translation>
+    </message>
+    <message>
+        <source>Number of a triangle to ask about</source>
+        <translation>要询问的三角形编号</translation>
+    </message>
+    <message>
+        <source>Open a scene to ask why a pixel shows what it shows.</source>
+        <translation>打开一个场景，询问某个像素为什么显示成这样。</translation>
+    </message>
+    <message>
+        <source>Click a pixel of the picture: everything that covers it appears here, with what became of it.</source>
+        <translation>单击图像中的一个像素：覆盖它的一切以及各自的结局都会列在这里。</translation>
+    </message>
+    <message>
+        <source>Running the frame once more, to see …</source>
+        <translation>正在重新运行这一帧，以便观察…</translation>
+    </message>
+    <message>
+        <source>pixel %1, %2 · %3</source>
+        <translation>像素 %1, %2 · %3</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 个三角形</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>node too small</source>
+        <translation>结点太小</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/phrase_book.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace zscope::ui {
+namespace {
+
+constexpr const char* kContext = "Core";
+
+bool isValue(const QString& text) { return std::ranges::none_of(text, [](QChar c) { return c.isSpace(); }); }
+
+}  // namespace
+
+QString said(std::string_view english) { return QCoreApplication::translate(kContext, std::string(english).c_str()); }
+
+PhraseBook::PhraseBook(const QString& file, QObject* parent) : QTranslator(parent)
+{
+    QFile book(file);
+    [[maybe_unused]] const bool isOpen = book.open(QIODevice::ReadOnly);
+    Q_ASSERT(isOpen);
+    const QJsonObject phrases = QJsonDocument::fromJson(book.readAll()).object();
+    for (auto phrase = phrases.begin(); phrase != phrases.end(); ++phrase) add(phrase.key(), phrase.value().toString());
+}
+
+void PhraseBook::add(const QString& english, const QString& translation)
+{
+    Phrase  phrase{.pieces = {}, .translation = translation};
+    QString literal;
+    for (qsizetype i = 0; i < english.size(); ++i) {
+        const bool isPlaceholder = english[i] == '{' && i + 2 < english.size() && english[i + 2] == '}';
+        if (!isPlaceholder) {
+            literal += english[i];
+            continue;
+        }
+        if (!literal.isEmpty()) phrase.pieces.push_back({literal, {}});
+        phrase.pieces.push_back({{}, english[i + 1]});
+        literal.clear();
+        i += 2;
+    }
+    if (phrase.pieces.empty()) {
+        m_whole.insert(english, translation);
+        return;
+    }
+    if (!literal.isEmpty()) phrase.pieces.push_back({literal, {}});
+    m_phrases.push_back(std::move(phrase));
+}
+
+QString PhraseBook::translate(const char* context, const char* source, const char*, int) const
+{
+    if (std::strcmp(context, kContext) != 0) return {};
+    return sentence(QString::fromUtf8(source));
+}
+
+QString PhraseBook::sentence(const QString& english) const
+{
+    if (english.isEmpty()) return {};
+    if (const QString whole = phrase(english); !whole.isNull()) return whole;
+    for (qsizetype end = english.indexOf(QLatin1String(". ")); end >= 0; end = english.indexOf(QLatin1String(". "), end + 1)) {
+        const QString first = phrase(english.left(end + 1));
+        if (first.isNull()) continue;
+        if (const QString rest = sentence(english.mid(end + 2)); !rest.isNull()) return first + rest;
+    }
+    return {};
+}
+
+QString PhraseBook::phrase(const QString& english) const
+{
+    if (const auto whole = m_whole.constFind(english); whole != m_whole.constEnd()) return *whole;
+    for (const Phrase& candidate : m_phrases) {
+        const QString &first = candidate.pieces.front().literal, &last = candidate.pieces.back().literal;
+        if (!english.startsWith(first) || !english.endsWith(last)) continue;
+        Values values;
+        if (!matches(candidate, 0, english, 0, values)) continue;
+        QString text;
+        for (qsizetype i = 0; i < candidate.translation.size(); ++i) {
+            const bool isPlaceholder = candidate.translation[i] == '{' && i + 2 < candidate.translation.size() && candidate.translation[i + 2] == '}';
+            text += isPlaceholder ? values.value(candidate.translation[i + 1]) : QString(candidate.translation[i]);
+            if (isPlaceholder) i += 2;
+        }
+        return text;
+    }
+    return {};
+}
+
+bool PhraseBook::matches(const Phrase& phrase, std::size_t piece, const QString& text, qsizetype at, Values& values) const
+{
+    if (piece == phrase.pieces.size()) return at == text.size();
+    const Piece& now = phrase.pieces[piece];
+    if (!now.literal.isEmpty()) {
+        return QStringView(text).sliced(at).startsWith(now.literal) && matches(phrase, piece + 1, text, at + now.literal.size(), values);
+    }
+    const bool    isLast = piece + 1 == phrase.pieces.size();
+    const QString next   = isLast ? QString() : phrase.pieces[piece + 1].literal;
+    qsizetype     end    = isLast ? text.size() : text.indexOf(next, at + 1);
+    for (; end > at; end = isLast ? -1 : text.indexOf(next, end + 1)) {
+        const QString part = text.mid(at, end - at);
+        if (now.placeholder.isDigit() && !isValue(part)) return false;  // a longer one holds a blank too
+        const QString value = now.placeholder.isLower() ? this->phrase(part) : part;
+        if (value.isNull() || !matches(phrase, piece + 1, text, end, values)) continue;
+        values.insert(now.placeholder, value);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace zscope::ui
