@@ -222,7 +222,14 @@ void WhyPanel::showEvent(QShowEvent* event)
 void WhyPanel::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange && m_model) m_model->setPalette(palette());
-    if (event->type() == QEvent::LanguageChange) m_asked.reset();  // the next snapshot asks again, and the answer is said anew
+    if (event->type() == QEvent::LanguageChange && m_triangle) {  // asked again with the next snapshot, or when it is seen
+        m_asked.reset();
+        m_pixelAnswer.reset();
+        m_model->clear();
+        m_sentence->clear();
+        m_detail->clear();
+        tell(QString());
+    }
     Panel::changeEvent(event);
 }
 
