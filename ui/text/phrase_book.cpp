@@ -15,6 +15,18 @@ namespace {
 
 constexpr const char* kContext = "Core";
 
+/// Chinese sets a blank between its own letters and latin ones or digits.
+void append(QString& text, const QString& part)
+{
+    const auto isLatin = [](QChar c) { return c.unicode() < 0x80 && c.isLetterOrNumber(); };
+    const auto isHan   = [](QChar c) { return c.script() == QChar::Script_Han; };
+    if (!text.isEmpty() && !part.isEmpty()) {
+        const QChar before = text.back(), after = part.front();
+        if ((isHan(before) && isLatin(after)) || (isLatin(before) && isHan(after))) text += ' ';
+    }
+    text += part;
+}
+
 bool isValue(const QString& text) { return std::ranges::none_of(text, [](QChar c) { return c.isSpace(); }); }
 
 }  // namespace
@@ -63,10 +75,12 @@ QString PhraseBook::sentence(const QString& english) const
 {
     if (english.isEmpty()) return {};
     if (const QString whole = phrase(english); !whole.isNull()) return whole;
-    for (qsizetype end = english.indexOf(QLatin1String(". ")); end >= 0; end = english.indexOf(QLatin1String(". "), end + 1)) {
-        const QString first = phrase(english.left(end + 1));
+    for (qsizetype blank = english.indexOf(' '); blank > 0; blank = english.indexOf(' ', blank + 1)) {
+        const QStringView before = QStringView(english).first(blank);
+        if (!before.endsWith('.') && !before.endsWith(QLatin1String(".)"))) continue;
+        const QString first = phrase(before.toString());
         if (first.isNull()) continue;
-        if (const QString rest = sentence(english.mid(end + 2)); !rest.isNull()) return first + rest;
+        if (const QString rest = sentence(english.mid(blank + 1)); !rest.isNull()) return first + rest;
     }
     return {};
 }
@@ -82,7 +96,7 @@ QString PhraseBook::phrase(const QString& english) const
         QString text;
         for (qsizetype i = 0; i < candidate.translation.size(); ++i) {
             const bool isPlaceholder = candidate.translation[i] == '{' && i + 2 < candidate.translation.size() && candidate.translation[i + 2] == '}';
-            text += isPlaceholder ? values.value(candidate.translation[i + 1]) : QString(candidate.translation[i]);
+            append(text, isPlaceholder ? values.value(candidate.translation[i + 1]) : QString(candidate.translation[i]));
             if (isPlaceholder) i += 2;
         }
         return text;
