@@ -70,7 +70,7 @@ DrawRequest requestFor(const std::string& word, int width, int height)
 std::vector<DrawRequest> fewScenes()
 {
     std::vector<DrawRequest> scenes;
-    for (const char* word : {"cubes", "cutouts", "reliefs", "glass", "hole-in-wall", "hard/B1", "hard/D9", "hard/A8", "hard/C1", "hard/G2"})
+    for (const char* word : {"cubes", "cutouts", "reliefs", "glass", "hard/D6", "hard/B1", "hard/D9", "hard/A8", "hard/C1", "hard/G2"})
         scenes.push_back(requestFor(word, 32, 24));
     return scenes;
 }
@@ -261,7 +261,7 @@ private slots:
                     if (const auto pipeline = withChoice(findPreset(preset)->pipeline, axis.word, choice.word); !explainInvalid(*pipeline)) pipelines.push_back(*pipeline);
         Missing      missing;
         std::mt19937 random(13);
-        std::array   requests{requestFor("cubes", 32, 24), requestFor("cutouts", 32, 24), requestFor("hole-in-wall", 32, 24)};
+        std::array   requests{requestFor("cubes", 32, 24), requestFor("cutouts", 32, 24), requestFor("hard/D6", 32, 24)};
         for (std::size_t i = 0; i < pipelines.size(); ++i) {
             const Pipeline& pipeline = pipelines[i];
             DrawRequest&    request  = requests[i % requests.size()];

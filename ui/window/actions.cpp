@@ -11,6 +11,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QToolBar>
 #include <QToolButton>
@@ -32,6 +33,13 @@ QKeySequence key(int k) { return QKeySequence(k); }
 
 }  // namespace
 
+QString plainName(const QAction& action)
+{
+    QString name = action.text();
+    name.remove(QRegularExpression(QStringLiteral("\\(&.\\)")));
+    return name.remove('&');
+}
+
 Actions::Actions(QMainWindow& window, Session& session, FrameView& view, WindowRequests requests)
     : QObject(&window), m_window(window), m_session(session), m_view(view), m_requests(std::move(requests))
 {
@@ -50,7 +58,10 @@ Actions::Actions(QMainWindow& window, Session& session, FrameView& view, WindowR
 
 void Actions::say()
 {
-    for (const auto& [action, label] : m_labels) action->setText(tr(label));
+    for (const auto& [action, label] : m_labels) {
+        action->setText(tr(label));
+        action->setIconText(plainName(*action));  // on the toolbar
+    }
     for (const auto& [action, tip] : m_tips) action->setToolTip(tr(tip));
     for (const auto& [action, title] : m_titles) action->setToolTip(said(title));
     for (std::size_t i = 0; i < layers().size(); ++i) m_layerChoices[i]->setText(said(layers()[i].word));

@@ -34,6 +34,9 @@ struct WindowRequests {
     std::function<void(const QString&)>     openWord;
 };
 
+/// The name of an action without the letter that Alt chooses it by: "&Open" and "打开(&O)" alike.
+QString plainName(const QAction& action);
+
 class Actions final : public QObject {
     Q_OBJECT
 

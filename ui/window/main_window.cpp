@@ -382,8 +382,8 @@ void MainWindow::showKeys()
     QString rows;
     for (const QAction* action : m_actions->all()) {
         if (action->shortcuts().isEmpty()) continue;
-        QString name = action->text();
-        name.remove('&').remove(QChar(0x2026));
+        QString name = plainName(*action);
+        name.remove(QChar(0x2026));
         rows += QString("<tr><td style='padding:2px 24px 2px 0'><b>%1</b></td><td>%2</td></tr>")
                     .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText).toHtmlEscaped(),
                          name.toHtmlEscaped());
