@@ -20,6 +20,7 @@ Command addExport(CLI::App& parent);
 Command addVerify(CLI::App& parent);
 Command addStep(CLI::App& parent);
 Command addExplain(CLI::App& parent);
+Command addLesson(CLI::App& parent);
 Command addCompare(CLI::App& parent);
 Command addBench(CLI::App& parent);
 Command addList(CLI::App& parent);

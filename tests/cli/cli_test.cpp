@@ -193,7 +193,7 @@ TEST_F(Cli, HelpAndVersionAreNoMistake)
 {
     EXPECT_EQ(run({"--help"}).status, 0);
     EXPECT_EQ(run({"--version"}).status, 0);
-    for (const char* command : {"render", "info", "export", "verify", "step", "explain", "compare", "bench", "list"}) {
+    for (const char* command : {"render", "info", "export", "verify", "step", "explain", "lesson", "compare", "bench", "list"}) {
         const Answer answer = run({command, "--help"});
         EXPECT_EQ(answer.status, 0);
         EXPECT_NE(answer.out.find("--quiet"), std::string::npos) << command;
