@@ -37,6 +37,23 @@ void summarise(std::vector<FrameReport> reports, BenchRow& row)
     row.q3Ms      = at(0.75).frameMs;
     for (const StageTime& stage : at(0.5).stages) row.stageMs[static_cast<std::size_t>(stage.stage)] = stage.ms;
     for (const NamedCount& part : at(0.5).bytes) row.bytes += part.value;
+
+    std::vector<double> times(reports.size());
+    for (std::size_t stage = 0; stage < kStages.size(); ++stage) {
+        std::ranges::transform(reports, times.begin(), [stage](const FrameReport& report) { return report.stages[stage].ms; });
+        std::ranges::sort(times);
+        const auto quantile = [&times](double p) { return times[quantileRank(times.size(), p)]; };
+        row.stageQuartiles[stage] = {quantile(0.25), quantile(0.5), quantile(0.75)};
+    }
+}
+
+/// What compare() would find, if every pixel is known to be the same.
+ErrorFigures figuresOfEqual(const Picture& reference)
+{
+    ErrorFigures figures;
+    figures.pixels  = reference.ids.values().size();
+    figures.covered = static_cast<std::uint64_t>(std::ranges::count_if(reference.ids.values(), [](std::int64_t id) { return id >= 0; }));
+    return figures;
 }
 
 /// One bench: the scene made ready, the truth about it, and the objects every run uses again.
@@ -76,6 +93,7 @@ public:
                         Result<BenchRow> row = time(algorithm, threads, simd, shade);
                         if (!row) return row.error();
                         row->counters = counters;
+                        if (m_request.finished) m_request.finished(*row);
                         rows.push_back(*std::move(row));
                     }
         }
@@ -83,9 +101,13 @@ public:
     }
 
 private:
-    struct Judged {
-        Picture       picture;
+    struct Judgement {
         std::uint64_t wrong = 0;
+        ErrorFigures  figures;
+    };
+    struct Judged {
+        Picture   picture;
+        Judgement judgement;
     };
 
     DrawRequest drawRequest(const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade) const
@@ -108,6 +130,7 @@ private:
         row.shaded    = shade;
         row.scene     = m_request.scene->name;
         row.algorithm = algorithm.name;
+        row.claim     = algorithm.claim;
         row.triangles = m_request.scene->triangleCount();
         row.pixels    = static_cast<std::uint64_t>(draw.camera.width) * static_cast<std::uint64_t>(draw.camera.height);
         row.buildMs   = m_buildMs;
@@ -118,9 +141,10 @@ private:
         row.threads = first->threads;
         row.simd    = first->simd;
         if (m_reference) {
-            const auto wrong = wrongPixels(algorithm);
-            if (!wrong) return wrong.error();
-            row.wrongPixels = *wrong;
+            const auto judgement = judge(algorithm);
+            if (!judgement) return judgement.error();
+            row.wrongPixels = judgement->wrong;
+            row.figures     = judgement->figures;
         }
         for (int frame = 0; frame < m_request.warmUp; ++frame)
             if (const auto report = m_renderer.draw(draw, m_frame); !report) return report.error();
@@ -142,16 +166,18 @@ private:
     }
 
     /// Of the frame just drawn.
-    Result<std::uint64_t> wrongPixels(const BenchAlgorithm& algorithm)
+    Result<Judgement> judge(const BenchAlgorithm& algorithm)
     {
-        Picture picture = pictureOf(m_frame.visible);
-        if (!drawsFaces(algorithm.pipeline)) return differingPixels(*m_reference, picture);
-        if (m_judged && differingPixels(m_judged->picture, picture) == 0) return m_judged->wrong;
+        Picture             picture = pictureOf(m_frame.visible);
+        const std::uint64_t differ  = differingPixels(*m_reference, picture);
+        if (!drawsFaces(algorithm.pipeline))
+            return Judgement{differ, differ == 0 ? figuresOfEqual(*m_reference) : compare(*m_reference, picture)};
+        if (m_judged && differingPixels(m_judged->picture, picture) == 0) return m_judged->judgement;
         const auto figures = compareByFace(*m_request.scene, m_request.camera, m_request.faceCulling, *m_reference, picture, m_request.progress);
         if (!figures) return figures.error();
-        const std::uint64_t wrong = algorithm.claim == Claim::ExactByFace ? figures->wrongCoverage() : figures->wrongPixels();
-        if (!m_judged) m_judged = Judged{std::move(picture), wrong};
-        return wrong;
+        const Judgement judgement{algorithm.claim == Claim::ExactByFace ? figures->wrongCoverage() : figures->wrongPixels(), *figures};
+        if (!m_judged) m_judged = Judged{std::move(picture), judgement};
+        return judgement;
     }
 
     const BenchRequest&                  m_request;
@@ -206,23 +232,65 @@ std::string benchToCsv(std::span<const BenchRow> rows)
     return csv;
 }
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view wordOf(Claim claim)
+{
+    return claim == Claim::Exact ? "exact" : claim == Claim::ExactByFace ? "exact-by-face" : "approximate";
+}
+
+/// JSON knows no infinity: a word stands for it, as in cameras.
+Json number(double value) { return std::isinf(value) ? Json("inf") : Json(value); }
+
+Json toJson(const RelativeDistance& distance)
+{
+    return {{"rms", number(distance.rms)}, {"p99", number(distance.p99)}, {"max", number(distance.max)}};
+}
+
+Json toJson(const ErrorFigures& figures)
+{
+    return {{"covered", figures.covered},
+            {"holes", figures.holes},
+            {"spills", figures.spills},
+            {"near_ties", figures.nearTies},
+            {"real_wrong_surface", figures.realWrongSurface},
+            {"depth_bits_differ", figures.depthBitsDiffer},
+            {"exact_share", figures.exactShare},
+            {"p99_depth_steps", figures.p99DepthSteps},
+            {"max_depth_steps", figures.maxDepthSteps},
+            {"distance_on_same_surface", toJson(figures.distanceOnSameSurface)},
+            {"distance_on_wrong_surface", toJson(figures.distanceOnWrongSurface)},
+            {"lost_triangles", figures.lostTriangles},
+            {"false_culls", figures.falseCulls}};
+}
+
+}  // namespace
+
 std::string benchToJson(std::span<const BenchRow> rows)
 {
-    using Json = nlohmann::ordered_json;
     Json list  = Json::array();
     for (const BenchRow& row : rows) {
         Json stages = Json::object();
         for (const Stage stage : kStages) stages[std::string(wordOf(stage))] = row.stageMs[static_cast<std::size_t>(stage)];
+        Json quartiles = Json::object();
+        for (const Stage stage : kStages) {
+            const StageQuartiles& of = row.stageQuartiles[static_cast<std::size_t>(stage)];
+            quartiles[std::string(wordOf(stage))] = Json{{"q1", of.q1}, {"median", of.median}, {"q3", of.q3}};
+        }
         Json counters = Json::object();
         for (const NamedCount& counter : row.counters) counters[counter.name] = counter.value;
         list.push_back({{"scene", row.scene},
                         {"algorithm", row.algorithm},
+                        {"claim", wordOf(row.claim)},
                         {"chosen", row.chosen.empty() ? Json(nullptr) : Json(row.chosen)},
                         {"threads", row.threads},
                         {"simd", wordOf(row.simd)},
                         {"shaded", row.shaded},
                         {"verified", row.wrongPixels ? Json(*row.wrongPixels == 0) : Json(nullptr)},
                         {"wrong_pixels", row.wrongPixels ? Json(*row.wrongPixels) : Json(nullptr)},
+                        {"figures", row.figures ? toJson(*row.figures) : Json(nullptr)},
                         {"best_ms", row.bestMs},
                         {"median_ms", row.medianMs},
                         {"q1_ms", row.q1Ms},
@@ -235,6 +303,7 @@ std::string benchToJson(std::span<const BenchRow> rows)
                         {"build_ms", row.buildMs},
                         {"bytes", row.bytes},
                         {"stages", std::move(stages)},
+                        {"stage_quartiles", std::move(quartiles)},
                         {"counters", std::move(counters)}});
     }
     return list.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

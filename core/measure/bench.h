@@ -4,14 +4,16 @@
 //            warm-up frames, then `frames` timed ones; one that chooses by trials has them behind it before. Counters come
 //            from a separate run and never slow a timed one
 // Verified   the first picture of every run. Of methods that draw faces the first of each algorithm is judged against
-//            the reference, which takes long, and the others against that first one
+//            the reference, which takes long, and the others against that first one. A picture that differs gets all its
+//            error figures; one that does not has zeros for the cost of the comparison alone
 // Quantiles  nearest rank, so every figure is a time that was measured; the stage times are those of the median
-//            frame and add up to it
+//            frame and add up to it. The quartiles of a stage are its own, over all timed frames, and need not add up
 // Threads    one render thread, OpenMP inside; nothing else should run meanwhile
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +24,7 @@
 #include "core/base/result.h"
 #include "core/base/stages.h"
 #include "core/frame/renderer.h"
+#include "core/measure/error_figures.h"
 #include "core/measure/suites.h"
 #include "core/scene/load.h"
 #include "core/scene/scene.h"
@@ -33,6 +36,8 @@ struct BenchAlgorithm {
     Pipeline    pipeline;
     Claim       claim = Claim::Exact;
 };
+
+struct BenchRow;
 
 struct BenchRequest {
     std::shared_ptr<const Scene> scene;
@@ -49,11 +54,19 @@ struct BenchRequest {
     std::uint64_t                memoryLimit = 0;    // bytes; as DrawRequest
     LoadTimes                    load        = {};   // of the scene, for the rows
     Progress                     progress    = {};
+    /// Told of every row as soon as it is finished, from the calling thread; what was told stays true if the rest fails.
+    std::function<void(const BenchRow&)> finished = {};
+};
+
+/// Of one stage over the timed frames, in ms.
+struct StageQuartiles {
+    double q1 = 0, median = 0, q3 = 0;
 };
 
 struct BenchRow {
     std::string scene;
     std::string algorithm;
+    Claim       claim = Claim::Exact;
     std::string chosen;       // `auto`: by which preset the last timed frame was drawn
     int         threads = 1;  // as used
     Simd        simd    = Simd::Scalar;
@@ -62,6 +75,8 @@ struct BenchRow {
     /// Pixels whose id or depth bits differ from the reference, or, of a method that is exact by face, its holes and spills;
     /// nothing: no reference was asked for.
     std::optional<std::uint64_t> wrongPixels;
+    /// All figures of the same picture, by face for a method that draws faces; there whenever wrongPixels is.
+    std::optional<ErrorFigures> figures;
 
     double        bestMs = 0, medianMs = 0, q1Ms = 0, q3Ms = 0;  // of a frame
     std::uint64_t triangles = 0;                                 // of the scene, instances included
@@ -70,8 +85,12 @@ struct BenchRow {
     LoadTimes     load      = {};                                // of the scene, as the request says
     std::uint64_t bytes     = 0;                                 // of all structures of the frame
 
-    std::array<double, kStages.size()> stageMs{};  // of the median frame
-    std::vector<NamedCount>            counters;   // the work behind the times
+    std::array<double, kStages.size()>         stageMs{};         // of the median frame
+    std::array<StageQuartiles, kStages.size()> stageQuartiles{};  // of each stage by itself
+    std::vector<NamedCount>                    counters;          // the work behind the times
+
+    /// It promised the reference's picture and drew another: its time is no result.
+    bool isBroken() const { return claim != Claim::Approximate && wrongPixels.value_or(0) != 0; }
 };
 
 /// Position in `count` sorted values of their quantile p in (0, 1]: nearest rank.

@@ -47,6 +47,8 @@ struct ErrorFigures {
     std::uint64_t wrongCoverage() const { return holes + spills; }
     std::uint64_t wrongSurface() const { return nearTies + realWrongSurface; }
     std::uint64_t wrongPixels() const { return wrongCoverage() + wrongSurface(); }
+    /// The largest relative depth error wherever both show a triangle.
+    double worstDistance() const { return distanceOnSameSurface.max > distanceOnWrongSurface.max ? distanceOnSameSurface.max : distanceOnWrongSurface.max; }
     /// Same ids and same depth bits at every pixel compared.
     bool isExact() const { return wrongPixels() == 0 && depthBitsDiffer == 0; }
 };

@@ -1,0 +1,37 @@
+// What one piece of work cost: the time of a stage divided by how many of the things it works on there were. Two algorithms
+// that meet different amounts of work can then be held against each other, stage by stage.
+//
+// Divisors   transform: vertices; setup: triangles, or of a sweep the edges of its edge table; cull: nodes; prepass, raster:
+//            pixels tested; raster of a sweep also active edges, each once per line; upkeep: pyramid cells; shade: fragments
+// Left out   clear, build and other work on nothing that is counted. A divisor of 0, a stage that took no time, and a stage
+//            whose counter counts another stage too give no figure rather than a misleading one
+// Times      wall time with the row's threads: a stage that two threads share costs half as much per piece
+// Counters   come from a serial run of the same choices; of a measured choice (`auto`) they may be those of another preset
+//            than the one that was timed, so it has no figures but those of the frame
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/measure/bench.h"
+
+namespace zscope {
+
+enum class WorkUnit { Vertex, Triangle, Pixel, Edge, ActiveEdge, Node, Cell };
+
+std::string_view wordOf(WorkUnit unit);
+
+struct UnitCost {
+    WorkUnit      unit  = WorkUnit::Pixel;
+    std::uint64_t count = 0;  // at least 1
+    double        ns    = 0;  // of one
+};
+
+/// Of the stage's own median; none, one, or two.
+std::vector<UnitCost> unitCosts(const BenchRow& row, Stage stage);
+
+/// Of the median frame: per triangle of the scene and per pixel of the picture.
+std::vector<UnitCost> frameCosts(const BenchRow& row);
+
+}  // namespace zscope

@@ -1,0 +1,227 @@
+// What a run's record says: quartiles of stages, error figures, costs per piece of work, and the set worth choosing from.
+#include "core/measure/bench.h"
+
+#include <limits>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/measure/reference.h"
+#include "core/measure/speed_error.h"
+#include "core/measure/unit_costs.h"
+#include "core/scene/load.h"
+
+namespace zscope::tests {
+namespace {
+
+BenchRequest requestFor(const std::string& word, const std::vector<Pipeline>& pipelines)
+{
+    const Result<Scene> scene = loadScene("builtin:" + word);
+    ViewRequest         view  = scene->views.empty() ? ViewRequest{} : scene->views.front().view;
+    view.width                = 96;
+    view.height               = 64;
+    BenchRequest request;
+    request.camera = *makeCamera(view, scene->bounds);
+    request.scene  = std::make_shared<const Scene>(*scene);
+    for (const Pipeline& pipeline : pipelines) request.algorithms.push_back({nameOf(pipeline), pipeline, claimOf(pipeline)});
+    request.threads = {1};
+    request.warmUp  = 1;
+    request.frames  = 7;
+    return request;
+}
+
+Pipeline presetNamed(std::string_view name) { return findPreset(name)->pipeline; }
+
+std::uint64_t counterOf(const BenchRow& row, std::string_view name)
+{
+    for (const NamedCount& counter : row.counters)
+        if (counter.name == name) return counter.value;
+    ADD_FAILURE() << "no counter " << name;
+    return 0;
+}
+
+TEST(Bench, StagesHaveOrderedQuartilesAndThoseOfTheMedianFrameStillAddUp)
+{
+    const auto rows = bench(requestFor("teapot", {presetNamed("hzb-octree"), presetNamed("scanline")}));
+    ASSERT_TRUE(rows.ok()) << rows.error().text();
+    for (const BenchRow& row : *rows) {
+        double sum = 0, medians = 0;
+        for (std::size_t stage = 0; stage < kStages.size(); ++stage) {
+            const StageQuartiles& of = row.stageQuartiles[stage];
+            EXPECT_LE(of.q1, of.median);
+            EXPECT_LE(of.median, of.q3);
+            sum += row.stageMs[stage];
+            medians += of.median;
+        }
+        EXPECT_NEAR(sum, row.medianMs, 1e-6);
+        EXPECT_GT(medians, 0) << row.algorithm;
+    }
+}
+
+TEST(Bench, TellsOfEveryRowWhenItIsFinishedAndKeepsToldRowsWhenItIsStopped)
+{
+    auto              request = requestFor("cubes", {presetNamed("zbuffer"), presetNamed("scanline"), presetNamed("interval")});
+    std::atomic<bool> stop{false};
+    request.progress.cancel = &stop;
+    std::vector<std::string> told;
+    request.finished = [&](const BenchRow& row) {
+        told.push_back(row.algorithm);
+        stop = told.size() == 2;
+    };
+    const auto rows = bench(request);
+    EXPECT_FALSE(rows.ok());
+    EXPECT_EQ(told, (std::vector<std::string>{"zbuffer", "scanline"}));
+}
+
+TEST(Bench, AnExactPictureHasFiguresOfZeroAndOthersAllThatCompareFinds)
+{
+    Pipeline rough             = presetNamed("zbuffer");
+    rough.approximation.format = DepthFormat::Fixed16;
+    Pipeline faulty            = presetNamed("edge-walk");
+    faulty.fault               = Fault::XTruncated;
+    const auto request         = requestFor("cubes", {presetNamed("zbuffer"), rough, faulty, presetNamed("interval-polygon")});
+    const auto rows            = bench(request);
+    ASSERT_TRUE(rows.ok()) << rows.error().text();
+    const auto reference = referencePicture(*request.scene, request.camera, request.faceCulling);
+    ASSERT_TRUE(reference.ok());
+    const ErrorFigures itself = compare(*reference, *reference);
+
+    for (const BenchRow& row : *rows) ASSERT_TRUE(row.figures && row.wrongPixels) << row.algorithm;
+    const BenchRow &exact = rows->at(0), &depths = rows->at(1), &holes = rows->at(2), &faces = rows->at(3);
+    EXPECT_TRUE(exact.figures->isExact());
+    EXPECT_EQ(exact.figures->pixels, itself.pixels);
+    EXPECT_EQ(exact.figures->covered, itself.covered);
+    EXPECT_GT(exact.figures->covered, 0u);
+    EXPECT_EQ(exact.figures->worstDistance(), 0);
+    EXPECT_GT(depths.figures->depthBitsDiffer, 0u);
+    EXPECT_GT(depths.figures->maxDepthSteps, 0u);
+    EXPECT_GT(depths.figures->worstDistance(), 0);
+    EXPECT_EQ(*depths.wrongPixels, depths.figures->depthBitsDiffer);
+    EXPECT_GT(holes.figures->wrongPixels(), 0u);
+    EXPECT_EQ(faces.figures->wrongCoverage(), 0u);
+    for (const BenchRow& row : *rows) EXPECT_FALSE(row.isBroken()) << row.algorithm;
+
+    BenchRow wrong = holes;
+    wrong.claim    = Claim::Exact;  // as if a preset had drawn it
+    EXPECT_TRUE(wrong.isBroken());
+}
+
+TEST(Bench, WithoutAReferenceThereAreNoFigures)
+{
+    auto request   = requestFor("cubes", {presetNamed("zbuffer")});
+    request.verify = false;
+    const auto rows = bench(request);
+    ASSERT_TRUE(rows.ok());
+    EXPECT_FALSE(rows->front().figures);
+    EXPECT_FALSE(rows->front().isBroken());
+    EXPECT_TRUE(nlohmann::json::parse(benchToJson(*rows)).at(0).at("figures").is_null());
+}
+
+TEST(Bench, TheRecordHoldsQuartilesAndFiguresAndTheTableKeepsItsColumns)
+{
+    Pipeline faulty = presetNamed("edge-walk");
+    faulty.fault    = Fault::XTruncated;
+    auto rows       = bench(requestFor("cubes", {faulty}));
+    ASSERT_TRUE(rows.ok());
+    rows->front().figures->distanceOnWrongSurface.max = std::numeric_limits<double>::infinity();
+    const auto row = nlohmann::json::parse(benchToJson(*rows)).at(0);
+    EXPECT_EQ(row.at("claim"), "approximate");
+    EXPECT_EQ(row.at("figures").at("holes"), rows->front().figures->holes);
+    EXPECT_EQ(row.at("figures").at("distance_on_wrong_surface").at("max"), "inf");
+    for (const Stage stage : kStages) {
+        const auto& quartiles = row.at("stage_quartiles").at(std::string(wordOf(stage)));
+        EXPECT_EQ(quartiles.at("median"), rows->front().stageQuartiles[static_cast<std::size_t>(stage)].median);
+        EXPECT_LE(quartiles.at("q1"), quartiles.at("q3"));
+    }
+    const std::string csv = benchToCsv(*rows);
+    EXPECT_EQ(csv.substr(0, csv.find('\n')), "scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,triangles,pixels,"
+                                             "build_ms,bytes,clear,transform,cull,setup,prepass,build,raster,upkeep,shade,other");
+}
+
+TEST(UnitCosts, AreTheStagesMedianOverWhatThatStageWorksOn)
+{
+    BenchRow row;
+    row.medianMs  = 2;
+    row.triangles = 1000;
+    row.pixels    = 500;
+    row.counters  = {{"vertices_transformed", 50}, {"triangles_drawn", 60}, {"triangles_hidden", 30}, {"triangles_back_facing", 10},
+                     {"triangles_outside", 900},   {"nodes_visited", 20},   {"pixels_tested", 400},   {"pyramid_writes", 8},
+                     {"fragments_shaded", 250}};
+    for (StageQuartiles& stage : row.stageQuartiles) stage = {0.5, 1, 7};
+    const auto cost = [&row](Stage stage) { return unitCosts(row, stage); };
+
+    const std::tuple<Stage, WorkUnit, double> expected[]{{Stage::Transform, WorkUnit::Vertex, 1e6 / 50}, {Stage::Setup, WorkUnit::Triangle, 1e6 / 100},
+                                                         {Stage::Cull, WorkUnit::Node, 1e6 / 20},        {Stage::Raster, WorkUnit::Pixel, 1e6 / 400},
+                                                         {Stage::Upkeep, WorkUnit::Cell, 1e6 / 8},       {Stage::Shade, WorkUnit::Pixel, 1e6 / 250}};
+    for (const auto& [stage, unit, ns] : expected) {
+        ASSERT_EQ(cost(stage).size(), 1u) << wordOf(stage);
+        EXPECT_EQ(cost(stage).front().unit, unit) << wordOf(stage);
+        EXPECT_DOUBLE_EQ(cost(stage).front().ns, ns) << wordOf(stage);
+    }
+    for (const Stage stage : {Stage::Clear, Stage::Prepass, Stage::Build, Stage::Other}) EXPECT_TRUE(cost(stage).empty()) << wordOf(stage);
+    EXPECT_DOUBLE_EQ(frameCosts(row).at(0).ns, 2000);
+    EXPECT_DOUBLE_EQ(frameCosts(row).at(1).ns, 4000);
+
+    row.counters.push_back({"edges", 5});  // a sweep: its set-up makes an edge table
+    EXPECT_EQ(cost(Stage::Setup).front().unit, WorkUnit::Edge);
+    row.counters.push_back({"prepass_pixels_tested", 40});  // vertices are then counted twice and timed once
+    EXPECT_TRUE(cost(Stage::Transform).empty());
+    EXPECT_DOUBLE_EQ(cost(Stage::Prepass).front().ns, 1e6 / 40);
+    row.counters.push_back({"fragments_transparent", 1});
+    EXPECT_TRUE(cost(Stage::Shade).empty());
+    row.stageQuartiles[static_cast<std::size_t>(Stage::Raster)] = {};
+    EXPECT_TRUE(cost(Stage::Raster).empty()) << "no time, no cost";
+    row.chosen = "hzb-octree";
+    EXPECT_TRUE(cost(Stage::Setup).empty()) << "the counters may be another preset's";
+}
+
+TEST(UnitCosts, OfARealSweepAreEdgesAndPixels)
+{
+    const auto rows = bench(requestFor("teapot", {presetNamed("scanline"), presetNamed("hzb-bvh")}));
+    ASSERT_TRUE(rows.ok());
+    const BenchRow& sweep = rows->at(0);
+    const auto      raster = unitCosts(sweep, Stage::Raster);
+    ASSERT_EQ(raster.size(), 2u);
+    EXPECT_EQ(raster[0].unit, WorkUnit::ActiveEdge);
+    EXPECT_EQ(raster[0].count, counterOf(sweep, "active_edge_lines"));
+    EXPECT_EQ(raster[1].count, counterOf(sweep, "pixels_tested"));
+    EXPECT_EQ(unitCosts(sweep, Stage::Setup).at(0).count, counterOf(sweep, "edges"));
+    EXPECT_TRUE(unitCosts(sweep, Stage::Cull).empty()) << "a sweep visits no nodes";
+    const auto nodes = unitCosts(rows->at(1), Stage::Cull);
+    ASSERT_EQ(nodes.size(), 1u);
+    EXPECT_EQ(nodes.front().count, counterOf(rows->at(1), "nodes_visited"));
+}
+
+TEST(SpeedError, WhatIsWorseInOneAndNoBetterInTheOtherIsDominated)
+{
+    const auto indices = [](std::vector<SpeedError> points) { return nonDominated(points); };
+    using Indices      = std::vector<std::size_t>;
+    EXPECT_EQ(indices({}), Indices{});
+    EXPECT_EQ(indices({{1, 5}}), Indices{0});
+    EXPECT_EQ(indices({{3, 0}, {1, 5}, {2, 6}, {4, 0}, {2, 1}}), (Indices{1, 4, 0}));
+    EXPECT_EQ(indices({{1, 2}, {1, 1}}), Indices{1}) << "as fast, and less wrong";
+    EXPECT_EQ(indices({{2, 1}, {1, 1}}), Indices{1}) << "as wrong, and faster";
+    EXPECT_EQ(indices({{1, 1}, {2, 0}, {1, 1}}), (Indices{0, 2, 1})) << "equal points stand beside each other";
+    EXPECT_EQ(indices({{1, std::numeric_limits<double>::infinity()}, {2, 0}}), (Indices{0, 1}));
+}
+
+TEST(SpeedError, TheSetIsWhatTheDefinitionSaysOfPairs)
+{
+    std::vector<SpeedError> points;
+    std::uint32_t           seed = 12345;
+    const auto              next = [&seed] { return static_cast<double>((seed = seed * 1664525u + 1013904223u) >> 27); };
+    for (int i = 0; i < 200; ++i) points.push_back({next(), next()});
+    const auto                  kept = nonDominated(points);
+    const std::set<std::size_t> set(kept.begin(), kept.end());
+    EXPECT_EQ(set.size(), kept.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        bool isDominated = false;
+        for (const SpeedError& p : points)
+            isDominated |= p.ms <= points[i].ms && p.error <= points[i].error && (p.ms < points[i].ms || p.error < points[i].error);
+        EXPECT_EQ(set.contains(i), !isDominated) << i;
+    }
+}
+
+}  // namespace
+}  // namespace zscope::tests
