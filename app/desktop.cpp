@@ -21,7 +21,8 @@ namespace {
 using zscope::cli::Exit;
 
 struct Options {
-    std::string               scene = "builtin:teapot";
+    std::string               scene;       // empty: the start page
+    std::string               session;
     bool                      resetSettings = false;
     std::string               settings;    // a file; empty: the user's own
     std::string               screenshot;  // a file; empty: none
@@ -35,12 +36,13 @@ struct Options {
 void declare(CLI::App& parser, Options& options)
 {
     parser.set_version_flag("--version", "ZScope " ZSCOPE_VERSION);
-    parser.add_option("SCENE", options.scene, "An .obj file, a scene .json file, or builtin:NAME[?key=value&...]")
+    parser.add_option("SCENE", options.scene, "An .obj file, a scene .json file, a .zscope-session file, or builtin:NAME[?key=value&...]; without it the start page")
         ->type_name("");
     options.view.add(parser);
     options.how.add(parser, zscope::cli::HowOptions::Algorithms::One);
     parser.add_option("--grain", options.grain, "Grain of the steps: stage, triangle, line, span or pixel")->type_name("GRAIN")->group("Step");
     parser.add_option("--at", options.step, "Step to begin at, counted from 0 (default: the finished picture)")->type_name("K")->group("Step");
+    parser.add_option("--session", options.session, "Reopen the view that was saved in this session file")->type_name("FILE")->group("Window");
     parser.add_flag("--reset-settings", options.resetSettings, "Forget layout, recent files and appearance")->group("Window");
     parser.add_option("--language", options.language, "Language of the window in this run: system, en or zh_CN")->type_name("LANGUAGE")->group("Window");
     parser.add_option("--settings", options.settings, "Keep settings in this file instead")->type_name("FILE")->group("Window");
@@ -72,12 +74,13 @@ void endWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QString&
 }
 
 /// Writes the picture of the window when everything asked for is on it.
-void screenshotWhenIdle(zscope::ui::MainWindow& window, zscope::ui::Session& session, const QString& file)
+/// `asked`: a scene is on its way.
+void screenshotWhenIdle(zscope::ui::MainWindow& window, zscope::ui::Session& session, const QString& file, bool asked)
 {
     auto* poll = new QTimer(&window);
-    QObject::connect(poll, &QTimer::timeout, &window, [&window, &session, file, poll] {
+    QObject::connect(poll, &QTimer::timeout, &window, [&window, &session, file, poll, asked] {
         const bool failed = !window.messages().sentence().isEmpty();
-        if (!session.isIdle() || (!session.now().step && !failed)) return;
+        if (!session.isIdle() || (asked && !session.now().step && !failed)) return;
         poll->stop();
         QTimer::singleShot(100, &window, [&window, file, failed] {
             const bool saved = window.grab().save(file, "PNG");
@@ -102,6 +105,7 @@ Exit run(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return complain(Exit::Usage, error.what());
     }
+    if (!options.scene.empty() && !options.session.empty()) return complain(Exit::Usage, "a session names its own scene: give one of SCENE and --session");
     const auto view = options.view.read();
     if (!view) return complain(zscope::cli::exitOf(view.error().kind), view.error().text());
     const auto how = options.how.read();
@@ -139,10 +143,14 @@ Exit run(int argc, char** argv)
     session.setPipeline(how->algorithm().pipeline);
     if (grain) session.setGrain(*grain);
     window.show();
-    window.open(QString::fromLocal8Bit(options.scene.c_str()),
-                [words = *view](const zscope::Scene& scene) { return words.requestFor(scene); });
+    if (settings.trouble()) window.messages().tell(*settings.trouble());
+    if (!options.session.empty()) window.openSession(QString::fromLocal8Bit(options.session.c_str()));
+    else if (!options.scene.empty())
+        window.open(QString::fromLocal8Bit(options.scene.c_str()),
+                    [words = *view](const zscope::Scene& scene) { return words.requestFor(scene); });
     if (options.step) session.startAt(*options.step);
-    if (!options.screenshot.empty()) screenshotWhenIdle(window, session, QString::fromLocal8Bit(options.screenshot.c_str()));
+    if (!options.screenshot.empty()) screenshotWhenIdle(window, session, QString::fromLocal8Bit(options.screenshot.c_str()),
+                                                          !options.scene.empty() || !options.session.empty());
     return static_cast<Exit>(QApplication::exec());
 }
 

@@ -40,9 +40,9 @@ struct Breakpoint {
     };
     On            on = On::Line;
     int           line = 0;
-    PixelPosition pixel;
-    NodeName      node;
-    TriangleId    triangle;
+    PixelPosition pixel    = {};
+    NodeName      node     = {};
+    TriangleId    triangle = {};
 
     friend bool operator==(const Breakpoint&, const Breakpoint&) = default;
 };

@@ -27,6 +27,40 @@ std::vector<Grid<float>> cellsOf(const Pyramid& pyramid)
     return cells;
 }
 
+/// Notes at which step of a grain each stage begins.
+class StageRecorder {
+public:
+    explicit StageRecorder(Grain grain) : m_grain(grain) {}
+
+    void observe(const StageStarted& e)
+    {
+        dropEmpty();
+        m_stages.push_back({e.stage, m_seen});
+    }
+    template <isStep Event>
+    void observe(const Event&)
+    {
+        if (Event::grain <= m_grain) ++m_seen;
+    }
+
+    std::vector<StageMark> take()
+    {
+        dropEmpty();
+        return std::move(m_stages);
+    }
+
+private:
+    void dropEmpty()
+    {
+        if (!m_stages.empty() && m_stages.back().first == m_seen) m_stages.pop_back();
+    }
+
+    Grain                  m_grain;
+    std::uint64_t          m_seen = 0;
+    std::vector<StageMark> m_stages;
+};
+static_assert(observes<StageRecorder, StageStarted> && observes<StageRecorder, FrameFinished>);
+
 std::optional<Error> cannotStep(const DrawRequest& request, Grain grain)
 {
     const std::vector<Grain> grains = grainsOf(repeatable(request).pipeline);
@@ -63,21 +97,28 @@ Replay::Replay(DrawRequest request) : m_request(std::move(request)) {}
 
 Result<std::uint64_t> Replay::count(Grain grain)
 {
-    std::optional<std::uint64_t>& known = m_counts[static_cast<std::size_t>(grain)];
-    if (known) return *known;
+    std::optional<Length>& known = m_lengths[static_cast<std::size_t>(grain)];
+    if (known) return known->steps;
     if (const auto plan = planFrame(m_request); !plan) return plan.error();
     if (const auto error = cannotStep(m_request, grain)) return *error;
     try {
         Frame         frame;
         StripeScratch scratch;
         StopAt        steps(grain);
-        runUntilStopped(m_request, frame, scratch, Listening(steps));
+        StageRecorder stages(grain);
+        runUntilStopped(m_request, frame, scratch, Listening(stages, steps));
         if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
-        known = steps.seen();
-        return *known;
+        known = Length{steps.seen(), stages.take()};
+        return known->steps;
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     }
+}
+
+Result<std::vector<StageMark>> Replay::stages(Grain grain)
+{
+    if (const auto steps = count(grain); !steps) return steps.error();
+    return m_lengths[static_cast<std::size_t>(grain)]->stages;
 }
 
 Result<std::uint64_t> Replay::eventsBy(Grain other, Grain grain, StepIndex step)

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/lesson/step_state.h"
@@ -22,6 +23,14 @@ enum class PyramidCells { Left, Written };
 /// The JSON of `zscope-cli step --state`.
 std::string stateToJson(const StepState& state, PyramidCells cells = PyramidCells::Left);
 
+/// Where a stage begins in a timeline: its steps go on to the next one's first, or to the end.
+struct StageMark {
+    Stage         stage = Stage::Other;
+    std::uint64_t first = 0;  // the first step whose state lies in it
+
+    friend bool operator==(const StageMark&, const StageMark&) = default;
+};
+
 class Replay {
 public:
     explicit Replay(DrawRequest request);
@@ -30,6 +39,9 @@ public:
 
     /// Number of steps at a grain; counted once. Errors: Usage if the algorithm has no such grain, Cancelled.
     Result<std::uint64_t> count(Grain grain);
+    /// In the order of the run; found with the number of steps. A stage without a step of this grain is left out. Errors as
+    /// count().
+    Result<std::vector<StageMark>> stages(Grain grain);
     /// Errors: Usage (no such grain, step beyond the last), Limit, Cancelled.
     Result<StepState> at(Grain grain, StepIndex step);
     /// How many events of grain `other` or a coarser one have happened in the state at (grain, step): the way from a
@@ -37,8 +49,13 @@ public:
     Result<std::uint64_t> eventsBy(Grain other, Grain grain, StepIndex step);
 
 private:
-    DrawRequest                                              m_request;
-    std::array<std::optional<std::uint64_t>, kGrains.size()> m_counts{};
+    struct Length {
+        std::uint64_t          steps = 0;
+        std::vector<StageMark> stages;
+    };
+
+    DrawRequest                                       m_request;
+    std::array<std::optional<Length>, kGrains.size()> m_lengths{};
 };
 
 }  // namespace zscope

@@ -192,6 +192,123 @@
     </message>
 </context>
 <context>
+    <name>Grain</name>
+    <message>
+        <source>frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>stage</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>node</source>
+        <translation>结点</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>query</source>
+        <translation>查询</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>扫描线</translation>
+    </message>
+    <message>
+        <source>interval</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>span</source>
+        <translation>扫描段</translation>
+    </message>
+    <message>
+        <source>update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>像素</translation>
+    </message>
+</context>
+<context>
+    <name>Layouts</name>
+    <message>
+        <source>Teach</source>
+        <translation>教学</translation>
+    </message>
+    <message>
+        <source>Every structure that the algorithm uses, beside its picture</source>
+        <translation>算法所用的每种结构，与画面并列</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>对比</translation>
+    </message>
+    <message>
+        <source>Two algorithms held against each other, and why a pixel differs</source>
+        <translation>两种算法相互对照，以及像素为何不同</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>性能</translation>
+    </message>
+    <message>
+        <source>What ran and how long it took, and what was left out</source>
+        <translation>运行了什么、用了多久、省略了什么</translation>
+    </message>
+</context>
+<context>
+    <name>Linking</name>
+    <message>
+        <source>B stands at the same part of its run.</source>
+        <translation>B 停在其运行的相同比例处。</translation>
+    </message>
+    <message>
+        <source>B stands at the same part of the same stage.</source>
+        <translation>B 停在同一阶段的相同比例处。</translation>
+    </message>
+    <message>
+        <source>A works on no line of its own here.</source>
+        <translation>A 在此处不处理任何扫描线。</translation>
+    </message>
+    <message>
+        <source>B comes to line %1 here for the first time.</source>
+        <translation>B 在此首次到达第 %1 行。</translation>
+    </message>
+    <message>
+        <source>B never works on line %1.</source>
+        <translation>B 从不处理第 %1 行。</translation>
+    </message>
+    <message>
+        <source>Pick a pixel for B to follow.</source>
+        <translation>请拾取一个像素供 B 跟随。</translation>
+    </message>
+    <message>
+        <source>The pixel shows the background in A.</source>
+        <translation>该像素在 A 中显示背景。</translation>
+    </message>
+    <message>
+        <source>The last step at which the pixel still shows the background in B, too.</source>
+        <translation>该像素在 B 中仍显示背景的最后一步。</translation>
+    </message>
+    <message>
+        <source>Here B gives the pixel to the triangle that it shows in A.</source>
+        <translation>在此步 B 把该像素交给 A 中显示的三角形。</translation>
+    </message>
+    <message>
+        <source>No step of B changes the pixel.</source>
+        <translation>B 没有任何一步改变该像素。</translation>
+    </message>
+    <message>
+        <source>B never shows that triangle in the pixel; this is its last change.</source>
+        <translation>B 在该像素从不显示那个三角形；这是它的最后一次改变。</translation>
+    </message>
+</context>
+<context>
     <name>Numbers</name>
     <message>
         <source>%1 ms</source>
@@ -240,12 +357,13 @@
         <source>Timeline</source>
         <translation>时间轴</translation>
     </message>
-</context>
-<context>
-    <name>PixelFacts</name>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
+        <source>Faults</source>
+        <translation>典型错误</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>标记</translation>
     </message>
 </context>
 <context>
@@ -332,6 +450,17 @@
     <message>
         <source>%1 is there already; it was left as it is.</source>
         <translation>%1 已经存在；未作改动。</translation>
+    </message>
+</context>
+<context>
+    <name>Settings</name>
+    <message>
+        <source>%1:%2: this is no setting; the window starts with its defaults.</source>
+        <translation>%1:%2：这不是一项设置；窗口以默认设置启动。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as settings; the window starts with its defaults.</source>
+        <translation>无法把 %1 读作设置；窗口以默认设置启动。</translation>
     </message>
 </context>
 <context>
@@ -830,6 +959,94 @@
         <source>&amp;About ZScope</source>
         <translation>关于 ZScope(&amp;A)</translation>
     </message>
+    <message>
+        <source>Save s&amp;ession…</source>
+        <translation>保存会话(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>La&amp;yout</source>
+        <translation>布局(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Own layouts</source>
+        <translation>自定义布局(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Save this layout…</source>
+        <translation>保存此布局(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Forget a layout</source>
+        <translation>删除布局(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Book&amp;mark this step</source>
+        <translation>给此步加书签(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Next bookmark</source>
+        <translation>下一个书签(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious bookmark</source>
+        <translation>上一个书签(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Run to the next breakpoint</source>
+        <translation>运行到下一个断点(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Run b&amp;ack to a breakpoint</source>
+        <translation>反向运行到断点(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Brea&amp;kpoint on what is picked or selected</source>
+        <translation>在拾取或选中的对象上设断点(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Breakpoint &amp;on</source>
+        <translation>断点位于(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Remove all breakpoints</source>
+        <translation>删除所有断点</translation>
+    </message>
+    <message>
+        <source>First step that &amp;changes the picked pixel</source>
+        <translation>首次改变拾取像素的步(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Next step that changes it</source>
+        <translation>下一次改变它的步</translation>
+    </message>
+    <message>
+        <source>Previous step that changes it</source>
+        <translation>上一次改变它的步</translation>
+    </message>
+    <message>
+        <source>The line of the picked pixel, or of the step</source>
+        <translation>拾取像素或当前步所在的行</translation>
+    </message>
+    <message>
+        <source>The picked pixel</source>
+        <translation>拾取的像素</translation>
+    </message>
+    <message>
+        <source>The selected node</source>
+        <translation>选中的节点</translation>
+    </message>
+    <message>
+        <source>The selected triangle, or that of the picked pixel</source>
+        <translation>选中的三角形，或拾取像素的三角形</translation>
+    </message>
+    <message>
+        <source>&amp;Commands…</source>
+        <translation>命令(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>C&amp;hange keys…</source>
+        <translation>更改按键(&amp;H)…</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::ActiveEdgesPanel</name>
@@ -926,6 +1143,39 @@
     </message>
 </context>
 <context>
+    <name>zscope::ui::CheatSheet</name>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>按键和鼠标</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Inspect&lt;/b&gt;: the wheel zooms to the cursor, dragging pans, a click picks a pixel.&lt;br&gt;&lt;b&gt;Camera&lt;/b&gt;, or Alt held: left drag orbits, middle drag pans, right drag looks around, the wheel dollies, the arrow keys turn the model, W A S D Q E fly, Shift flies faster.&lt;br&gt;&lt;b&gt;Shift held&lt;/b&gt; with Inspect: B is seen for as long.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;检视&lt;/b&gt;：滚轮向光标处缩放，拖动平移，单击拾取像素。&lt;br&gt;&lt;b&gt;相机&lt;/b&gt;，或按住 Alt：左键拖动环绕，中键拖动平移，右键拖动环视，滚轮推拉，方向键转动模型，W A S D Q E 飞行，Shift 加速。&lt;br&gt;检视时&lt;b&gt;按住 Shift&lt;/b&gt;：显示 B，直到松开。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::CommandModel</name>
+    <message>
+        <source>%1, not possible now</source>
+        <translation>%1，现在不可用</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Type a few letters of a command</source>
+        <translation>输入命令的几个字</translation>
+    </message>
+    <message>
+        <source>Letters of a command</source>
+        <translation>命令的几个字</translation>
+    </message>
+</context>
+<context>
     <name>zscope::ui::ComparePanel</name>
     <message>
         <source>Algorithm A</source>
@@ -974,10 +1224,6 @@
     <message>
         <source>Depths of one triangle that are no more float32 steps apart count as equal</source>
         <translation>同一三角形的深度相差不超过这么多个 float32 步时，视为相等</translation>
-    </message>
-    <message>
-        <source>B stops at the same moment: the same step of the same grain, or the same part of its run</source>
-        <translation>B 停在同一时刻：同一粒度的同一步，或运行进度的同一比例处</translation>
     </message>
     <message>
         <source>Result of the comparison</source>
@@ -1046,6 +1292,46 @@
     <message>
         <source>%1 pixels</source>
         <translation>%1 个像素</translation>
+    </message>
+    <message>
+        <source>B is stepped with A, and stops where the box beside says</source>
+        <translation>B 随 A 步进，停在右侧选项所指之处</translation>
+    </message>
+    <message>
+        <source>What of A&apos;s step B follows</source>
+        <translation>B 跟随 A 的哪一项</translation>
+    </message>
+    <message>
+        <source>same step</source>
+        <translation>同一步</translation>
+    </message>
+    <message>
+        <source>same line</source>
+        <translation>同一行</translation>
+    </message>
+    <message>
+        <source>same stage</source>
+        <translation>同一阶段</translation>
+    </message>
+    <message>
+        <source>picked pixel</source>
+        <translation>拾取的像素</translation>
+    </message>
+    <message>
+        <source>The same number, or the same part of the run where B has no steps of that grain</source>
+        <translation>相同的步数；若 B 没有该粒度的步，则为运行的相同比例</translation>
+    </message>
+    <message>
+        <source>Where B works on A&apos;s line for the first time</source>
+        <translation>B 首次处理 A 所在行之处</translation>
+    </message>
+    <message>
+        <source>The same part of the same stage</source>
+        <translation>同一阶段的相同比例</translation>
+    </message>
+    <message>
+        <source>Where B gives the picked pixel to the triangle that it shows in A</source>
+        <translation>B 把拾取的像素交给 A 中所示三角形之处</translation>
     </message>
 </context>
 <context>
@@ -1155,6 +1441,56 @@
     <message>
         <source>x·256</source>
         <translation>x·256</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::FaultsModel</name>
+    <message>
+        <source>fault</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>wrong pixels</source>
+        <translation>出错像素</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::FaultsPanel</name>
+    <message>
+        <source>Faults</source>
+        <translation>典型错误</translation>
+    </message>
+    <message>
+        <source>What the fault does to the picture; wrong pixels stand out in red</source>
+        <translation>该错误对画面的影响；出错像素以红色突出</translation>
+    </message>
+    <message>
+        <source>Open a scene: then the classic mistakes appear here, with what each of them does to it.</source>
+        <translation>请打开场景：这里将列出典型错误，以及每种错误的后果。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2 pixels&lt;/b&gt; are wrong with &lt;b&gt;%3&lt;/b&gt;.</source>
+        <translation>在 &lt;b&gt;%3&lt;/b&gt; 中，&lt;b&gt;%2 个像素里有 %1 个&lt;/b&gt;出错。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2 pixels&lt;/b&gt; are wrong with &lt;b&gt;%3&lt;/b&gt;, in which it can happen.</source>
+        <translation>在可能出现此错误的 &lt;b&gt;%3&lt;/b&gt; 中，&lt;b&gt;%2 个像素里有 %1 个&lt;/b&gt;出错。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Right:&lt;/b&gt; %1</source>
+        <translation>&lt;b&gt;正确做法：&lt;/b&gt;%1</translation>
+    </message>
+    <message>
+        <source>Switch it off</source>
+        <translation>关闭此错误</translation>
+    </message>
+    <message>
+        <source>Switch it on</source>
+        <translation>启用此错误</translation>
+    </message>
+    <message>
+        <source>It is being drawn, or cannot happen in this scene</source>
+        <translation>正在绘制，或在此场景中不会发生</translation>
     </message>
 </context>
 <context>
@@ -1289,6 +1625,64 @@
     <message>
         <source>nearest D</source>
         <translation>最近 D</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::KeysDialog</name>
+    <message>
+        <source>Assign</source>
+        <translation>指定</translation>
+    </message>
+    <message>
+        <source>No key</source>
+        <translation>无按键</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation>重置所有按键</translation>
+    </message>
+    <message>
+        <source>Change keys</source>
+        <translation>更改按键</translation>
+    </message>
+    <message>
+        <source>Find a command or a key</source>
+        <translation>查找命令或按键</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>命令及其按键</translation>
+    </message>
+    <message>
+        <source>New key for the chosen command</source>
+        <translation>所选命令的新按键</translation>
+    </message>
+    <message>
+        <source>Who has this key already</source>
+        <translation>已占用此按键的命令</translation>
+    </message>
+    <message>
+        <source>⚠ %1 belongs to: %2. Assigning it takes it away from there.</source>
+        <translation>⚠ %1 已属于：%2。指定后将从那里移除。</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::KeysModel</name>
+    <message>
+        <source>command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>default, where it was changed</source>
+        <translation>默认值（若已更改）</translation>
     </message>
 </context>
 <context>
@@ -1438,10 +1832,6 @@
         <translation>打开场景</translation>
     </message>
     <message>
-        <source>Scenes (*.obj *.OBJ *.json);;All files (*)</source>
-        <translation>场景 (*.obj *.OBJ *.json);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>已保存 %1</translation>
     </message>
@@ -1470,20 +1860,134 @@
         <translation>y</translation>
     </message>
     <message>
-        <source>Keys and mouse</source>
-        <translation>键盘与鼠标</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;&lt;b&gt;Inspect&lt;/b&gt;: the wheel zooms to the cursor, dragging pans, a click picks a pixel.&lt;br&gt;&lt;b&gt;Camera&lt;/b&gt;, or Alt held: left drag orbits, middle drag pans, right drag looks around, the wheel dollies, the arrow keys turn the model, W A S D Q E fly, Shift flies faster.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;查看&lt;/b&gt;：滚轮以光标为中心缩放，拖动平移，单击选取像素。&lt;br&gt;&lt;b&gt;相机&lt;/b&gt;，或按住 Alt：左键拖动环绕，中键拖动平移，右键拖动环视，滚轮推拉，方向键转动模型，W A S D Q E 飞行，Shift 加速飞行。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>About ZScope</source>
         <translation>关于 ZScope</translation>
     </message>
     <message>
         <source>&lt;h3&gt;ZScope %1&lt;/h3&gt;&lt;p&gt;A microscope for visible-surface algorithms.&lt;/p&gt;&lt;p&gt;The window is free software under the GNU General Public License, version 3 or later; the core library under the MIT licence.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;ZScope %1&lt;/h3&gt;&lt;p&gt;可见面判定算法的显微镜。&lt;/p&gt;&lt;p&gt;窗口程序是自由软件，遵循 GNU 通用公共许可证第 3 版或更新版本；核心库遵循 MIT 许可证。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Scenes and sessions (*.obj *.OBJ *.json *.zscope-session);;All files (*)</source>
+        <translation>场景和会话 (*.obj *.OBJ *.json *.zscope-session);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>保存会话</translation>
+    </message>
+    <message>
+        <source>ZScope sessions (*.zscope-session)</source>
+        <translation>ZScope 会话 (*.zscope-session)</translation>
+    </message>
+    <message>
+        <source>%1 is there already; it was left as it is.</source>
+        <translation>%1 已经存在；未作改动。</translation>
+    </message>
+    <message>
+        <source>Save this layout</source>
+        <translation>保存此布局</translation>
+    </message>
+    <message>
+        <source>Name of the layout</source>
+        <translation>布局名称</translation>
+    </message>
+    <message>
+        <source>The layout “%1” does not fit this version of the window.</source>
+        <translation>布局“%1”不适用于此版本的窗口。</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::MarksModel</name>
+    <message>
+        <source>Enter goes there, F2 renames it, Del removes it</source>
+        <translation>Enter 转到此处，F2 改名，Del 删除</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3</source>
+        <translation>%1，%2 %3</translation>
+    </message>
+    <message>
+        <source>F5 runs to where it is met next, Shift+F5 back, Del removes it</source>
+        <translation>F5 运行到下一次命中处，Shift+F5 反向，Del 删除</translation>
+    </message>
+    <message>
+        <source>breakpoint</source>
+        <translation>断点</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>位置</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::MarksPanel</name>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Bookmarks and breakpoints</source>
+        <translation>书签和断点</translation>
+    </message>
+    <message>
+        <source>Ctrl+B marks a step to come back to. F9 sets a breakpoint on what is picked or selected; F5 runs to it.</source>
+        <translation>Ctrl+B 标记一步以便返回。F9 在拾取或选中的对象上设断点；F5 运行到断点。</translation>
+    </message>
+    <message>
+        <source>Marks the step on show, or takes its mark away (Ctrl+B)</source>
+        <translation>标记当前显示的步，或取消其标记 (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Removes the selected mark (Del)</source>
+        <translation>删除选中的标记 (Del)</translation>
+    </message>
+    <message>
+        <source>Break on</source>
+        <translation>设断点于</translation>
+    </message>
+    <message>
+        <source>Sets a breakpoint on what is picked or selected, or takes it away (F9)</source>
+        <translation>在拾取或选中的对象上设置或取消断点 (F9)</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>扫描线</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>node</source>
+        <translation>结点</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>The step works on no line, and no pixel is picked</source>
+        <translation>这一步不处理任何扫描线，也没有拾取像素</translation>
+    </message>
+    <message>
+        <source>No pixel is picked</source>
+        <translation>没有拾取像素</translation>
+    </message>
+    <message>
+        <source>No node is selected</source>
+        <translation>没有选中节点</translation>
+    </message>
+    <message>
+        <source>No triangle is selected or picked</source>
+        <translation>没有选中或拾取三角形</translation>
     </message>
 </context>
 <context>
@@ -1855,6 +2359,101 @@
         <source>Replaying B</source>
         <translation>正在重放 B</translation>
     </message>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>node %1 of instance %2</source>
+        <translation>实例 %2 的节点 %1</translation>
+    </message>
+    <message>
+        <source>node %1</source>
+        <translation>节点 %1</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>Bookmark %1</source>
+        <translation>书签 %1</translation>
+    </message>
+    <message>
+        <source>There is no bookmark that way for this algorithm and grain.</source>
+        <translation>此算法和粒度在该方向上没有书签。</translation>
+    </message>
+    <message>
+        <source>There is no breakpoint yet: pick a pixel, or select a node or a triangle, and press F9.</source>
+        <translation>还没有断点：拾取像素，或选中节点或三角形，然后按 F9。</translation>
+    </message>
+    <message>
+        <source>The run is at its end.</source>
+        <translation>运行已到终点。</translation>
+    </message>
+    <message>
+        <source>No breakpoint is met from here to the end.</source>
+        <translation>从此处到终点没有命中断点。</translation>
+    </message>
+    <message>
+        <source>No breakpoint is met from the start to here.</source>
+        <translation>从起点到此处没有命中断点。</translation>
+    </message>
+    <message>
+        <source>Stopped at the breakpoint on %1</source>
+        <translation>停在断点：%1</translation>
+    </message>
+    <message>
+        <source>Pick a pixel first: then the steps that change it can be found.</source>
+        <translation>请先拾取一个像素，然后才能查找改变它的步。</translation>
+    </message>
+    <message>
+        <source>No step changes pixel (%1, %2): it shows the background from the start.</source>
+        <translation>没有任何一步改变像素 (%1, %2)：它从一开始就显示背景。</translation>
+    </message>
+    <message>
+        <source>No step that way changes pixel (%1, %2).</source>
+        <translation>该方向上没有改变像素 (%1, %2) 的步。</translation>
+    </message>
+    <message>
+        <source>Change %1 of %2 of pixel (%3, %4)</source>
+        <translation>像素 (%3, %4) 的第 %1 次改变，共 %2 次</translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation>正在查找</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::StartPage</name>
+    <message>
+        <source>A microscope for visible-surface algorithms: step through how a picture is made, and ask of any pixel why it shows what it shows.</source>
+        <translation>可见面算法的显微镜：逐步观察画面如何生成，并询问任一像素为何如此显示。</translation>
+    </message>
+    <message>
+        <source>or drop an OBJ file here</source>
+        <translation>或把 OBJ 文件拖到这里</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>示例</translation>
+    </message>
+    <message>
+        <source>Opened before</source>
+        <translation>最近打开</translation>
+    </message>
+    <message>
+        <source>Open a scene…</source>
+        <translation>打开场景…</translation>
+    </message>
+    <message>
+        <source>Begin with lesson 1</source>
+        <translation>从第 1 课开始</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::StatusLine</name>
@@ -1929,49 +2528,13 @@
         <source>step %1</source>
         <translation>第 %1 步</translation>
     </message>
+    <message>
+        <source>stage: %1</source>
+        <translation>阶段：%1</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::TimelinePanel</name>
-    <message>
-        <source>frame</source>
-        <translation>帧</translation>
-    </message>
-    <message>
-        <source>stage</source>
-        <translation>阶段</translation>
-    </message>
-    <message>
-        <source>node</source>
-        <translation>结点</translation>
-    </message>
-    <message>
-        <source>triangle</source>
-        <translation>三角形</translation>
-    </message>
-    <message>
-        <source>query</source>
-        <translation>查询</translation>
-    </message>
-    <message>
-        <source>line</source>
-        <translation>扫描线</translation>
-    </message>
-    <message>
-        <source>interval</source>
-        <translation>区间</translation>
-    </message>
-    <message>
-        <source>span</source>
-        <translation>跨度</translation>
-    </message>
-    <message>
-        <source>update</source>
-        <translation>更新</translation>
-    </message>
-    <message>
-        <source>pixel</source>
-        <translation>像素</translation>
-    </message>
     <message>
         <source>step %1 of %2</source>
         <translation>第 %1 步，共 %2 步</translation>
@@ -2047,6 +2610,30 @@
     <message>
         <source>The steps of the algorithm appear here once a scene is open.</source>
         <translation>打开场景后，算法的步骤会显示在这里。</translation>
+    </message>
+    <message>
+        <source>1 bookmark</source>
+        <translation>1 个书签</translation>
+    </message>
+    <message>
+        <source>%1 bookmarks</source>
+        <translation>%1 个书签</translation>
+    </message>
+    <message>
+        <source>breakpoint on %1</source>
+        <translation>断点：%1</translation>
+    </message>
+    <message>
+        <source>%1 breakpoints</source>
+        <translation>%1 个断点</translation>
+    </message>
+    <message>
+        <source>Bookmark of this step</source>
+        <translation>此步的书签</translation>
+    </message>
+    <message>
+        <source>Marks this step, or takes its mark away (Ctrl+B)</source>
+        <translation>标记此步或取消标记 (Ctrl+B)</translation>
     </message>
 </context>
 <context>

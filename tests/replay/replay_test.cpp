@@ -80,6 +80,21 @@ TEST(Replay, EveryGrainOfEveryPresetHasAStepAndAFrameHasExactlyOne)
     });
 }
 
+TEST(Replay, EveryStepLiesInTheStageWhoseMarkPrecedesIt)
+{
+    forEveryGrain(smallScenes(), [](const SeenScene&, const Preset&, Grain grain, Replay& replay, std::uint64_t count) {
+        const Result<std::vector<StageMark>> stages = replay.stages(grain);
+        ASSERT_TRUE(stages.ok()) << stages.error().text();
+        ASSERT_FALSE(stages->empty());
+        EXPECT_EQ(stages->front().first, 0u);
+        for (std::size_t i = 0; i < stages->size(); ++i) {
+            const std::uint64_t end = i + 1 < stages->size() ? (*stages)[i + 1].first : count;
+            ASSERT_LT((*stages)[i].first, end);
+            for (const std::uint64_t step : {(*stages)[i].first, end - 1}) EXPECT_EQ(stateAt(replay, grain, step).stage, (*stages)[i].stage) << step;
+        }
+    });
+}
+
 TEST(Replay, TheLastStepIsThePictureThatDrawMakes)
 {
     forEveryGrain(smallScenes(), [](const SeenScene& seen, const Preset& preset, Grain grain, Replay& replay, std::uint64_t count) {

@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 
+#include "core/frame/faults.h"
 #include "tests/ui/desk.h"
 #include "ui/panels/why/why_panel.h"
 
@@ -25,7 +26,7 @@ namespace {
 bool isName(const QString& word)
 {
     static const std::set<QString> kNames = [] {
-        std::set<QString> names{"ZScope", "Language", "English", "Ctrl", "Shift", "Alt", "Esc", "Home", "End", "Enter", "WASD", "OBJ", "PNG", "BVH", "teapot",
+        std::set<QString> names{"ZScope", "Language", "English", "Ctrl", "Shift", "Alt", "Esc", "Del", "Home", "End", "Enter", "WASD", "OBJ", "PNG", "BVH", "teapot",
                                 "near", "float", "px", "dx", "Newell", "scalar", "avx", "sse", "neon", "builtin", "default", "body", "glaze",
                                 "exponent", "apart", "level"};
         const auto add = [&](std::string_view words) {
@@ -38,6 +39,8 @@ bool isName(const QString& word)
             add(axis.word);
         }
         for (const SceneEntry& scene : builtinScenes()) add(scene.name);
+        for (const FaultEntry& fault : faults()) add(fault.word);
+        names.insert("fault");
         return names;
     }();
     return kNames.contains(word);

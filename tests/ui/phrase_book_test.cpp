@@ -251,7 +251,9 @@ private slots:
     void everySentenceOfAFaultOrAnotherChoiceIsTranslated()
     {
         std::vector<Pipeline> pipelines;
+        Missing               missing;
         for (const FaultEntry& fault : faults()) {
+            for (const std::string_view text : {fault.title, fault.cause, fault.cure}) missing.ask(text);
             pipelines.push_back(findPreset(fault.preset)->pipeline);
             pipelines.back().fault = fault.fault;
         }
@@ -259,7 +261,6 @@ private slots:
             for (const AxisEntry& axis : axes())
                 for (const ChoiceEntry& choice : axis.choices)
                     if (const auto pipeline = withChoice(findPreset(preset)->pipeline, axis.word, choice.word); !explainInvalid(*pipeline)) pipelines.push_back(*pipeline);
-        Missing      missing;
         std::mt19937 random(13);
         std::array   requests{requestFor("cubes", 32, 24), requestFor("cutouts", 32, 24), requestFor("hard/D6", 32, 24)};
         for (std::size_t i = 0; i < pipelines.size(); ++i) {

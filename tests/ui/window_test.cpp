@@ -56,7 +56,7 @@ struct Desk {
     {
         QTest::keyClick(&window, static_cast<Qt::Key>(key), modifiers);
     }
-    QTableView* table() { return window.findChild<QTableView*>(); }
+    QTableView* table() { return window.dock("active-edges")->findChild<QTableView*>(); }
 };
 
 /// The middle of a pixel of the picture in the view's own coordinates.

@@ -8,7 +8,9 @@
 #include "ui/panels/active_edges/active_edges_panel.h"
 #include "ui/panels/compare/compare_panel.h"
 #include "ui/panels/depth_test/depth_test_panel.h"
+#include "ui/panels/faults/faults_panel.h"
 #include "ui/panels/hierarchy/hierarchy_panel.h"
+#include "ui/panels/marks/marks_panel.h"
 #include "ui/panels/observer/observer_panel.h"
 #include "ui/panels/pipeline/pipeline_panel.h"
 #include "ui/panels/pyramid/pyramid_panel.h"
@@ -47,6 +49,8 @@ constexpr std::array kPanels{
                always, "hierarchy", 28},
     PanelEntry{"why", QT_TRANSLATE_NOOP("Panels", "Why"), Qt::RightDockWidgetArea, make<WhyPanel>, always, "depth-test", 28},
     PanelEntry{"compare", QT_TRANSLATE_NOOP("Panels", "Compare"), Qt::RightDockWidgetArea, make<ComparePanel>, always, "depth-test", 28},
+    PanelEntry{"faults", QT_TRANSLATE_NOOP("Panels", "Faults"), Qt::LeftDockWidgetArea, make<FaultsPanel>, always, "pipeline"},
+    PanelEntry{"marks", QT_TRANSLATE_NOOP("Panels", "Marks"), Qt::LeftDockWidgetArea, make<MarksPanel>, always, "scene"},
     PanelEntry{"timeline", QT_TRANSLATE_NOOP("Panels", "Timeline"), Qt::BottomDockWidgetArea, make<TimelinePanel>,
                always},
 };

@@ -144,6 +144,7 @@ Result<std::shared_ptr<const ShownStep>> Engine::step(std::uint64_t generation, 
     shown->camera     = request.camera;
     shown->pipeline   = request.pipeline;
     shown->state      = std::move(state).value();
+    if (auto stages = m_replay->stages(wish.grain)) shown->stages = std::move(stages).value();
     paint(*shown, look);
     shown->pyramid    = pyramidOf(shown->state);
     if (m_latest && m_latest->generation == generation) shown->ghosted = ghosted(*shown, *m_latest);
@@ -157,7 +158,8 @@ Result<std::uint64_t> Engine::resolve(const StepWish& wish, std::uint64_t count)
     const auto limited = [](std::int64_t step, std::uint64_t of) {
         return static_cast<std::uint64_t>(std::clamp<std::int64_t>(step, 0, static_cast<std::int64_t>(of) - 1));
     };
-    const auto counted = wish.from == StepWish::From::Fraction ? Result<std::uint64_t>(count)
+    const bool byPart  = wish.from == StepWish::From::Fraction || wish.from == StepWish::From::Stage;
+    const auto counted = byPart ? Result<std::uint64_t>(count)
                                                                : m_replay->count(wish.counted);
     if (!counted) return counted.error();
     const auto offset = static_cast<std::int64_t>(wish.offset);
@@ -171,6 +173,19 @@ Result<std::uint64_t> Engine::resolve(const StepWish& wish, std::uint64_t count)
         at    = limited(std::llround(wish.fraction * static_cast<double>(count - 1)), count);
         grain = wish.grain;
         break;
+    case StepWish::From::Stage: {
+        const auto stages = m_replay->stages(wish.grain);
+        if (!stages) return stages.error();
+        const auto    in  = std::ranges::find(*stages, wish.stage, &StageMark::stage);
+        std::uint64_t from = 0, end = count;
+        if (in != stages->end()) {
+            from = in->first;
+            end  = in + 1 != stages->end() ? (in + 1)->first : count;
+        }
+        at    = limited(static_cast<std::int64_t>(from) + std::llround(wish.fraction * static_cast<double>(end - from)), in != stages->end() ? end : count);
+        grain = wish.grain;
+        break;
+    }
     }
     if (wish.move != 0) {
         const auto all  = m_replay->count(wish.moveGrain);

@@ -16,12 +16,13 @@ namespace zscope::ui {
 
 /// Where to stand in a run, as the user said it: the number of steps may not be known yet.
 struct StepWish {
-    enum class From { Start, End, Fraction };
+    enum class From { Start, End, Fraction, Stage };
 
     Grain         grain = Grain::Frame;  // of the steps to show
     From          from  = From::End;
     std::uint64_t offset   = 0;          // steps of `counted` from the start, or back from the end
-    double        fraction = 1;          // of the run, in [0, 1]
+    double        fraction = 1;          // of the run or of the stage, in [0, 1]
+    zscope::Stage stage = zscope::Stage::Other;  // whose steps are meant; a run without it stands at the same part of the whole
     Grain         counted  = Grain::Frame;
     Grain         moveGrain = Grain::Frame;
     int           move  = 0;             // then so many steps of moveGrain

@@ -46,7 +46,12 @@ bool Session::isIdle() const { return !m_worker->isBusy() && !m_rest.isActive();
 
 // Scene -------------------------------------------------------------------------------------------------------------
 
-void Session::open(const QString& word, const ViewOf& viewOf) { load(word, viewOf, false); }
+void Session::open(const QString& word, const ViewOf& viewOf)
+{
+    m_firstStep.reset();
+    m_firstSelection.reset();
+    load(word, viewOf, false);
+}
 
 void Session::reload()
 {
@@ -88,11 +93,13 @@ void Session::cancelWork()
 void Session::sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const ViewOf& viewOf, bool keepsCamera)
 {
     m_now.scene = scene;
+    m_now.marks.history.reset();
     m_now.selectedEdge.reset();
     m_now.selectedNode.reset();
     m_now.selectedTriangle.reset();
     if (!keepsCamera) {
         m_now.picked.reset();
+        m_now.marks = {};
         m_control.reset();
         ViewRequest home;
         if (viewOf) home = viewOf(scene->scene());
@@ -108,9 +115,17 @@ void Session::sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const
         if (m_firstStep)
             m_wish = {.grain = m_now.grain, .from = StepWish::From::Start, .offset = *m_firstStep, .counted = m_now.grain};
         m_firstStep.reset();
+        if (m_firstSelection) {
+            m_now.picked           = m_firstSelection->picked;
+            m_now.selectedNode     = m_firstSelection->node;
+            m_now.selectedTriangle = m_firstSelection->triangle;
+            m_now.selectedLevel    = m_firstSelection->level;
+            m_now.marks            = m_firstSelection->marks;
+            m_firstSelection.reset();
+        }
         ++m_wishNumber;
     }
-    emit changed(Change::Scene | Change::Selection | Change::Pipeline);
+    emit changed(Change::Scene | Change::Selection | Change::Pipeline | Change::Marks);
     applyView(keepsCamera ? m_now.view : m_home);
 }
 
@@ -454,6 +469,7 @@ void Session::pick(const std::optional<QPoint>& pixel)
     m_now.selectedTriangle.reset();
     if (m_now.hierarchy()) m_now.selectedNode = nodeOfPick(m_now);
     emit changed(Change::Selection);
+    if (m_now.compare.other && m_now.compare.link == Link::Pixel && m_now.compare.isLinked && m_now.showsStep && isSettled()) stepOther();
 }
 
 void Session::nudgePick(const QPoint& by)

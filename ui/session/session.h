@@ -67,8 +67,10 @@ public:
     // Steps
     void setGrain(Grain grain);
     void goToStep(std::uint64_t step);
-    /// The step to show when the scene that is being loaded is there.
+    /// The step to show when the scene that is being loaded is there; after open().
     void startAt(std::uint64_t step) { m_firstStep = step; }
+    /// What is picked, selected and marked in the scene that is being loaded, once it is there; after open().
+    void startWith(const Selection& selection) { m_firstSelection = selection; }
     void goToStart() { goToStep(0); }
     void goToEnd();
     /// A step of another grain, which becomes the one that is stepped by; nothing happens if the algorithm has none such.
@@ -99,6 +101,24 @@ public:
     void setWipe(double part);
     void setTolerance(std::uint32_t steps);
     void linkSteps(bool linked);
+    void linkBy(Link link);
+
+    // Marks
+    void setMarks(const Marks& marks);
+    /// Of the step on show.
+    void toggleBookmark();
+    void nameBookmark(std::size_t index, const QString& name);
+    void removeBookmark(std::size_t index);
+    void goToBookmark(std::size_t index);
+    /// Among those of this pipeline and grain.
+    void goToNextBookmark(Direction direction);
+    void toggleBreakpoint(const Breakpoint& breakpoint);
+    void removeBreakpoint(std::size_t index);
+    /// To the next step that meets a breakpoint, or the one before.
+    void runTo(Direction direction);
+    enum class PixelJump { First, Next, Previous };
+    /// To a step that changes the picked pixel.
+    void goToPixelChange(PixelJump jump);
 
     bool    isIdle() const;
     Player& player() { return m_player; }
@@ -114,6 +134,8 @@ signals:
     void changed(zscope::ui::Changes what);
     /// One sentence a person can act on, with file and line where they are known.
     void failed(const QString& sentence);
+    /// What came of a search, and the like: good to know for a moment.
+    void noticed(const QString& sentence);
 
 private:
     void draw();
@@ -121,6 +143,12 @@ private:
     void repaint();               // if anything on show looks otherwise than it should
     void drawOther();
     void stepOther();
+    struct SearchAnswer {
+        std::optional<std::uint64_t>        step;     // to go to
+        QString                             notice;
+        std::shared_ptr<const PixelHistory> history;
+    };
+    void search(std::function<Result<SearchAnswer>(const DrawRequest&)> find);
     void compareAgain();          // with another tolerance, or after B was drawn
     void otherChanged();
     void startOver();             // something the picture depends on has changed
@@ -150,6 +178,7 @@ private:
     std::uint64_t                m_wishNumber  = 0;
     std::uint64_t                m_settledWish = ~std::uint64_t{0};  // the wish that m_now.step answers
     std::optional<std::uint64_t> m_firstStep;
+    std::optional<Selection>     m_firstSelection;
     std::optional<Grain>         m_preferredGrain;  // what the user chose, also while an algorithm lacks it
     Player                       m_player{*this};
     QTimer                       m_rest;         // the finished picture's tables are made when the camera rests

@@ -4,24 +4,9 @@
 
 #include <algorithm>
 
+#include "ui/session/linking.h"
+
 namespace zscope::ui {
-
-namespace {
-
-/// The step of B that is the same moment as A's: the same number where both have steps of that grain, else the same part
-/// of the run.
-StepWish linkedTo(const ShownStep& a, const Pipeline& other)
-{
-    const std::vector<Grain> grains = grainsOf(other);
-    const bool               same   = std::ranges::find(grains, a.state.grain) != grains.end();
-    const Grain              grain  = same ? a.state.grain : grains.back();
-    if (a.isLast()) return {.grain = grain, .counted = grain};
-    if (same) return {.grain = grain, .from = StepWish::From::Start, .offset = a.state.step.value, .counted = grain};
-    return {.grain = grain, .from = StepWish::From::Fraction, .fraction = static_cast<double>(a.state.step.value) / static_cast<double>(a.last()),
-            .counted = grain};
-}
-
-}  // namespace
 
 void Session::compareWith(const std::optional<Pipeline>& other)
 {
@@ -72,16 +57,19 @@ void Session::stepOther()
     DrawRequest other = request();
     other.pipeline    = *m_now.compare.other;
     m_worker->post(Worker::Slot::StepOther, [this, other, generation = m_generation, look = m_now.look, a = m_now.step,
-                                             wish = linkedTo(*m_now.step, other.pipeline),
+                                             link = m_now.compare.link, picked = m_now.picked,
                                              tolerance = m_now.compare.tolerance](const std::atomic<bool>& cancel) mutable {
         other.cancel = &cancel;
-        auto made    = m_otherEngine->step(generation, other, look, wish);
+        const auto linked = linkedTo(*a, link, picked, other);
+        if (!linked) return deliver([this, error = linked.error()] { troubled(error); });
+        auto made = m_otherEngine->step(generation, other, look, linked->wish);
         std::shared_ptr<const Comparison> result;
         if (made) result = compared(a, *made, tolerance);
-        deliver([this, made = std::move(made), result, pipeline = other.pipeline] {
+        deliver([this, made = std::move(made), result, pipeline = other.pipeline, note = linked->note] {
             if (!made) return troubled(made.error());
             if (m_now.compare.other != pipeline) return;
-            m_now.compare.step   = *made;
+            m_now.compare.step     = *made;
+            m_now.compare.linkNote = note;
             m_now.compare.result = result;
             emit changed(Change::Compare | Change::Picture);
         });
@@ -141,6 +129,14 @@ void Session::setTolerance(std::uint32_t steps)
     m_now.compare.tolerance = steps;
     emit changed(Change::Compare);
     compareAgain();
+}
+
+void Session::linkBy(Link link)
+{
+    if (link == m_now.compare.link) return;
+    m_now.compare.link = link;
+    emit changed(Change::Compare);
+    if (m_now.compare.isLinked && m_now.showsStep && m_now.compare.other) stepOther();
 }
 
 void Session::linkSteps(bool linked)

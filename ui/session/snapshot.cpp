@@ -44,8 +44,7 @@ std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel)
     facts.polygon  = polygon.value;
     facts.group    = QString::fromStdString(mesh.groups[mesh.polygonGroup[polygon.value].value]);
     facts.material = QString::fromStdString(mesh.materialOf(polygon).name);
-    if (scene.instances.size() > 1)
-        facts.instance = QCoreApplication::translate("PixelFacts", "%1 of %2").arg(instance.value).arg(scene.instances.size());
+    if (scene.instances.size() > 1) facts.instance = QString::number(instance.value);  // its number, like a triangle's
     return facts;
 }
 

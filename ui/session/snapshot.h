@@ -24,6 +24,7 @@
 #include "core/lesson/replay.h"
 #include "core/scene/load.h"
 #include "ui/camera/camera_control.h"
+#include "ui/session/marks.h"
 
 namespace zscope::ui {
 
@@ -91,6 +92,7 @@ struct ShownStep {
     Camera        camera;
     Pipeline      pipeline;
     StepState     state;
+    std::vector<StageMark> stages;  // of the whole run, in steps of this grain
     Look          look;
     Grid<std::uint32_t> painted;  // the chosen layer; empty: the frame's own colours
     DepthSpread   spread;
@@ -111,13 +113,35 @@ struct Comparison {
     std::uint32_t                     tolerance = 0;
 };
 
+/// What is picked, selected and marked in a scene.
+struct Selection {
+    std::optional<QPoint>     picked;
+    std::optional<NodeName>   node;
+    std::optional<TriangleId> triangle;
+    std::optional<int>        level;  // of the pyramid
+    Marks                     marks;
+};
+
 enum class CompareShow { A, B, Wipe, Difference };
+/// What of A's step B follows.
+enum class Link { Number, Line, Stage, Pixel };
+/// What the step of B has to do with that of A, where it is not plain.
+struct LinkNote {
+    enum class What {
+        Nothing, PartOfRun, PartOfStage, NoLine, FirstOnLine, NeverOnLine, NoPixel, BackgroundInA, StillBackground, SameTriangle, NoChange, NeverShown
+    };
+    What what = What::Nothing;
+    int  line = 0;
+};
+QString textOf(const LinkNote& note);  // translated; ui/session/linking.cpp
 
 struct CompareState {
     std::optional<Pipeline> other;      // B; nothing: there is no comparison
     CompareShow   show      = CompareShow::A;
     bool          isHeld    = false;    // Shift is held: B is seen for as long
     bool          isLinked  = true;     // B is stepped with A
+    Link          link      = Link::Number;
+    LinkNote      linkNote;
     double        wipe      = 0.5;      // of the picture's width: A to the left, B to the right
     std::uint32_t tolerance = 0;        // float32 steps
     std::shared_ptr<const DrawnFrame> frame;   // of B; nullptr until one was drawn
@@ -145,6 +169,7 @@ struct Snapshot {
     VerdictSet                         shownNodes = everyVerdict();  // whose boxes are shown, and rows in the tree
     Layers                             layers;
     CompareState                       compare;
+    Marks                              marks;
     QString                            busy;       // what the worker does; empty: nothing to wait for
     double                             progress = -1;  // in [0, 1], or -1: not known
 
@@ -227,13 +252,14 @@ enum class Change {
     Busy      = 32,
     Layers    = 64,  // what is drawn over the picture, and which nodes
     Compare   = 128, // B, what of it is seen, and the result
+    Marks     = 256, // bookmarks, breakpoints, what changes a pixel
 };
 Q_DECLARE_FLAGS(Changes, Change)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 
 inline constexpr Changes kEverything{Change::Scene, Change::Camera, Change::Picture,
                                      Change::Pipeline, Change::Selection, Change::Busy, Change::Layers,
-                                     Change::Compare};
+                                     Change::Compare, Change::Marks};
 
 /// What can be said of one pixel of the picture on show.
 struct PixelFacts {

@@ -28,7 +28,7 @@ class Worker final : public QObject {
     Q_OBJECT
 
 public:
-    enum class Slot { Load, Draw, DrawOther, Step, StepOther, Repaint };  // the most urgent first
+    enum class Slot { Load, Draw, DrawOther, Step, Search, StepOther, Repaint };  // the most urgent first
     static constexpr std::chrono::milliseconds kPatience{150};
 
     /// The flag is this worker's for all jobs, and stays where it is while the worker lives.
@@ -49,7 +49,7 @@ signals:
     void idle();
 
 private:
-    static constexpr std::size_t kSlots = 6;
+    static constexpr std::size_t kSlots = 7;
 
     void run();
     void losePatience();

@@ -19,17 +19,12 @@
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
 #include "ui/theme/icons.h"
+#include "ui/window/layouts.h"
 
 namespace zscope::ui {
 namespace {
 
-constexpr double kTurnStep = 5;   // degrees per arrow key
-constexpr double kZoomStep = 1.25;
-constexpr QSize  kSizes[]  = {{160, 90}, {640, 360}, {1280, 720}, {1600, 900}, {1920, 1080}, {3840, 2160}};  // of the picture, pixels
-
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
-
-QKeySequence key(int k) { return QKeySequence(k); }
 
 }  // namespace
 
@@ -40,8 +35,8 @@ QString plainName(const QAction& action)
     return name.remove('&');
 }
 
-Actions::Actions(QMainWindow& window, Session& session, FrameView& view, WindowRequests requests)
-    : QObject(&window), m_window(window), m_session(session), m_view(view), m_requests(std::move(requests))
+Actions::Actions(QMainWindow& window, Session& session, FrameView& view, Settings& settings, WindowRequests requests)
+    : QObject(&window), m_window(window), m_session(session), m_view(view), m_requests(std::move(requests)), m_bindings(settings)
 {
     makeFileMenu();
     makeViewMenu();
@@ -52,6 +47,10 @@ Actions::Actions(QMainWindow& window, Session& session, FrameView& view, WindowR
     makeLanguageMenu();
     makeHelpMenu();
     makeToolBar();
+    for (QAction* action : m_all)
+        m_bindings.add(*action, std::ranges::count(m_inspectOnly, action)  ? ToolScope::Inspect
+                                : std::ranges::count(m_cameraOnly, action) ? ToolScope::Camera
+                                                                           : ToolScope::Both);
     showTool(m_view.tool());
     spoken(*this, [this] { say(); });
 }
@@ -69,10 +68,22 @@ void Actions::say()
         m_others[i]->setText(tr("B: %1").arg(text(presets()[i].name)));
         m_algorithmBox->setItemData(static_cast<int>(i), said(presets()[i].title), Qt::ToolTipRole);
     }
-    for (std::size_t i = 0; i < std::size(kSizes); ++i) m_sizes[i]->setText(tr("%1 × %2").arg(kSizes[i].width()).arg(kSizes[i].height()));
+    for (const auto& [action, size] : m_sizes) action->setText(tr("%1 × %2").arg(size.width()).arg(size.height()));
+    for (std::size_t i = 0; i < layoutEntries().size(); ++i) {
+        m_layoutChoices[i]->setText(layoutEntries()[i].translatedTitle());
+        m_layoutChoices[i]->setToolTip(layoutEntries()[i].translatedTip());
+    }
     m_toolBar->setWindowTitle(tr("Tools"));
     m_algorithmBox->setAccessibleName(tr("Algorithm"));
     m_layersButton->setText(tr("Layers"));
+}
+
+void Actions::adopt(QAction& action, const QString& name)
+{
+    action.setObjectName(name);
+    m_all.push_back(&action);
+    m_window.addAction(&action);
+    m_bindings.add(action, ToolScope::Both);
 }
 
 QMenu* Actions::addMenu(QMenu* under, const char* label)
@@ -82,18 +93,19 @@ QMenu* Actions::addMenu(QMenu* under, const char* label)
     return menu;
 }
 
-QAction* Actions::add(QMenu* menu, const char* label, const QList<QKeySequence>& keys, std::function<void()> run,
+QAction* Actions::add(QMenu* menu, const QString& name, const char* label, const QList<QKeySequence>& keys, std::function<void()> run,
                       const QString& icon)
 {
-    QAction* action = addNamed(menu, QString(), keys, std::move(run), icon);
+    QAction* action = addNamed(menu, name, QString(), keys, std::move(run), icon);
     m_labels.emplace_back(action, label);
     return action;
 }
 
-QAction* Actions::addNamed(QMenu* menu, const QString& name, const QList<QKeySequence>& keys, std::function<void()> run,
+QAction* Actions::addNamed(QMenu* menu, const QString& name, const QString& label, const QList<QKeySequence>& keys, std::function<void()> run,
                            const QString& icon)
 {
-    auto* action = new QAction(name, this);
+    auto* action = new QAction(label, this);
+    action->setObjectName(name);
     action->setShortcuts(keys);
     connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
     menu->addAction(action);
@@ -101,324 +113,6 @@ QAction* Actions::addNamed(QMenu* menu, const QString& name, const QList<QKeySeq
     m_all.push_back(action);
     if (!icon.isEmpty()) m_icons.emplace_back(action, icon);
     return action;
-}
-
-void Actions::makeFileMenu()
-{
-    QMenu* menu = addMenu(nullptr, QT_TR_NOOP("&File"));
-    m_open      = add(menu, QT_TR_NOOP("&Open…"), QKeySequence::Open, m_requests.open, "open");
-    m_recent    = addMenu(menu, QT_TR_NOOP("Open &recent"));
-    QMenu* examples = addMenu(menu, QT_TR_NOOP("&Examples"));
-    QMenu* hard     = nullptr;
-    for (const SceneEntry& scene : builtinScenes()) {
-        const QString name  = text(scene.name);
-        QMenu*        under = examples;
-        if (name.startsWith("hard/")) {
-            if (!hard) hard = addMenu(examples, QT_TR_NOOP("Hard cases"));
-            under = hard;
-        }
-        QAction* action = under->addAction(QString(name).replace('&', "&&"), this, [this, name] { m_requests.openWord("builtin:" + name); });
-        m_titles.emplace_back(action, scene.title);
-        under->setToolTipsVisible(true);
-    }
-    m_needScene.push_back(add(menu, QT_TR_NOOP("Re&load"), key(Qt::CTRL | Qt::Key_R), [this] { m_session.reload(); }));
-    menu->addSeparator();
-    m_needScene.push_back(add(menu, QT_TR_NOOP("&Save picture"), key(Qt::Key_F12), m_requests.savePicture));
-    m_needScene.push_back(
-        add(menu, QT_TR_NOOP("Save picture &without decoration"), key(Qt::CTRL | Qt::Key_F12), m_requests.savePlainPicture));
-    m_needScene.push_back(add(menu, QT_TR_NOOP("Save picture &as…"), QKeySequence::Save, m_requests.savePictureAs));
-    m_needScene.push_back(add(menu, QT_TR_NOOP("&Copy picture"), QKeySequence::Copy, m_requests.copyPicture));
-    menu->addSeparator();
-    add(menu, QT_TR_NOOP("&Quit"), key(Qt::CTRL | Qt::Key_Q), [this] { m_window.close(); });
-    showRecent({});
-}
-
-void Actions::makeViewMenu()
-{
-    QMenu* menu = addMenu(nullptr, QT_TR_NOOP("&View"));
-    m_fit       = add(menu, QT_TR_NOOP("&Fit"), key(Qt::Key_F), [this] { m_view.fit(); }, "fit");
-    add(menu, QT_TR_NOOP("&1:1"), key(Qt::CTRL | Qt::Key_0), [this] { m_view.oneToOne(); });
-    add(menu, QT_TR_NOOP("Zoom &in"), {key(Qt::CTRL | Qt::Key_Plus), key(Qt::CTRL | Qt::Key_Equal)}, [this] { m_view.zoomBy(kZoomStep); });
-    add(menu, QT_TR_NOOP("Zoom &out"), key(Qt::CTRL | Qt::Key_Minus), [this] { m_view.zoomBy(1 / kZoomStep); });
-    menu->addSeparator();
-    m_needScene.push_back(add(menu, QT_TR_NOOP("&Go to pixel…"), key(Qt::CTRL | Qt::Key_G), m_requests.goToPixel));
-    const auto nudge = [&](const char* label, Qt::Key arrow, const QPoint& by) {
-        m_inspectOnly.push_back(add(menu, label, key(Qt::CTRL | arrow), [this, by] {
-            m_session.nudgePick(by);
-            if (m_session.now().picked) m_view.reveal(*m_session.now().picked);
-        }));
-    };
-    nudge(QT_TR_NOOP("Pick the pixel to the left"), Qt::Key_Left, {-1, 0});
-    nudge(QT_TR_NOOP("Pick the pixel to the right"), Qt::Key_Right, {1, 0});
-    nudge(QT_TR_NOOP("Pick the pixel above"), Qt::Key_Up, {0, -1});
-    nudge(QT_TR_NOOP("Pick the pixel below"), Qt::Key_Down, {0, 1});
-    add(menu, QT_TR_NOOP("&Stop work, or forget the pick"), key(Qt::Key_Escape), [this] {
-        if (!m_session.isIdle()) return m_session.cancelWork();
-        m_session.pick({});
-        m_session.selectEdge({});
-        m_session.selectNode({});
-        m_session.selectTriangle({});
-    });
-    menu->addSeparator();
-    makeLayersMenu(menu);
-    makeSizeMenu(menu);
-    menu->addSeparator();
-    m_panels = addMenu(menu, QT_TR_NOOP("&Panels"));
-    add(menu, QT_TR_NOOP("&Reset layout"), QKeySequence(), m_requests.resetLayout);
-    makeAppearanceMenu(menu);
-}
-
-void Actions::makeLayersMenu(QMenu* view)
-{
-    m_layers    = addMenu(view, QT_TR_NOOP("&Layers"));
-    auto* group = new QActionGroup(this);
-    for (const Layer& layer : layers()) {
-        QAction* action = addNamed(m_layers, QString(), {}, [this, &layer] { m_session.setLayer(layer); });
-        action->setCheckable(true);
-        m_titles.emplace_back(action, layer.title);
-        group->addAction(action);
-        m_layerChoices.push_back(action);
-    }
-    m_layers->setToolTipsVisible(true);
-    m_needScene.push_back(add(m_layers, QT_TR_NOOP("Fit the range of depths"), key(Qt::Key_N), [this] {
-        DepthRange range  = m_session.now().look.range;
-        range.isAutomatic = true;
-        m_session.setDepthRange(range);
-    }));
-    m_layers->addSeparator();
-    const auto toggle = [this](const char* label, bool Layers::* part) {
-        QAction* action = m_layers->addAction(QString());
-        m_labels.emplace_back(action, label);
-        action->setCheckable(true);
-        m_layerToggles.emplace_back(action, part);
-        connect(action, &QAction::triggered, this, [this, part](bool on) {
-            Layers layers = m_session.now().layers;
-            layers.*part  = on;
-            m_session.setLayers(layers);
-        });
-    };
-    toggle(QT_TR_NOOP("Current line"), &Layers::line);
-    toggle(QT_TR_NOOP("Active edges"), &Layers::edges);
-    toggle(QT_TR_NOOP("What is still to come, pale"), &Layers::ghost);
-    toggle(QT_TR_NOOP("Triangle of the step"), &Layers::triangle);
-    toggle(QT_TR_NOOP("Last question and update of the pyramid"), &Layers::query);
-    toggle(QT_TR_NOOP("Boxes of the nodes, by verdict"), &Layers::boxes);
-    toggle(QT_TR_NOOP("Cells of the pyramid, with values"), &Layers::pyramid);
-    toggle(QT_TR_NOOP("Grid and numbers in large pixels"), &Layers::grid);
-    toggle(QT_TR_NOOP("Magnifier"), &Layers::magnifier);
-}
-
-void Actions::makeSizeMenu(QMenu* view)
-{
-    QMenu* sizes = addMenu(view, QT_TR_NOOP("Picture si&ze"));
-    for (const QSize& size : kSizes)
-        m_sizes.push_back(sizes->addAction(QString(), this, [this, size] { m_session.setPictureSize(size.width(), size.height()); }));
-    sizes->addSeparator();
-    QAction* asView = sizes->addAction(QString(), this, [this] {
-        const QSizeF size = QSizeF(m_view.size()) * m_view.devicePixelRatioF();
-        m_session.setPictureSize(static_cast<int>(size.width()), static_cast<int>(size.height()));
-    });
-    m_labels.emplace_back(asView, QT_TR_NOOP("As large as the view"));
-}
-
-void Actions::makeAppearanceMenu(QMenu* view)
-{
-    QMenu* menu  = addMenu(view, QT_TR_NOOP("&Appearance"));
-    auto*  group = new QActionGroup(this);
-    const std::pair<const char*, Appearance> looks[] = {{QT_TR_NOOP("As the system"), Appearance::System},
-                                                        {QT_TR_NOOP("Light"), Appearance::Light},
-                                                        {QT_TR_NOOP("Dark"), Appearance::Dark}};
-    for (const auto& [label, look] : looks) {
-        QAction* action = menu->addAction(QString(), this, [this, look = look] { m_requests.look(look); });
-        m_labels.emplace_back(action, label);
-        action->setCheckable(true);
-        group->addAction(action);
-        m_appearances.push_back(action);
-    }
-}
-
-void Actions::makeLanguageMenu()
-{
-    // Each language in its own words, so that whoever chose the wrong one finds back.
-    QMenu* menu  = m_window.menuBar()->addMenu(QStringLiteral("&Language / \u8BED\u8A00"));
-    auto*  group = new QActionGroup(this);
-    const auto choice = [&](const QString& name, Language language) {
-        QAction* action = menu->addAction(name, this, [this, language] { m_requests.speak(language); });
-        action->setCheckable(true);
-        group->addAction(action);
-        m_languages.push_back(action);
-        return action;
-    };
-    m_labels.emplace_back(choice(QString(), Language::System), QT_TR_NOOP("As the system"));
-    choice(QStringLiteral("English"), Language::English);
-    choice(QStringLiteral("\u7B80\u4F53\u4E2D\u6587"), Language::Chinese);
-}
-
-void Actions::makeCameraMenu()
-{
-    QMenu* menu  = addMenu(nullptr, QT_TR_NOOP("&Camera"));
-    auto*  tools = new QActionGroup(this);
-    m_inspect    = add(menu, QT_TR_NOOP("&Inspect"), key(Qt::Key_I), [this] { m_view.setTool(Tool::Inspect); }, "inspect");
-    m_camera     = add(menu, QT_TR_NOOP("&Camera"), key(Qt::Key_C), [this] {
-        m_view.setTool(Tool::Camera);
-        m_view.setFocus();
-    }, "camera");
-    m_tips.emplace_back(m_inspect, QT_TR_NOOP("Inspect (I): the wheel zooms, dragging pans, a click picks a pixel, Right and Left step"));
-    m_tips.emplace_back(m_camera, QT_TR_NOOP("Camera (C, or while Alt is held): left drag orbits, middle drag pans, the wheel dollies, "
-                                             "the arrow keys turn the model, WASD flies"));
-    for (QAction* tool : {m_inspect, m_camera}) {
-        tool->setCheckable(true);
-        tools->addAction(tool);
-    }
-    menu->addSeparator();
-    const auto axis = [&](const char* label, Qt::Key digit, AxisView view) {
-        m_needScene.push_back(add(menu, label, key(Qt::KeypadModifier | digit), [this, view] {
-            m_session.moveCamera([view](CameraControl& camera) { camera.lookAlong(view); });
-        }));
-    };
-    axis(QT_TR_NOOP("From the &front"), Qt::Key_1, AxisView::Front);
-    axis(QT_TR_NOOP("From the &right"), Qt::Key_3, AxisView::Right);
-    axis(QT_TR_NOOP("From &above"), Qt::Key_7, AxisView::Top);
-    m_needScene.push_back(add(menu, QT_TR_NOOP("R&eset"), {key(Qt::Key_Return), key(Qt::KeypadModifier | Qt::Key_Enter)},
-                              [this] { m_session.resetCamera(); }));
-    m_namedViews = addMenu(menu, QT_TR_NOOP("Views of the &scene"));
-    menu->addSeparator();
-    const auto turn = [&](const char* label, QKeySequence keys, YzyAngles by) {
-        m_cameraOnly.push_back(add(menu, label, keys, [this, by] {
-            m_session.moveCamera([by](CameraControl& camera) {
-                const YzyAngles at = camera.angles();
-                camera.setAngles({at.first + by.first, at.second + by.second, at.third + by.third});
-            });
-        }));
-    };
-    turn(QT_TR_NOOP("Turn: first angle, less"), key(Qt::Key_Left), {-kTurnStep, 0, 0});
-    turn(QT_TR_NOOP("Turn: first angle, more"), key(Qt::Key_Right), {kTurnStep, 0, 0});
-    turn(QT_TR_NOOP("Turn: second angle, less"), key(Qt::Key_Down), {0, -kTurnStep, 0});
-    turn(QT_TR_NOOP("Turn: second angle, more"), key(Qt::Key_Up), {0, kTurnStep, 0});
-    turn(QT_TR_NOOP("Turn: third angle, less"), key(Qt::SHIFT | Qt::Key_Left), {0, 0, -kTurnStep});
-    turn(QT_TR_NOOP("Turn: third angle, more"), key(Qt::SHIFT | Qt::Key_Right), {0, 0, kTurnStep});
-    m_needScene.push_back(add(menu, QT_TR_NOOP("&Normalise the model"), QKeySequence(), [this] { m_session.normaliseModel(); }));
-}
-
-void Actions::makeAlgorithmMenu()
-{
-    QMenu* menu  = addMenu(nullptr, QT_TR_NOOP("&Algorithm"));
-    auto*  group = new QActionGroup(this);
-    for (std::size_t i = 0; i < presets().size(); ++i) {
-        const Preset& preset = presets()[i];
-        QList<QKeySequence> keys;
-        if (i < 9) keys << key(static_cast<int>(Qt::Key_1) + static_cast<int>(i));
-        QAction* action = addNamed(menu, text(preset.name), keys, [this, &preset] { m_session.setPipeline(preset.pipeline); });
-        action->setCheckable(true);
-        m_titles.emplace_back(action, preset.title);
-        group->addAction(action);
-        m_algorithms.push_back(action);
-    }
-    menu->setToolTipsVisible(true);
-    menu->addSeparator();
-    m_cull = add(menu, QT_TR_NOOP("Leave out &back faces"), QKeySequence(), [this] {
-        m_session.setFaceCulling(m_cull->isChecked() ? FaceCulling::Back : FaceCulling::None);
-    });
-    m_cull->setCheckable(true);
-    m_cull->setChecked(m_session.settings().faceCulling == FaceCulling::Back);
-}
-
-void Actions::makeStepMenu()
-{
-    QMenu*     menu = addMenu(nullptr, QT_TR_NOOP("&Step"));
-    const auto step = [&](const char* label, const QKeySequence& keys, std::function<void()> run) {
-        QAction* action = add(menu, label, keys, std::move(run));
-        m_needScene.push_back(action);
-        return action;
-    };
-    step(QT_TR_NOOP("&Play or pause"), key(Qt::Key_Space), [this] { m_session.player().setPlaying(!m_session.player().isPlaying()); });
-    m_inspectOnly.push_back(step(QT_TR_NOOP("&Forward"), key(Qt::Key_Right), [this] { m_session.stepBy(1); }));
-    m_inspectOnly.push_back(step(QT_TR_NOOP("&Back"), key(Qt::Key_Left), [this] { m_session.stepBy(-1); }));
-    m_inspectOnly.push_back(step(QT_TR_NOOP("Forward by the coarser grain"), key(Qt::SHIFT | Qt::Key_Right), [this] { m_session.stepCoarser(1); }));
-    m_inspectOnly.push_back(step(QT_TR_NOOP("Back by the coarser grain"), key(Qt::SHIFT | Qt::Key_Left), [this] { m_session.stepCoarser(-1); }));
-    step(QT_TR_NOOP("F&irst step"), key(Qt::Key_Home), [this] { m_session.goToStart(); });
-    step(QT_TR_NOOP("&Last step"), key(Qt::Key_End), [this] { m_session.goToEnd(); });
-}
-
-void Actions::makeCompareMenu()
-{
-    QMenu* menu  = addMenu(nullptr, QT_TR_NOOP("C&ompare"));
-    QMenu* other = addMenu(menu, QT_TR_NOOP("&B"));
-    auto*  group = new QActionGroup(this);
-    for (std::size_t i = 0; i < presets().size(); ++i) {
-        const Preset& preset = presets()[i];
-        QList<QKeySequence> keys;
-        if (i < 9) keys << key(static_cast<int>(Qt::SHIFT | Qt::Key_1) + static_cast<int>(i));
-        QAction* action = addNamed(other, QString(), keys, [this, &preset] { m_session.compareWith(preset.pipeline); });
-        action->setCheckable(true);
-        m_titles.emplace_back(action, preset.title);
-        group->addAction(action);
-        m_others.push_back(action);
-    }
-    other->setToolTipsVisible(true);
-    m_needScene.push_back(add(menu, QT_TR_NOOP("&Keep A as B"), QKeySequence(), [this] { m_session.compareWith(m_session.now().pipeline); }));
-    menu->addSeparator();
-    const auto show = [&](const char* label, Qt::Key k, CompareShow what) {
-        QAction* action = add(menu, label, key(k), [this, what] {
-            const bool isOn = m_session.now().compare.show == what;
-            m_session.showCompared(isOn ? CompareShow::A : what);
-        });
-        m_needOther.push_back(action);
-        m_inspectOnly.push_back(action);  // the camera flies with W and D
-    };
-    show(QT_TR_NOOP("&To and fro between A and B"), Qt::Key_T, CompareShow::B);
-    show(QT_TR_NOOP("&Wipe"), Qt::Key_W, CompareShow::Wipe);
-    show(QT_TR_NOOP("&Difference"), Qt::Key_D, CompareShow::Difference);
-    m_needOther.push_back(add(menu, QT_TR_NOOP("&Swap A and B"), QKeySequence(), [this] { m_session.swapCompared(); }));
-    menu->addSeparator();
-    m_needOther.push_back(add(menu, QT_TR_NOOP("&End the comparison"), QKeySequence(), [this] { m_session.compareWith({}); }));
-}
-
-void Actions::makeHelpMenu()
-{
-    QMenu* menu = addMenu(nullptr, QT_TR_NOOP("&Help"));
-    add(menu, QT_TR_NOOP("&Keys and mouse"), {key(Qt::Key_F1), key(Qt::Key_Question)}, m_requests.keys);
-    add(menu, QT_TR_NOOP("&About ZScope"), QKeySequence(), m_requests.about);
-}
-
-void Actions::makeToolBar()
-{
-    m_toolBar = m_window.addToolBar(QString());
-    m_toolBar->setObjectName("tools");
-    m_toolBar->setMovable(false);
-    m_toolBar->setFloatable(false);
-    m_toolBar->toggleViewAction()->setVisible(false);
-    m_toolBar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_toolBar->setIconSize({16, 16});
-    m_toolBar->setMinimumHeight(54);  // with the step below it that the style sheet leaves
-
-    m_algorithmBox = new QComboBox;
-    m_algorithmBox->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    for (const Preset& preset : presets()) m_algorithmBox->addItem(text(preset.name));
-    connect(m_algorithmBox, &QComboBox::activated, this, [this](int index) {
-        if (index < static_cast<int>(presets().size())) m_session.setPipeline(presets()[static_cast<std::size_t>(index)].pipeline);
-    });
-
-    const auto spacer = [this] {
-        auto* space = new QWidget;
-        space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-        m_toolBar->addWidget(space);
-    };
-    m_toolBar->addAction(m_open);
-    m_toolBar->addWidget(m_algorithmBox);
-    m_toolBar->addSeparator();
-    m_toolBar->addAction(m_inspect);
-    m_toolBar->addAction(m_camera);
-    spacer();
-    m_layersButton = new QToolButton;
-    m_layersButton->setMenu(m_layers);
-    m_layersButton->setPopupMode(QToolButton::InstantPopup);
-    m_layersButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_layersButton->setFocusPolicy(Qt::TabFocus);
-    m_icons.emplace_back(m_layers->menuAction(), "layers");
-    m_toolBar->addWidget(m_layersButton);
-    m_toolBar->addAction(m_fit);
-    for (auto* button : m_toolBar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
 }
 
 void Actions::dress(const Theme& theme)
@@ -489,16 +183,34 @@ void Actions::showNamedViews(const Snapshot& shown)
 
 void Actions::showRecent(const QStringList& files)
 {
-    m_recent->clear();
     m_recent->setEnabled(!files.isEmpty());
-    for (int i = 0; i < files.size(); ++i) {
-        const QString path   = files[i];
-        QAction*      action = m_recent->addAction(QFileInfo(path).fileName().replace('&', "&&"), this,
-                                                   [this, path] { m_requests.openWord(path); });
-        action->setToolTip(path);
-        if (i < 9) action->setShortcut(key(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)));
+    for (qsizetype i = 0; i < static_cast<qsizetype>(m_recentFiles.size()); ++i) {
+        QAction*   action = m_recentFiles[static_cast<std::size_t>(i)];
+        const bool there  = i < files.size();
+        action->setVisible(there);
+        action->setEnabled(there);
+        action->setText(there ? QFileInfo(files[i]).fileName().replace('&', "&&") : QString());
+        action->setToolTip(there ? files[i] : QString());
+        action->setData(there ? files[i] : QString());
     }
-    m_recent->setToolTipsVisible(true);
+}
+
+void Actions::showLayout(const QString& word)
+{
+    for (std::size_t i = 0; i < layoutEntries().size(); ++i) m_layoutChoices[i]->setChecked(word == layoutEntries()[i].word);
+}
+
+void Actions::showOwnLayouts(const QStringList& names)
+{
+    m_ownLayouts->clear();
+    m_forgetLayouts->clear();
+    for (const QString& name : names) {
+        const QString label = QString(name).replace('&', "&&");
+        m_ownLayouts->addAction(label, this, [this, name] { m_requests.useOwnLayout(name); })->setObjectName("layout.own." + name);
+        m_forgetLayouts->addAction(label, this, [this, name] { m_requests.forgetOwnLayout(name); });
+    }
+    m_ownLayouts->setEnabled(!names.isEmpty());
+    m_forgetLayouts->setEnabled(!names.isEmpty());
 }
 
 void Actions::showAppearance(Appearance appearance) { m_appearances[static_cast<std::size_t>(appearance)]->setChecked(true); }

@@ -24,6 +24,9 @@ public:
     /// Whether the user wants it, seen or folded away for want of anything to show.
     bool isWanted() const { return m_wanted; }
     void setWanted(bool wanted);
+    /// Of the height of its area, among those that are there.
+    int  share() const { return m_share; }
+    void setShare(int share) { m_share = share; }
     bool isNeeded() const { return m_needed; }
     void setNeeded(bool needed);
 
@@ -46,6 +49,7 @@ private:
     QToolButton*      m_close   = nullptr;
     bool              m_wanted  = true;
     bool              m_needed  = true;
+    int               m_share   = 1;
 };
 
 }  // namespace zscope::ui

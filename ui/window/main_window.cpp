@@ -21,7 +21,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSpinBox>
-#include <QTextBrowser>
+#include <QStackedWidget>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -33,8 +33,12 @@
 #include "ui/theme/theme.h"
 #include "ui/view/frame_view.h"
 #include "ui/window/actions.h"
+#include "ui/window/cheat_sheet.h"
+#include "ui/window/command_palette.h"
 #include "ui/window/dock.h"
+#include "ui/window/keys_dialog.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/start_page.h"
 #include "ui/window/status_line.h"
 
 namespace zscope::ui {
@@ -56,7 +60,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     makeCentre();
     m_status = new StatusLine(session);
     setStatusBar(m_status);
-    m_actions = new Actions(*this, session, *m_view,
+    m_actions = new Actions(*this, session, *m_view, settings,
                             {.open             = [this] { chooseFile(); },
                              .savePicture      = [this] { savePicture(true); },
                              .savePlainPicture = [this] { savePicture(false); },
@@ -66,6 +70,13 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
                              .resetLayout      = [this] { resetLayout(); },
                              .about            = [this] { showAbout(); },
                              .keys             = [this] { showKeys(); },
+                             .changeKeys       = [this] { changeKeys(); },
+                             .palette          = [this] { showPalette(); },
+                             .saveSession      = [this] { saveSession(); },
+                             .layout           = [this](const QString& word) { useLayout(word); },
+                             .saveOwnLayout    = [this] { saveOwnLayout(); },
+                             .useOwnLayout     = [this](const QString& name) { useOwnLayout(name); },
+                             .forgetOwnLayout  = [this](const QString& name) { forgetOwnLayout(name); },
                              .look             = [this](Appearance look) {
                                  m_settings.setAppearance(look);
                                  applyAppearance(look);
@@ -84,6 +95,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     connect(m_view, &FrameView::toolChanged, m_actions, &Actions::showTool);
     connect(m_view, &FrameView::hovered, m_status, &StatusLine::hover);
     connect(&session, &Session::changed, this, &MainWindow::present);
+    connect(&session, &Session::noticed, this, [this](const QString& sentence) { m_status->showMessage(sentence, 8000); });
     connect(&session, &Session::failed, m_messages, &MessageBar::tell);
     m_held.setSingleShot(true);
     m_held.setInterval(120);  // Shift with another key is not held
@@ -91,16 +103,24 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     qApp->installEventFilter(this);
 
     m_actions->showRecent(settings.recentFiles());
+    m_start->showRecent(settings.recentFiles());
+    m_actions->showOwnLayouts(settings.ownLayouts());
     m_actions->showAppearance(settings.appearance());
     m_actions->showLanguage(settings.language());
     applyAppearance(settings.appearance());
     resize(1280, 800);
-    resetLayout();
+    useLayout(settings.layoutName());
     restoreLayout();
     present(kEverything);
 }
 
-MainWindow::~MainWindow() { qApp->removeEventFilter(this); }
+MainWindow::~MainWindow()
+{
+    // Widgets that go may still commit what was typed into them: nobody is here any more to show what that changes.
+    m_session.disconnect(this);
+    qApp->removeEventFilter(this);
+    qDeleteAll(findChildren<QDialog*>());  // they speak of actions, which go with the window
+}
 
 void MainWindow::makeCentre()
 {
@@ -114,112 +134,14 @@ void MainWindow::makeCentre()
     auto* inside = new QVBoxLayout(frame);
     inside->setContentsMargins(1, 1, 1, 1);
     m_view = new FrameView(m_session);
-    inside->addWidget(m_view);
+    m_start  = new StartPage({.open = [this] { chooseFile(); }, .openWord = [this](const QString& word) { open(word); }, .firstLesson = {}});
+    m_centre = new QStackedWidget;
+    m_centre->addWidget(m_start);
+    m_centre->addWidget(m_view);
+    inside->addWidget(m_centre);
     layout->addWidget(m_messages);
     layout->addWidget(frame, 1);
     setCentralWidget(centre);
-}
-
-// Docks -------------------------------------------------------------------------------------------------------------
-
-void MainWindow::makeDocks()
-{
-    for (const PanelEntry& entry : panels()) {
-        auto* dock   = new PanelDock(entry, entry.make(m_session), this);
-        auto* toggle = m_actions->panelsMenu()->addAction(QString());
-        spoken(*toggle, [toggle, &entry] { toggle->setText(entry.translatedTitle()); });
-        toggle->setCheckable(true);
-        toggle->setChecked(true);
-        connect(toggle, &QAction::triggered, dock, &PanelDock::setWanted);
-        connect(dock, &PanelDock::wantedChanged, toggle, &QAction::setChecked);
-        m_docks.push_back(dock);
-    }
-}
-
-PanelDock* MainWindow::dock(const QString& panelWord) const
-{
-    for (PanelDock* dock : m_docks)
-        if (panelWord == dock->entry().word) return dock;
-    return nullptr;
-}
-
-void MainWindow::placeDocks()
-{
-    for (PanelDock* dock : m_docks) {
-        dock->setFloating(false);
-        addDockWidget(dock->entry().area, dock);
-        if (const char* first = dock->entry().tabbedWith) tabifyDockWidget(this->dock(first), dock);
-        dock->setWanted(true);
-        dock->setNeeded(dock->entry().isNeededBy(m_session.now().pipeline));
-    }
-    // Of the panels that share a place the first is seen.
-    for (auto dock = m_docks.rbegin(); dock != m_docks.rend(); ++dock) QTimer::singleShot(0, *dock, &QWidget::raise);
-}
-
-namespace {
-
-/// What runs when the pipeline's choices are measured, as far as a panel cares: a step tells what it has.
-Pipeline ranIn(const Snapshot& shown)
-{
-    Pipeline               ran       = shown.pipeline;
-    const HierarchyState*  hierarchy = shown.hierarchy();
-    if (ran.chooser != Chooser::Measured || !hierarchy) return ran;
-    if (hierarchy->tree) ran.order = *hierarchy->tree == TreeKind::Octree ? Order::Octree : Order::Bvh;
-    if (!hierarchy->levels.empty()) ran.upkeep = Upkeep::OnQuery;
-    return ran;
-}
-
-}  // namespace
-
-void MainWindow::showNeeded(const Snapshot& shown)
-{
-    const Pipeline ran = ranIn(shown);
-    bool changed = false;
-    // First away, then in: all at once they would not fit, and a window that has grown does not shrink again.
-    for (const bool needed : {false, true}) {
-        for (PanelDock* dock : m_docks) {
-            if (dock->entry().isNeededBy(ran) != needed || dock->isNeeded() == needed) continue;
-            dock->setNeeded(needed);
-            // Above the others of its place, once the tabs are there.
-            if (needed && !dock->entry().tabbedWith) QTimer::singleShot(0, dock, &QWidget::raise);
-            changed = true;
-        }
-    }
-    if (changed) shareHeights();
-}
-
-void MainWindow::shareHeights()
-{
-    QList<QDockWidget*> docks;
-    QList<int>          shares;
-    for (PanelDock* dock : m_docks) {
-        if (!dock->isVisible() || dock->isFloating() || dockWidgetArea(dock) != Qt::RightDockWidgetArea) continue;
-        docks << dock;
-        shares << dock->entry().share;
-    }
-    resizeDocks(docks, shares, Qt::Vertical);
-}
-
-void MainWindow::resetLayout()
-{
-    placeDocks();
-    const auto pick = [this](std::initializer_list<const char*> words) {
-        QList<QDockWidget*> docks;
-        for (const char* word : words) docks << dock(word);
-        return docks;
-    };
-    const int side = std::max(width(), 1280);
-    resizeDocks(pick({"scene", "active-edges"}), {std::max(240, side * 17 / 100), std::max(440, side * 25 / 100)}, Qt::Horizontal);
-    resizeDocks(pick({"scene", "pipeline"}), {42, 58}, Qt::Vertical);
-    shareHeights();
-}
-
-void MainWindow::restoreLayout()
-{
-    if (const QByteArray geometry = m_settings.geometry(); !geometry.isEmpty()) restoreGeometry(geometry);
-    if (const QByteArray layout = m_settings.layout(); !layout.isEmpty()) restoreState(layout, Settings::kLayoutVersion);
-    const QStringList hidden = m_settings.hiddenPanels();
-    for (PanelDock* dock : m_docks) dock->setWanted(!hidden.contains(dock->entry().word));
 }
 
 void MainWindow::showEvent(QShowEvent* event)
@@ -230,10 +152,9 @@ void MainWindow::showEvent(QShowEvent* event)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    QStringList hidden;
-    for (const PanelDock* dock : m_docks)
-        if (!dock->isWanted()) hidden << dock->entry().word;
-    m_settings.keepWindow(saveGeometry(), saveState(Settings::kLayoutVersion), hidden);
+    const WindowLayout layout = layoutNow();
+    m_settings.keepWindow(layout.geometry, layout.state, layout.hidden);
+    m_settings.setLayoutName(m_layout);
     m_session.player().setPlaying(false);
     m_session.cancelWork();
     QMainWindow::closeEvent(event);
@@ -272,6 +193,8 @@ void MainWindow::present(Changes what)
     m_actions->present(shown, what);
     for (PanelDock* dock : m_docks) dock->panel().present(shown, what);
     if (what & (Change::Pipeline | Change::Picture)) showNeeded(shown);
+    if (what & (Change::Scene | Change::Busy)) m_centre->setCurrentWidget(shown.scene || !shown.busy.isEmpty() ? static_cast<QWidget*>(m_view) : m_start);
+    if (what & Change::Selection) showWhy(shown);
     if ((what & Change::Scene) && shown.scene) {
         m_messages->hide();
         m_sceneName->setText(tr("%1 — %2 triangles").arg(shown.scene->title, grouped(shown.scene->scene().triangleCount())));
@@ -280,75 +203,12 @@ void MainWindow::present(Changes what)
     }
 }
 
-// Files -------------------------------------------------------------------------------------------------------------
-
-void MainWindow::open(const QString& word, const Session::ViewOf& viewOf)
+void MainWindow::showWhy(const Snapshot& shown)
 {
-    QString name = word;
-    if (!word.startsWith("builtin:")) {
-        name = QFileInfo(word).absoluteFilePath();
-        m_settings.addRecentFile(name);
-        m_actions->showRecent(m_settings.recentFiles());
-    }
-    m_session.player().setPlaying(false);
-    m_session.open(name, viewOf);
-}
-
-void MainWindow::chooseFile()
-{
-    const QStringList recent = m_settings.recentFiles();
-    const QString     folder = recent.isEmpty() ? QString() : QFileInfo(recent.front()).absolutePath();
-    const QString     file   = QFileDialog::getOpenFileName(this, tr("Open a scene"), folder,
-                                                            tr("Scenes (*.obj *.OBJ *.json);;All files (*)"));
-    if (!file.isEmpty()) open(file);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event)
-{
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) return event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event)
-{
-    for (const QUrl& url : event->mimeData()->urls()) {
-        if (!url.isLocalFile()) continue;
-        event->acceptProposedAction();
-        return open(url.toLocalFile());
-    }
-}
-
-void MainWindow::savePicture(bool decorated)
-{
-    const QImage image = m_view->picture(decorated);
-    if (image.isNull()) return;
-    const QDir    folder(m_settings.pictureFolder());
-    const QString file = folder.filePath(freePictureName(m_session.now(), folder.path()) + ".png");
-    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), false)) m_messages->tell(*trouble);
-    else m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
-}
-
-void MainWindow::savePictureAs()
-{
-    const QImage image = m_view->picture(true);
-    if (image.isNull()) return;
-    const QDir    folder(m_settings.pictureFolder());
-    const QString suggested = folder.filePath(freePictureName(m_session.now(), folder.path()) + ".png");
-    QString       file      = QFileDialog::getSaveFileName(this, tr("Save the picture"), suggested, tr("PNG pictures (*.png)"));
-    if (file.isEmpty()) return;
-    const bool asked = file.endsWith(".png", Qt::CaseInsensitive);  // the dialog has asked about this very name
-    if (!asked) file += ".png";
-    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), asked)) return m_messages->tell(*trouble);
-    m_settings.setPictureFolder(QFileInfo(file).absolutePath());
-    m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
-}
-
-void MainWindow::copyPicture()
-{
-    const QImage image = m_view->picture(true);
-    if (image.isNull()) return;
-    QApplication::clipboard()->setImage(image);
-    m_status->showMessage(tr("The picture is in the clipboard"), 4000);
+    const bool isNew = shown.picked && shown.picked != m_lastPick;
+    m_lastPick       = shown.picked;
+    // Whoever compares looks at the comparison of many pixels.
+    if (isNew && !shown.compare.other && dock("why")->isVisible()) dock("why")->raise();
 }
 
 // Small dialogs -----------------------------------------------------------------------------------------------------
@@ -379,30 +239,20 @@ void MainWindow::goToPixel()
 
 void MainWindow::showKeys()
 {
-    QString rows;
-    for (const QAction* action : m_actions->all()) {
-        if (action->shortcuts().isEmpty()) continue;
-        QString name = plainName(*action);
-        name.remove(QChar(0x2026));
-        rows += QString("<tr><td style='padding:2px 24px 2px 0'><b>%1</b></td><td>%2</td></tr>")
-                    .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText).toHtmlEscaped(),
-                         name.toHtmlEscaped());
-    }
-    QDialog dialog(this);
-    dialog.setWindowTitle(tr("Keys and mouse"));
-    dialog.resize(560, 640);
-    auto* text = new QTextBrowser;
-    text->setFrameShape(QFrame::NoFrame);
-    text->setHtml(tr("<p><b>Inspect</b>: the wheel zooms to the cursor, dragging pans, a click picks a pixel.<br>"
-                     "<b>Camera</b>, or Alt held: left drag orbits, middle drag pans, right drag looks around, the wheel "
-                     "dollies, the arrow keys turn the model, W A S D Q E fly, Shift flies faster.</p>") +
-                  "<table>" + rows + "</table>");
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-    auto* layout = new QVBoxLayout(&dialog);
-    layout->addWidget(text);
-    layout->addWidget(buttons);
-    dialog.exec();
+    auto* sheet = new CheatSheet(*menuBar(), this);
+    sheet->show();
+}
+
+void MainWindow::changeKeys()
+{
+    auto* dialog = new KeysDialog(m_actions->bindings(), this);
+    dialog->open();
+}
+
+void MainWindow::showPalette()
+{
+    auto* palette = new CommandPalette(m_actions->bindings().commands(), this);
+    palette->open();
 }
 
 void MainWindow::showAbout()

@@ -10,16 +10,20 @@
 #include <QTimer>
 
 #include "ui/session/session.h"
+#include "ui/session/session_file.h"
 #include "ui/text/language.h"
 #include "ui/window/settings.h"
 
 class QLabel;
+class QStackedWidget;
 
 namespace zscope::ui {
 
 class Actions;
 class FrameView;
 class MessageBar;
+class StartPage;
+struct LayoutEntry;
 class PanelDock;
 class StatusLine;
 
@@ -39,6 +43,15 @@ public:
     MessageBar& messages() const { return *m_messages; }
     PanelDock*  dock(const QString& panelWord) const;
 
+    /// One of layoutEntries().
+    void         useLayout(const QString& word);
+    WindowLayout layoutNow() const;
+    /// False, and nothing is changed, if it does not fit.
+    bool applyLayout(const WindowLayout& layout);
+    void openSession(const QString& file);
+    /// Replaces the file.
+    void saveSessionTo(const QString& file);
+
 protected:
     void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
@@ -52,10 +65,16 @@ private:
     void watchShift(const QKeyEvent* event);
     void makeCentre();
     void makeDocks();
-    void placeDocks();
+    void placeDocks(const LayoutEntry& layout);
     void showNeeded(const Snapshot& shown);
+    void shareWidths();
     void shareHeights();
     void resetLayout();
+    void saveOwnLayout();
+    void useOwnLayout(const QString& name);
+    void forgetOwnLayout(const QString& name);
+    void showWhy(const Snapshot& shown);
+    void saveSession();
     void restoreLayout();
     void applyAppearance(Appearance appearance);
     void chooseFile();
@@ -64,17 +83,23 @@ private:
     void copyPicture();
     void goToPixel();
     void showKeys();
+    void changeKeys();
+    void showPalette();
     void showAbout();
 
     Session&                m_session;
     Settings&               m_settings;
     const QPalette          m_systemPalette;
     Translation             m_translation;
+    QStackedWidget*         m_centre   = nullptr;  // the start page or the picture
+    StartPage*              m_start    = nullptr;
     FrameView*              m_view     = nullptr;
     MessageBar*             m_messages = nullptr;
     StatusLine*             m_status   = nullptr;
     Actions*                m_actions  = nullptr;
     QLabel*                 m_sceneName = nullptr;
+    QString                 m_layout;  // the word of the one chosen last
+    std::optional<QPoint>   m_lastPick;
     QTimer                  m_held;   // from pressing Shift until it counts as held
     std::vector<PanelDock*> m_docks;  // in the order of panels()
 };

@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QUrl>
 
 namespace zscope::ui {
 namespace {
@@ -13,13 +15,33 @@ namespace {
 constexpr const char* kOrganisation = "ZScope";
 constexpr const char* kProgram      = "zscope";
 
+/// The first line, from 1, that is neither empty nor a comment, a [group] or a key with a value; 0: there is none.
+int firstBrokenLine(const QString& name)
+{
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly)) return 0;  // there is none yet
+    for (int number = 1; !file.atEnd(); ++number) {
+        const QByteArray line = file.readLine().trimmed();
+        if (line.isEmpty() || line.startsWith(';') || line.startsWith('#')) continue;
+        if (line.startsWith('[') ? !line.endsWith(']') : line.indexOf('=') < 1) return number;
+        if (line.contains('\0')) return number;
+    }
+    return 0;
+}
+
 }  // namespace
 
 Settings::Settings(const QString& file)
     : m_settings(file.isEmpty() ? QSettings(QSettings::IniFormat, QSettings::UserScope, kOrganisation, kProgram).fileName() : file,
                  QSettings::IniFormat)
 {
-    if (m_settings.status() != QSettings::NoError) m_settings.clear();  // not ours, or damaged
+    const int line = firstBrokenLine(m_settings.fileName());
+    if (line == 0 && m_settings.status() == QSettings::NoError) return;
+    m_trouble = line > 0 ? tr("%1:%2: this is no setting; the window starts with its defaults.").arg(m_settings.fileName()).arg(line)
+                         : tr("%1 cannot be read as settings; the window starts with its defaults.").arg(m_settings.fileName());
+    QFile::remove(m_settings.fileName() + ".broken");
+    QFile::copy(m_settings.fileName(), m_settings.fileName() + ".broken");  // what the user wrote is not lost
+    m_settings.clear();
 }
 
 void Settings::forget()
@@ -57,6 +79,35 @@ void Settings::keepWindow(const QByteArray& geometry, const QByteArray& layout, 
     m_settings.setValue("window/layout", layout);
     m_settings.setValue("window/hiddenPanels", hiddenPanels);
 }
+
+QString Settings::layoutName() const { return m_useLayout ? m_settings.value("window/layoutName").toString() : QString(); }
+
+void Settings::setLayoutName(const QString& word) { m_settings.setValue("window/layoutName", word); }
+
+QStringList Settings::ownLayouts() const
+{
+    QStringList names;
+    m_settings.beginGroup("layouts");
+    for (const QString& key : m_settings.childGroups()) names << QUrl::fromPercentEncoding(key.toLatin1());
+    m_settings.endGroup();
+    names.sort(Qt::CaseInsensitive);
+    return names;
+}
+
+std::pair<QByteArray, QStringList> Settings::ownLayout(const QString& name) const
+{
+    const QString at = "layouts/" + QString::fromLatin1(QUrl::toPercentEncoding(name));
+    return {m_settings.value(at + "/state").toByteArray(), m_settings.value(at + "/hidden").toStringList()};
+}
+
+void Settings::keepOwnLayout(const QString& name, const QByteArray& state, const QStringList& hidden)
+{
+    const QString at = "layouts/" + QString::fromLatin1(QUrl::toPercentEncoding(name));
+    m_settings.setValue(at + "/state", state);
+    m_settings.setValue(at + "/hidden", hidden);
+}
+
+void Settings::forgetOwnLayout(const QString& name) { m_settings.remove("layouts/" + QString::fromLatin1(QUrl::toPercentEncoding(name))); }
 
 QStringList Settings::recentFiles() const
 {
@@ -98,6 +149,21 @@ void Settings::setLanguage(Language language)
 {
     const std::string_view word = wordOf(language);
     m_settings.setValue("look/language", QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
+}
+
+std::optional<QStringList> Settings::keysOf(const QString& command) const
+{
+    const QString at = "keys/" + command;
+    if (!m_settings.contains(at)) return {};
+    QStringList keys = m_settings.value(at).toStringList();
+    keys.removeAll(QString());  // an empty list is kept as one empty word
+    return keys;
+}
+
+void Settings::keepKeys(const QString& command, const std::optional<QStringList>& keys)
+{
+    if (!keys) m_settings.remove("keys/" + command);
+    else m_settings.setValue("keys/" + command, keys->isEmpty() ? QStringList{QString()} : *keys);
 }
 
 QString Settings::pictureFolder() const

@@ -3,7 +3,10 @@
 // not read is left out, and after a start that did not finish the layout is left out once.
 #pragma once
 
+#include <optional>
+
 #include <QByteArray>
+#include <QCoreApplication>
 #include <QSettings>
 #include <QStringList>
 
@@ -13,12 +16,17 @@
 namespace zscope::ui {
 
 class Settings {
+    Q_DECLARE_TR_FUNCTIONS(Settings)
+
 public:
     static constexpr int kLayoutVersion = 1;
     static constexpr int kRecentFiles   = 9;
 
     /// A file, or the user's own place.
     explicit Settings(const QString& file = {});
+
+    /// What was wrong with the file, with its line; it is left as it is, and nothing of it is used.
+    const std::optional<QString>& trouble() const { return m_trouble; }
 
     static void forget();  // --reset-settings
 
@@ -31,6 +39,16 @@ public:
     QStringList hiddenPanels() const;
     void        keepWindow(const QByteArray& geometry, const QByteArray& layout, const QStringList& hiddenPanels);
 
+    /// The layout chosen last, by its word.
+    QString layoutName() const;
+    void    setLayoutName(const QString& word);
+
+    /// Layouts that the user has saved.
+    QStringList                        ownLayouts() const;
+    std::pair<QByteArray, QStringList> ownLayout(const QString& name) const;  // state, hidden panels
+    void                               keepOwnLayout(const QString& name, const QByteArray& state, const QStringList& hidden);
+    void                               forgetOwnLayout(const QString& name);
+
     QStringList recentFiles() const;
     void        addRecentFile(const QString& path);
     void        clearRecentFiles();
@@ -41,12 +59,17 @@ public:
     Language language() const;
     void     setLanguage(Language language);
 
+    /// Keys of a command in portable words; nothing: its defaults.
+    std::optional<QStringList> keysOf(const QString& command) const;
+    void                       keepKeys(const QString& command, const std::optional<QStringList>& keys);
+
     QString pictureFolder() const;
     void    setPictureFolder(const QString& folder);
 
 private:
     mutable QSettings m_settings;
     bool              m_useLayout = true;
+    std::optional<QString> m_trouble;
 };
 
 }  // namespace zscope::ui

@@ -60,10 +60,10 @@ void choose(QComboBox& box, const std::optional<Pipeline>& pipeline, int first)
 }  // namespace
 
 ComparePanel::ComparePanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_a(presetBox()), m_b(presetBox()), m_swap(new QPushButton),
+    : Panel(session, parent), m_a(presetBox()), m_b(presetBox()), m_link(new QComboBox), m_swap(new QPushButton),
       m_keep(new QPushButton), m_worst(new QPushButton), m_wipe(new QSlider(Qt::Horizontal)),
       m_tolerance(new QSpinBox), m_linked(new QCheckBox), m_verdict(new QLabel), m_times(new QLabel),
-      m_hint(new QLabel), m_grid(new QGridLayout), m_body(new QWidget)
+      m_hint(new QLabel), m_linkNote(new QLabel), m_grid(new QGridLayout), m_body(new QWidget)
 {
     m_b->insertItem(0, QString(), -1);
     m_wipe->setRange(0, kWipeSteps);
@@ -71,6 +71,9 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     m_tolerance->setAlignment(Qt::AlignRight);
     m_tolerance->setKeyboardTracking(false);
     m_linked->setFocusPolicy(Qt::TabFocus);
+    for (int i = 0; i < 4; ++i) m_link->addItem(QString());  // by Link
+    m_linkNote->setObjectName("soft");
+    m_linkNote->setWordWrap(true);
     m_verdict->setWordWrap(true);
     m_verdict->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
     m_times->setObjectName("soft");
@@ -122,7 +125,13 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     body->addLayout(m_grid);
     body->addLayout(tolerance);
     body->addWidget(m_times);
-    body->addWidget(m_linked);
+    auto* links = new QHBoxLayout;
+    links->setSpacing(kStep);
+    links->addWidget(m_linked);
+    links->addWidget(m_link);
+    links->addStretch(1);
+    body->addLayout(links);
+    body->addWidget(m_linkNote);
 
     auto* inside = new QWidget;
     auto* layout = new QVBoxLayout(inside);
@@ -152,6 +161,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     });
     connect(m_wipe, &QSlider::valueChanged, this, [this](int value) { this->session().setWipe(static_cast<double>(value) / kWipeSteps); });
     connect(m_tolerance, &QSpinBox::valueChanged, this, [this](int steps) { this->session().setTolerance(static_cast<std::uint32_t>(steps)); });
+    connect(m_link, &QComboBox::activated, this, [this](int index) { this->session().linkBy(static_cast<Link>(index)); });
     connect(m_linked, &QCheckBox::clicked, this, [this](bool on) { this->session().linkSteps(on); });
     spoken(*this, [this, toleranceName] {
         m_a->setAccessibleName(tr("Algorithm A"));
@@ -166,7 +176,16 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
         m_wipe->setAccessibleName(tr("Where the wipe lies"));
         m_tolerance->setAccessibleName(tr("Tolerance in float32 steps"));
         m_tolerance->setToolTip(tr("Depths of one triangle that are no more float32 steps apart count as equal"));
-        m_linked->setToolTip(tr("B stops at the same moment: the same step of the same grain, or the same part of its run"));
+        m_linked->setToolTip(tr("B is stepped with A, and stops where the box beside says"));
+        m_link->setAccessibleName(tr("What of A's step B follows"));
+        const std::array linkNames{tr("same step"), tr("same line"), tr("same stage"), tr("picked pixel")};
+        const std::array linkTips{tr("The same number, or the same part of the run where B has no steps of that grain"),
+                                  tr("Where B works on A's line for the first time"), tr("The same part of the same stage"),
+                                  tr("Where B gives the picked pixel to the triangle that it shows in A")};
+        for (std::size_t i = 0; i < linkNames.size(); ++i) {
+            m_link->setItemText(static_cast<int>(i), linkNames[i]);
+            m_link->setItemData(static_cast<int>(i), linkTips[i], Qt::ToolTipRole);
+        }
         m_verdict->setAccessibleName(tr("Result of the comparison"));
         m_hint->setText(tr("Choose B, or press Shift and a digit, to hold one algorithm against another."));
         toleranceName->setText(tr("tolerance, float32 steps"));
@@ -203,6 +222,10 @@ void ComparePanel::showChoices(const Snapshot& shown)
     m_wipe->setValue(static_cast<int>(compare.wipe * kWipeSteps + 0.5));
     m_tolerance->setValue(static_cast<int>(compare.tolerance));
     m_linked->setChecked(compare.isLinked);
+    m_link->setCurrentIndex(static_cast<int>(compare.link));
+    m_link->setEnabled(compare.isLinked);
+    m_linkNote->setText(textOf(compare.linkNote));
+    m_linkNote->setVisible(shown.showsStep && compare.isLinked && !m_linkNote->text().isEmpty());
 }
 
 void ComparePanel::showResult(const Snapshot& shown)

@@ -33,13 +33,13 @@ private:
     void showChoices(const Snapshot& shown);
     void showResult(const Snapshot& shown);
 
-    QComboBox *                  m_a, *m_b;
+    QComboBox *                  m_a, *m_b, *m_link;
     QPushButton *                m_swap, *m_keep, *m_worst;
     std::array<QToolButton*, 4>  m_shows{};  // by CompareShow
     QSlider*                     m_wipe;
     QSpinBox*                    m_tolerance;
     QCheckBox*                   m_linked;
-    QLabel *                     m_verdict, *m_times, *m_hint;
+    QLabel *                     m_verdict, *m_times, *m_hint, *m_linkNote;
     QGridLayout*                 m_grid;
     std::vector<QLabel*>         m_names, m_values;
     QWidget*                     m_body;

@@ -58,6 +58,19 @@ void StepTrack::present(std::uint64_t step, std::uint64_t count)
     update();
 }
 
+void StepTrack::showMarks(const TrackMarks& marks)
+{
+    if (marks == m_marks) return;
+    m_marks = marks;
+    update();
+}
+
+double StepTrack::placeOf(std::uint64_t step) const
+{
+    if (maximum() <= 0) return width();
+    return static_cast<double>(m_scale.positionOf(step)) / maximum() * width();
+}
+
 int StepTrack::positionAt(double x) const
 {
     const double part = std::clamp(x / std::max(1, width() - 1), 0.0, 1.0);
@@ -69,7 +82,7 @@ void StepTrack::paintEvent(QPaintEvent*)
     const Theme& theme = themeOf(palette());
     QPainter     painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF track = QRectF(rect()).adjusted(0.5, 3.5, -0.5, -3.5);
+    const QRectF track = QRectF(rect()).adjusted(0.5, 4.5, -0.5, -4.5);
     const double part  = maximum() > 0 ? static_cast<double>(value()) / maximum() : 1;
     painter.setPen(Qt::NoPen);
     QColor rest = theme.idle;
@@ -80,6 +93,20 @@ void StepTrack::paintEvent(QPaintEvent*)
     painter.setClipRect(QRectF(0, 0, part * width(), height()));
     painter.drawRoundedRect(track, 4, 4);
     painter.setClipping(false);
+    paintStages(painter, track);
+    for (const std::uint64_t change : m_marks.changes) {  // a tick below
+        const double x = std::clamp(placeOf(change), 1.0, width() - 1.0);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme.picked);
+        painter.drawRect(QRectF(x - 1, height() - 8, 2, 8));
+    }
+    for (const TrackMarks::Named& mark : m_marks.bookmarks) {  // a flag above
+        const double x = std::clamp(placeOf(mark.step), 4.0, width() - 4.0);
+        painter.setPen(QPen(theme.card, 1));
+        painter.setBrush(theme.text);
+        painter.drawPolygon(QPolygonF{{x - 5, 0}, {x + 5, 0}, {x, 10}});
+    }
+    painter.setPen(Qt::NoPen);
     const double at = std::clamp(part * width(), 3.0, width() - 3.0);
     painter.setBrush(theme.now);
     painter.drawRoundedRect(QRectF(at - 3, 0.5, 6, height() - 1), 3, 3);
@@ -87,6 +114,26 @@ void StepTrack::paintEvent(QPaintEvent*)
         painter.setPen(theme.picked);
         painter.setBrush(Qt::NoBrush);
         painter.drawRoundedRect(track, 4, 4);
+    }
+}
+
+void StepTrack::paintStages(QPainter& painter, const QRectF& track) const
+{
+    const Theme& theme = themeOf(palette());
+    QFont        small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.85);
+    painter.setFont(small);
+    for (std::size_t i = 0; i < m_marks.stages.size(); ++i) {
+        const double from = i == 0 ? 0 : placeOf(m_marks.stages[i].step);
+        const double to   = i + 1 < m_marks.stages.size() ? placeOf(m_marks.stages[i + 1].step) : width();
+        if (i > 0) {
+            painter.setPen(QPen(theme.card, 2));
+            painter.drawLine(QPointF(from, track.top()), QPointF(from, track.bottom()));
+        }
+        const QString& name = m_marks.stages[i].name;
+        if (to - from < painter.fontMetrics().horizontalAdvance(name) + 2 * kStep) continue;
+        painter.setPen(theme.text);
+        painter.drawText(QRectF(from, track.top(), to - from, track.height()), Qt::AlignCenter, name);
     }
 }
 
@@ -111,7 +158,13 @@ bool StepTrack::event(QEvent* event)
 {
     if (event->type() != QEvent::ToolTip) return QAbstractSlider::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
-    QToolTip::showText(help->globalPos(), tr("step %1").arg(grouped(m_scale.stepOf(positionAt(help->pos().x())) + 1)), this);
+    const std::uint64_t step = m_scale.stepOf(positionAt(help->pos().x()));
+    QStringList         lines{tr("step %1").arg(grouped(step + 1))};
+    const auto          after = std::ranges::find_if(m_marks.stages, [&](const auto& stage) { return stage.step > step; });
+    if (after != m_marks.stages.begin()) lines << tr("stage: %1").arg((after - 1)->name);
+    for (const TrackMarks::Named& mark : m_marks.bookmarks)
+        if (std::abs(placeOf(mark.step) - help->pos().x()) < 6) lines << QStringLiteral("\u2605 ") + mark.name;
+    QToolTip::showText(help->globalPos(), lines.join('\n'), this);
     return true;
 }
 

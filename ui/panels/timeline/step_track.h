@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The track of the timeline: all steps from left to right, what is done filled, a handle at "now". A slider for the
+// The track of the timeline: all steps from left to right in the bands of their stages, what is done filled, a handle at
+// "now", a flag for each bookmark, a tick where the picked pixel changes. A slider for the
 // keyboard and for screen readers; runs longer than its range are scaled.
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <QAbstractSlider>
 
@@ -20,6 +22,21 @@ struct TrackScale {
     std::uint64_t stepOf(int position) const;
 };
 
+/// What stands on the track beside the handle.
+struct TrackMarks {
+    struct Named {
+        QString       name;
+        std::uint64_t step = 0;
+
+        friend bool operator==(const Named&, const Named&) = default;
+    };
+    std::vector<Named>         stages;     // each with its first step, in order
+    std::vector<Named>         bookmarks;
+    std::vector<std::uint64_t> changes;    // of the picked pixel
+
+    friend bool operator==(const TrackMarks&, const TrackMarks&) = default;
+};
+
 class StepTrack final : public QAbstractSlider {
     Q_OBJECT
 
@@ -29,8 +46,13 @@ public:
     /// Does not emit stepChosen().
     void present(std::uint64_t step, std::uint64_t count);
 
-    QSize sizeHint() const override { return {400, 22}; }
-    QSize minimumSizeHint() const override { return {160, 22}; }
+    void showMarks(const TrackMarks& marks);
+    const TrackMarks& marks() const { return m_marks; }
+    /// Where a step's handle stands, from the left edge.
+    double placeOf(std::uint64_t step) const;
+
+    QSize sizeHint() const override { return {400, 28}; }
+    QSize minimumSizeHint() const override { return {160, 28}; }
 
 signals:
     void stepChosen(std::uint64_t step);
@@ -43,9 +65,11 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    int positionAt(double x) const;
+    int  positionAt(double x) const;
+    void paintStages(QPainter& painter, const QRectF& track) const;
 
     TrackScale m_scale;
+    TrackMarks m_marks;
     bool       m_presenting = false;
 };
 

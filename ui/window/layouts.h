@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layouts that come with the program: which panels are there, and where. A panel in no place of a layout is closed.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <QString>
+
+namespace zscope::ui {
+
+struct LayoutPlace {
+    const char*        panel;
+    Qt::DockWidgetArea area;
+    const char*        tabbedWith = nullptr;  // the panel whose place it shares
+    int                share      = 1;        // of the height of its area
+};
+
+struct LayoutEntry {
+    const char* word;
+    const char* title;   // English; translated in the context "Layouts"
+    const char* tip;     // likewise
+    const char* raised;  // the panel in front of those that share its place
+    int         left, right;  // widths in logical pixels, at 1280
+    int         narrow;       // of the right side while it holds nothing that wants room
+
+    QString                  translatedTitle() const;
+    QString                  translatedTip() const;
+    std::vector<LayoutPlace> places() const;
+};
+/// Teach, the first, has every panel where the registry of panels says.
+std::span<const LayoutEntry> layoutEntries();
+const LayoutEntry&           layoutEntry(const QString& word);  // the first, if there is none of that word
+
+}  // namespace zscope::ui

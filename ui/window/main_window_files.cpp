@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window opens and saves: scenes, sessions, pictures.
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMimeData>
+
+#include "core/io/file_writer.h"
+#include "core/io/read_file.h"
+#include "ui/session/reproduce.h"
+#include "ui/session/session_file.h"
+#include "ui/text/phrase_book.h"
+#include "ui/view/frame_view.h"
+#include "ui/window/actions.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/start_page.h"
+#include "ui/window/status_line.h"
+
+namespace zscope::ui {
+namespace {
+
+constexpr std::uint64_t kLargestSession = std::uint64_t{16} << 20;  // bytes
+
+}  // namespace
+
+void MainWindow::open(const QString& word, const Session::ViewOf& viewOf)
+{
+    if (word.endsWith(QString(".") + kSessionSuffix, Qt::CaseInsensitive)) return openSession(word);
+    QString name = word;
+    if (!word.startsWith("builtin:")) {
+        name = QFileInfo(word).absoluteFilePath();
+        m_settings.addRecentFile(name);
+        m_actions->showRecent(m_settings.recentFiles());
+    }
+    m_session.player().setPlaying(false);
+    m_session.open(name, viewOf);
+}
+
+void MainWindow::chooseFile()
+{
+    const QStringList recent = m_settings.recentFiles();
+    const QString     folder = recent.isEmpty() ? QString() : QFileInfo(recent.front()).absolutePath();
+    const QString     file   = QFileDialog::getOpenFileName(this, tr("Open a scene"), folder,
+                                                            tr("Scenes and sessions (*.obj *.OBJ *.json *.zscope-session);;All files (*)"));
+    if (!file.isEmpty()) open(file);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) return event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (!url.isLocalFile()) continue;
+        event->acceptProposedAction();
+        return open(url.toLocalFile());
+    }
+}
+
+void MainWindow::savePicture(bool decorated)
+{
+    const QImage image = m_view->picture(decorated);
+    if (image.isNull()) return;
+    const QDir    folder(m_settings.pictureFolder());
+    const QString file = folder.filePath(freePictureName(m_session.now(), folder.path()) + ".png");
+    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), false)) m_messages->tell(*trouble);
+    else m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
+}
+
+void MainWindow::savePictureAs()
+{
+    const QImage image = m_view->picture(true);
+    if (image.isNull()) return;
+    const QDir    folder(m_settings.pictureFolder());
+    const QString suggested = folder.filePath(freePictureName(m_session.now(), folder.path()) + ".png");
+    QString       file      = QFileDialog::getSaveFileName(this, tr("Save the picture"), suggested, tr("PNG pictures (*.png)"));
+    if (file.isEmpty()) return;
+    const bool asked = file.endsWith(".png", Qt::CaseInsensitive);  // the dialog has asked about this very name
+    if (!asked) file += ".png";
+    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), asked)) return m_messages->tell(*trouble);
+    m_settings.setPictureFolder(QFileInfo(file).absolutePath());
+    m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
+}
+
+void MainWindow::copyPicture()
+{
+    const QImage image = m_view->picture(true);
+    if (image.isNull()) return;
+    QApplication::clipboard()->setImage(image);
+    m_status->showMessage(tr("The picture is in the clipboard"), 4000);
+}
+
+// Sessions ----------------------------------------------------------------------------------------------------------
+
+void MainWindow::openSession(const QString& file)
+{
+    const auto text = readRegularFile(file.toStdString(), kLargestSession);
+    if (!text) return m_messages->tell(said(text.error().text()));
+    const auto session = sessionFromJson(*text, file);
+    if (!session) return m_messages->tell(said(session.error().text()));
+    m_settings.addRecentFile(QFileInfo(file).absoluteFilePath());
+    m_actions->showRecent(m_settings.recentFiles());
+    if (!session->layout.state.isEmpty()) applyLayout(session->layout);
+    restore(m_session, *session);
+}
+
+void MainWindow::saveSession()
+{
+    auto session = sessionFileOf(m_session);
+    if (!session) return;
+    const QDir    folder(m_settings.pictureFolder());
+    const QString suggested = folder.filePath(freePictureName(m_session.now(), folder.path()) + '.' + kSessionSuffix);
+    QString       file      = QFileDialog::getSaveFileName(this, tr("Save the session"), suggested, tr("ZScope sessions (*.zscope-session)"));
+    if (file.isEmpty()) return;
+    if (!file.endsWith(QString(".") + kSessionSuffix)) {
+        file += QString(".") + kSessionSuffix;
+        if (QFileInfo::exists(file)) return m_messages->tell(tr("%1 is there already; it was left as it is.").arg(file));
+    }
+    saveSessionTo(file);
+}
+
+void MainWindow::saveSessionTo(const QString& file)
+{
+    auto session = sessionFileOf(m_session);
+    if (!session) return;
+    session->layout    = layoutNow();
+    const auto written = writeFile(file.toStdString(), sessionToJson(*session, file));
+    if (!written) return m_messages->tell(said(written.error().text()));
+    m_settings.addRecentFile(QFileInfo(file).absoluteFilePath());
+    m_actions->showRecent(m_settings.recentFiles());
+    m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
+}
+
+}  // namespace zscope::ui

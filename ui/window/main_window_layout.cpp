@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's panels and layouts: which are there, where, and how large.
+#include "ui/window/main_window.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include <QAction>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTimer>
+
+#include "ui/panels/registry.h"
+#include "ui/text/spoken.h"
+#include "ui/window/actions.h"
+#include "ui/window/dock.h"
+#include "ui/window/layouts.h"
+#include "ui/window/message_bar.h"
+
+namespace zscope::ui {
+
+void MainWindow::makeDocks()
+{
+    for (const PanelEntry& entry : panels()) {
+        auto* dock   = new PanelDock(entry, entry.make(m_session), this);
+        auto* toggle = m_actions->panelsMenu()->addAction(QString());
+        spoken(*toggle, [toggle, &entry] { toggle->setText(entry.translatedTitle()); });
+        toggle->setCheckable(true);
+        toggle->setChecked(true);
+        m_actions->adopt(*toggle, QStringLiteral("panel.") + entry.word);
+        connect(toggle, &QAction::triggered, dock, &PanelDock::setWanted);
+        connect(dock, &PanelDock::wantedChanged, toggle, &QAction::setChecked);
+        m_docks.push_back(dock);
+    }
+}
+
+PanelDock* MainWindow::dock(const QString& panelWord) const
+{
+    for (PanelDock* dock : m_docks)
+        if (panelWord == dock->entry().word) return dock;
+    return nullptr;
+}
+
+void MainWindow::placeDocks(const LayoutEntry& layout)
+{
+    const std::vector<LayoutPlace> places = layout.places();
+    const auto placeOf = [&](const PanelDock& dock) {
+        return std::ranges::find_if(places, [&](const LayoutPlace& place) { return std::strcmp(place.panel, dock.entry().word) == 0; });
+    };
+    for (PanelDock* dock : m_docks) {
+        dock->setFloating(false);
+        dock->setNeeded(dock->entry().isNeededBy(m_session.now().pipeline));
+        if (placeOf(*dock) == places.end()) dock->setWanted(false);
+    }
+    for (const LayoutPlace& place : places) {  // in the order of the layout, which is that from top to bottom
+        PanelDock* dock = this->dock(place.panel);
+        if (!dock) continue;
+        addDockWidget(place.area, dock);
+        if (place.tabbedWith) tabifyDockWidget(this->dock(place.tabbedWith), dock);
+        dock->setShare(place.share);
+        dock->setWanted(true);
+    }
+    // Of the panels that share a place the first is seen.
+    for (auto place = places.rbegin(); place != places.rend(); ++place)
+        if (PanelDock* dock = this->dock(place->panel)) QTimer::singleShot(0, dock, &QWidget::raise);
+    if (PanelDock* front = dock(layout.raised)) QTimer::singleShot(0, front, &QWidget::raise);
+}
+
+namespace {
+
+/// What runs when the pipeline's choices are measured, as far as a panel cares: a step tells what it has.
+Pipeline ranIn(const Snapshot& shown)
+{
+    Pipeline               ran       = shown.pipeline;
+    const HierarchyState*  hierarchy = shown.hierarchy();
+    if (ran.chooser != Chooser::Measured || !hierarchy) return ran;
+    if (hierarchy->tree) ran.order = *hierarchy->tree == TreeKind::Octree ? Order::Octree : Order::Bvh;
+    if (!hierarchy->levels.empty()) ran.upkeep = Upkeep::OnQuery;
+    return ran;
+}
+
+}  // namespace
+
+void MainWindow::showNeeded(const Snapshot& shown)
+{
+    const Pipeline ran = ranIn(shown);
+    bool changed = false;
+    // First away, then in: all at once they would not fit, and a window that has grown does not shrink again.
+    for (const bool needed : {false, true}) {
+        for (PanelDock* dock : m_docks) {
+            if (dock->entry().isNeededBy(ran) != needed || dock->isNeeded() == needed) continue;
+            dock->setNeeded(needed);
+            // Above the others of its place, once the tabs are there.
+            if (needed && !dock->entry().tabbedWith) QTimer::singleShot(0, dock, &QWidget::raise);
+            changed = true;
+        }
+    }
+    if (!changed) return;
+    shareWidths();
+    shareHeights();
+}
+
+void MainWindow::shareWidths()
+{
+    // Tables and pyramids want room; a column of facts does not, and the picture is the largest thing on the screen.
+    constexpr std::array kWide{"active-edges", "pyramid", "hierarchy", "observer"};
+    const LayoutEntry& layout = layoutEntry(m_layout);
+    const double       larger = 1 + 0.4 * (std::max(width(), 1280) / 1280.0 - 1);
+    const auto         isThere = [this](const PanelDock* dock) { return dock->isWanted() && dock->isNeeded() && !dock->isFloating(); };
+    const bool         isWide = std::ranges::any_of(kWide, [&](const char* word) { return isThere(dock(word)); });
+    for (const auto& [area, at1280] : {std::pair(Qt::LeftDockWidgetArea, layout.left), std::pair(Qt::RightDockWidgetArea, isWide ? layout.right : layout.narrow)}) {
+        const auto first = std::ranges::find_if(m_docks, [&, side = area](PanelDock* dock) { return isThere(dock) && dockWidgetArea(dock) == side; });
+        if (first != m_docks.end()) resizeDocks({*first}, {static_cast<int>(at1280 * larger)}, Qt::Horizontal);
+    }
+}
+
+void MainWindow::shareHeights()
+{
+    QList<QDockWidget*> docks;
+    QList<int>          shares;
+    for (PanelDock* dock : m_docks) {
+        if (!dock->isVisible() || dock->isFloating() || dockWidgetArea(dock) != Qt::RightDockWidgetArea) continue;
+        docks << dock;
+        shares << dock->share();
+    }
+    resizeDocks(docks, shares, Qt::Vertical);
+}
+
+void MainWindow::useLayout(const QString& word)
+{
+    const LayoutEntry& layout = layoutEntry(word);
+    m_layout                  = layout.word;
+    placeDocks(layout);
+    shareWidths();
+    if (dock("scene")->isWanted()) resizeDocks({dock("scene"), dock("pipeline")}, {42, 58}, Qt::Vertical);
+    shareHeights();
+    m_actions->showLayout(m_layout);
+}
+
+void MainWindow::resetLayout() { useLayout(m_layout); }
+
+WindowLayout MainWindow::layoutNow() const
+{
+    WindowLayout now{saveGeometry(), saveState(Settings::kLayoutVersion), {}};
+    for (const PanelDock* dock : m_docks)
+        if (!dock->isWanted()) now.hidden << dock->entry().word;
+    return now;
+}
+
+bool MainWindow::applyLayout(const WindowLayout& layout)
+{
+    const bool fits = restoreState(layout.state, Settings::kLayoutVersion);
+    for (PanelDock* dock : m_docks) dock->setWanted(fits ? !layout.hidden.contains(dock->entry().word) : dock->isWanted());
+    return fits;
+}
+
+void MainWindow::saveOwnLayout()
+{
+    bool          isNamed = false;
+    const QString name    = QInputDialog::getText(this, tr("Save this layout"), tr("Name of the layout"), QLineEdit::Normal, QString(), &isNamed).trimmed();
+    if (!isNamed || name.isEmpty()) return;
+    m_settings.keepOwnLayout(name, layoutNow().state, layoutNow().hidden);
+    m_actions->showOwnLayouts(m_settings.ownLayouts());
+}
+
+void MainWindow::useOwnLayout(const QString& name)
+{
+    const auto [state, hidden] = m_settings.ownLayout(name);
+    if (!applyLayout({{}, state, hidden})) m_messages->tell(tr("The layout \u201C%1\u201D does not fit this version of the window.").arg(name));
+}
+
+void MainWindow::forgetOwnLayout(const QString& name)
+{
+    m_settings.forgetOwnLayout(name);
+    m_actions->showOwnLayouts(m_settings.ownLayouts());
+}
+
+void MainWindow::restoreLayout()
+{
+    if (const QByteArray geometry = m_settings.geometry(); !geometry.isEmpty()) restoreGeometry(geometry);
+    if (const QByteArray layout = m_settings.layout(); !layout.isEmpty()) restoreState(layout, Settings::kLayoutVersion);
+    else return;
+    const QStringList hidden = m_settings.hiddenPanels();
+    for (PanelDock* dock : m_docks) dock->setWanted(!hidden.contains(dock->entry().word));
+}
+
+}  // namespace zscope::ui
