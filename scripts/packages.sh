@@ -3,7 +3,7 @@
 
 packages_to_build=(
     g++ cmake ninja-build pkg-config
-    libglm-dev nlohmann-json3-dev libfmt-dev libpng-dev libhwy-dev libtinyobjloader-dev libcli11-dev
+    libglm-dev nlohmann-json3-dev libfmt-dev libpng-dev libhwy-dev libmeshoptimizer-dev libtinyobjloader-dev libcli11-dev
     libfreetype-dev libfontconfig-dev fonts-dejavu-core  # the letters of comparison sheets
 )
 packages_for_the_window=(

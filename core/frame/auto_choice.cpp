@@ -30,7 +30,7 @@ SceneNumbers numbersOf(const PreparedScene& scene, const Camera& camera, int thr
     for (std::size_t i = 0; i < instances.size(); i += step) {
         const MeshBatches& mesh = scene.batchesOf(instances[i].mesh);
         const StripeVolume view(projection, instances[i].toWorld, camera.width, 0, camera.height);
-        if (!view.misses(mesh.bounds)) numbers.trianglesInView += step * mesh.triangles.size();
+        if (!view.misses(mesh.bounds)) numbers.trianglesInView += step * mesh.triangleCount();
     }
     return numbers;
 }

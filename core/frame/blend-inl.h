@@ -31,9 +31,10 @@ struct EnterTransparent {
     BlendScratch&      scratch;
     const Rules&       rules;
 
-    void operator()(std::span<const ScreenTriangle> triangles) const
+    void operator()(const TriangleList& triangles) const
     {
-        for (const ScreenTriangle& triangle : triangles) {
+        for (std::size_t i = 0; i < triangles.count; ++i) {
+            const ScreenTriangle triangle = triangles[i];
             scratch.edges.add(triangle, rules);
             scratch.paints.push_back(paintOf(triangle));
         }

@@ -44,12 +44,10 @@ struct ScanConvert {
     const Rules&     rules;
     const Probe&     probe;
 
-    DrawnTriangles operator()(std::span<const ScreenTriangle> triangles) const
+    DrawnTriangles operator()(TriangleList& triangles) const
     {
-        if (triangles.empty()) return {};
-        PixelBox reach = triangles.front().box;
-        for (const ScreenTriangle& triangle : triangles) reach.include(triangle.box);
-        stripe.visible.open(reach);
+        if (triangles.isEmpty()) return {};
+        stripe.visible.open(triangles.reach());
 
         const auto unshaded = [](const ScreenTriangle&) { return UnshadedFragments(); };
         const auto early    = [this](const ScreenTriangle& triangle) {
@@ -74,33 +72,81 @@ struct ScanConvert {
 
 private:
     template <Keep kKeep, class FragmentsOf>
-    DrawnTriangles convert(std::span<const ScreenTriangle> triangles, const FragmentsOf& fragmentsOf) const
+    DrawnTriangles convert(TriangleList& triangles, const FragmentsOf& fragmentsOf) const
     {
+        using Fragments = decltype(fragmentsOf(ScreenTriangle{}));
+        // A large triangle may hide the next one; of small ones all are asked first, so that they can be drawn together.
+        const bool     asksInTurn = occlusion.asksTriangles && triangles.areLarge();
         DrawnTriangles all;
-        for (const ScreenTriangle& triangle : triangles) {
-            if (occlusion.asksTriangles && isHidden(triangle)) {
-                ++all.hidden;
-                all.hiddenPixels += pixelsOf(triangle.box);
-                continue;
+        if (occlusion.asksTriangles && !asksInTurn)
+            for (std::size_t i = 0; i < triangles.count; ++i) dropIfHidden(triangles, i, all);
+
+        if constexpr (drawsBlocks<Fragments>()) {
+            if (!asksInTurn && !needsEachAtOnce()) {
+                drawTogether<kKeep>(triangles, fragmentsOf);
+                all.drawn = static_cast<std::uint32_t>(triangles.count) - all.hidden;
+                return all;
             }
+        }
+        for (std::size_t i = 0; i < triangles.count; ++i) {
+            if (asksInTurn) dropIfHidden(triangles, i, all);
+            if (triangles.isHidden(i)) continue;
             ++all.drawn;
+            const ScreenTriangle triangle = triangles[i];
             probe(TriangleReached{triangle});
-            if (triangle.patterned)
-                fill<kKeep>(triangle, PatternedFragments(fragmentsOf(triangle),
-                                                         patternPlaneOf(stripe.scene.scene(), stripe.projection, triangle.id)));
-            else
-                fill<kKeep>(triangle, fragmentsOf(triangle));
+            if (!drawByBlocks<kKeep, Fragments>(triangles, i)) draw<kKeep>(triangle, fragmentsOf);
+            if (!pass.tiles) keepTrue(occlusion, triangle, rules, probe);
             probe(TriangleFinished{triangle.id});
         }
-        testBlocks<kKeep>(blocks, stripe.visible, probe);
         return all;
     }
 
-    /// The next triangle may need to know what this one has left: small ones must not wait for the end of their batch.
-    bool drawsAtOnce() const
+    /// True if such fragments may be drawn by blocks.
+    template <class Fragments>
+    static constexpr bool drawsBlocks()
     {
-        return Probe::listens || occlusion.asksTriangles ||
+        return std::is_same_v<Scan, HalfSpace> && Rules::kExact && Fragments::kMoment == ShadingMoment::Never;
+    }
+
+    /// What listens or keeps a pyramid true wants to know of each triangle when it has been drawn; tiles are asked before.
+    bool needsEachAtOnce() const
+    {
+        return Probe::listens || pass.tiles ||
                (occlusion.afterDrawing != AfterDrawing::Nothing && occlusion.afterDrawing != AfterDrawing::MarkStale);
+    }
+
+    template <Keep kKeep, class FragmentsOf>
+    void drawTogether(const TriangleList& triangles, const FragmentsOf& fragmentsOf) const
+    {
+        BlockFinder finder(triangles, rules.notOwned(), blocks);
+        finder.add(0, triangles.count, [&](std::size_t i) { draw<kKeep>(triangles[i], fragmentsOf); });
+        testBlocks<kKeep>(triangles, blocks, stripe.visible, probe);
+        if (occlusion.afterDrawing != AfterDrawing::MarkStale) return;
+        for (std::size_t i = 0; i < triangles.count; ++i)
+            if (!triangles.isHidden(i)) occlusion.pyramid->touched(triangles.box(i));
+    }
+
+    /// False if the triangle is none of those that are drawn by blocks.
+    template <Keep kKeep, class Fragments>
+    bool drawByBlocks(const TriangleList& triangles, std::size_t i) const
+    {
+        if constexpr (!drawsBlocks<Fragments>()) return false;
+        if (pass.tiles) return false;
+        bool        isDrawn = true;
+        BlockFinder finder(triangles, rules.notOwned(), blocks);
+        finder.add(i, i + 1, [&](std::size_t) { isDrawn = false; });
+        testBlocks<kKeep>(triangles, blocks, stripe.visible, probe);
+        return isDrawn;
+    }
+
+    template <Keep kKeep, class FragmentsOf>
+    void draw(const ScreenTriangle& triangle, const FragmentsOf& fragmentsOf) const
+    {
+        if (triangle.patterned)
+            fill<kKeep>(triangle, PatternedFragments(fragmentsOf(triangle),
+                                                     patternPlaneOf(stripe.scene.scene(), stripe.projection, triangle.id)));
+        else
+            fill<kKeep>(triangle, fragmentsOf(triangle));
     }
 
     template <Keep kKeep, class Fragments>
@@ -112,21 +158,15 @@ private:
                 return;
             }
         }
-        fillPixels<kKeep>(triangle, fragments);
-        keepTrue(occlusion, triangle, rules, probe);
+        Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
     }
 
-    template <Keep kKeep, class Fragments>
-    void fillPixels(const ScreenTriangle& triangle, const Fragments& fragments) const
+    void dropIfHidden(TriangleList& triangles, std::size_t i, DrawnTriangles& all) const
     {
-        if constexpr (std::is_same_v<Scan, HalfSpace>) {
-            if (HalfSpace::testsBlocks<Fragments, Rules>(triangle)) {
-                addBlocks(triangle, halfPlanesOf(triangle, rules.notOwned()), blocks);
-                if (drawsAtOnce()) testBlocks<kKeep>(blocks, stripe.visible, probe);
-                return;
-            }
-        }
-        Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
+        if (!isHidden(triangles[i])) return;
+        triangles.kind[i] |= TriangleList::kHidden;
+        ++all.hidden;
+        all.hiddenPixels += pixelsOf(triangles.box(i));
     }
 
     template <class Shape>
@@ -274,9 +314,9 @@ struct EnterEdges {
     StageClock&   clock;
     const Rules&  rules;
 
-    void operator()(std::span<const ScreenTriangle> triangles) const
+    void operator()(const TriangleList& triangles) const
     {
-        for (const ScreenTriangle& triangle : triangles) (*this)(triangle);
+        for (std::size_t i = 0; i < triangles.count; ++i) (*this)(triangles[i]);
         clock.lap(Stage::Setup);
     }
     void operator()(const ScreenTriangle& triangle) const

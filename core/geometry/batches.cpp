@@ -4,6 +4,9 @@
 #include <limits>
 #include <numeric>
 
+#include <glm/vec3.hpp>
+#include <meshoptimizer.h>
+
 namespace zscope {
 
 namespace {
@@ -51,9 +54,7 @@ public:
     {
         const auto& corners = m_mesh.triangles[triangle];
         if (!fits(corners)) close();
-        BatchTriangle local;
-        for (std::size_t i = 0; i < 3; ++i) local.corner[i] = placeOf(corners[i]);
-        m_out.triangles.push_back(local);
+        for (std::size_t i = 0; i < 3; ++i) m_out.corners[i].push_back(placeOf(corners[i]));
         m_out.meshTriangle.push_back(triangle);
         ++m_batch.triangleCount;
     }
@@ -68,7 +69,7 @@ public:
         m_places.clear();
         m_batch               = {};
         m_batch.firstVertex   = static_cast<std::uint32_t>(m_out.x.size());
-        m_batch.firstTriangle = static_cast<std::uint32_t>(m_out.triangles.size());
+        m_batch.firstTriangle = static_cast<std::uint32_t>(m_out.meshTriangle.size());
     }
 
 private:
@@ -98,12 +99,32 @@ private:
     Batch        m_batch;
 };
 
+std::vector<std::uint32_t> inLoadOrder(const Mesh& mesh)
+{
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
+
+/// The triangles along a space-filling curve through their centres.
+std::vector<std::uint32_t> neighboursTogether(const Mesh& mesh)
+{
+    std::vector<glm::vec3> centres;
+    centres.reserve(mesh.triangles.size());
+    for (const auto& [a, b, c] : mesh.triangles)
+        centres.emplace_back(mesh.positions[a] / 3.0 + mesh.positions[b] / 3.0 + mesh.positions[c] / 3.0);
+    std::vector<std::uint32_t> placeOf(centres.size()), order(centres.size());
+    meshopt_spatialSortRemap(placeOf.data(), &centres[0].x, centres.size(), sizeof(centres[0]));
+    for (std::uint32_t t = 0; t < placeOf.size(); ++t) order[placeOf[t]] = t;
+    return order;
+}
+
 }  // namespace
 
 std::uint64_t MeshBatches::bytes() const
 {
     return batches.capacity() * sizeof(Batch) + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double) +
-           triangles.capacity() * sizeof(BatchTriangle) + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
+           3 * corners[0].capacity() * sizeof(std::uint16_t) + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
 }
 
 Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
@@ -115,23 +136,24 @@ MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangl
 {
     MeshBatches  out;
     BatchBuilder builder(mesh, out);
-    out.triangles.reserve(triangles.size());
-    out.meshTriangle.reserve(triangles.size());
+    for (std::vector<std::uint16_t>& corner : out.corners) corner.reserve(triangles.size() + kBatchPadding);
+    out.meshTriangle.reserve(triangles.size() + kBatchPadding);
     for (const std::uint32_t t : triangles)
         if (surfaceOf(mesh, t) == wanted) builder.add(t);
     builder.close();
     if (std::ranges::any_of(mesh.materials, &Material::isPatterned))
         for (const std::uint32_t t : out.meshTriangle) out.patterned.push_back(mesh.isPatterned(t));
     // Lanes read whole vectors: let the last batch be read past its end.
-    for (std::vector<double>* axis : {&out.x, &out.y, &out.z}) axis->resize(axis->size() + kBatchPadding);
+    const auto pad = [](auto& column) { column.resize(column.size() + kBatchPadding); };
+    pad(out.x), pad(out.y), pad(out.z), pad(out.meshTriangle);
+    for (std::vector<std::uint16_t>& corner : out.corners) pad(corner);
     return out;
 }
 
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
 {
-    std::vector<std::uint32_t> all(mesh.triangles.size());
-    std::iota(all.begin(), all.end(), 0u);
-    return makeBatches(mesh, all, wanted);
+    const bool isSorted = wanted == Surfaces::Opaque && mesh.triangles.size() > kBatchTriangles;
+    return makeBatches(mesh, isSorted ? neighboursTogether(mesh) : inLoadOrder(mesh), wanted);
 }
 
 }  // namespace zscope

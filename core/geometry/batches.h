@@ -1,10 +1,12 @@
 // A mesh cut into batches: small indexed pieces that are culled, transformed and set up together.
 //
-// Order      batches follow load order and so do the triangles inside one: drawing batch after batch draws
-//            triangle after triangle as submitted
+// Order      a mesh that fits one batch keeps load order. The triangles of a larger one follow a space-filling curve through
+//            their centres, so that a batch is a patch of the surface: its vertices are shared, its box is small, and its
+//            pixels lie together. Ids are what they were. Transparent ones always keep load order, in which they may be blended
 // Layout     a batch has its own copy of the vertices it uses, structure of arrays, so that lanes load them side
 //            by side; a vertex shared by two batches is transformed once in each
 // Size       at most kBatchVertices vertices and kBatchTriangles triangles
+// Source     the curve is Morton's, as meshoptimizer sorts along it
 #pragma once
 
 #include <array>
@@ -18,19 +20,13 @@ namespace zscope {
 
 inline constexpr std::size_t kBatchVertices  = 256;
 inline constexpr std::size_t kBatchTriangles = 512;
-/// Values past the end of MeshBatches::x, y, z that may be read: one widest vector.
+/// Values past the end of the vectors of MeshBatches that may be read: one widest vector.
 inline constexpr std::size_t kBatchPadding = 16;
-
-/// Corners as positions in the batch's own vertices.
-struct BatchTriangle {
-    std::array<std::uint16_t, 3> corner;
-    friend bool operator==(const BatchTriangle&, const BatchTriangle&) = default;
-};
 
 struct Batch {
     std::uint32_t firstVertex   = 0;  // into MeshBatches::x, y, z
     std::uint32_t vertexCount   = 0;
-    std::uint32_t firstTriangle = 0;  // into MeshBatches::triangles and ::meshTriangle
+    std::uint32_t firstTriangle = 0;  // into MeshBatches::corners and ::meshTriangle
     std::uint32_t triangleCount = 0;
     Bounds        bounds;             // of its vertices, model space
 };
@@ -38,11 +34,15 @@ struct Batch {
 struct MeshBatches {
     std::vector<Batch>         batches;
     std::vector<double>        x, y, z;       // model space
-    std::vector<BatchTriangle> triangles;
     std::vector<std::uint32_t> meshTriangle;  // which triangle of the mesh each one is
     std::vector<std::uint8_t>  patterned;     // whether it has holes or a relief; empty if none has
     Bounds                     bounds;        // of all batches
 
+    /// Corners as positions in the batch's own vertices; padded like x, y, z and meshTriangle.
+    std::array<std::vector<std::uint16_t>, 3> corners;
+
+    std::span<const std::uint32_t> meshTriangles() const { return std::span(meshTriangle).first(triangleCount()); }
+    std::size_t   triangleCount() const { return batches.empty() ? 0 : batches.back().firstTriangle + batches.back().triangleCount; }
     bool          isPatterned(std::uint32_t triangle) const { return !patterned.empty() && patterned[triangle] != 0; }
     std::uint64_t bytes() const;
 };

@@ -34,7 +34,7 @@ struct FaceScratch {
     std::vector<Where>        where;
     std::vector<ScreenSide>   sides;   // of the face at hand
     std::vector<EarFate>      fates;   // of its triangles, for probes that listen
-    TriangleList              parts{3};
+    TriangleList              parts;   // of the triangle at hand
 
     std::size_t bytes() const
     {
@@ -136,11 +136,8 @@ private:
         const auto ears = m_place.mesh.earsOf(f);
         const auto draw = [&](std::uint32_t i) {
             m_scratch.parts.clear();
-            const SetUp fate = setUpClipped(viewsOf(ears[i]), idOf(f, i), idOf(f), m_projection, m_culling, m_region, m_rules, m_scratch.parts, m_probe);
-            for (ScreenTriangle& part : m_scratch.parts.kept()) {
-                part.patterned = m_place.mesh.faces[f].patterned;
-                m_consume(part);
-            }
+            const SetUp fate = setUpClipped(viewsOf(ears[i]), idOf(f, i), idOf(f), m_place.mesh.faces[f].patterned, m_projection, m_culling, m_region, m_rules, m_scratch.parts, m_probe);
+            for (std::size_t p = 0; p < m_scratch.parts.count; ++p) m_consume(m_scratch.parts[p]);
             return fate;
         };
         if (ears.size() == 1) return byEars(f, How::Triangle, draw);

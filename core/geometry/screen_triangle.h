@@ -8,11 +8,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "core/base/ids.h"
 #include "core/geometry/pixel_box.h"
@@ -115,28 +112,5 @@ template <class Rules>
     out.patterned = false;
     return SetUp::Drawn;
 }
-
-/// Room for the triangles of one batch, filled in place.
-class TriangleList {
-public:
-    explicit TriangleList(std::size_t capacity) : m_triangles(capacity) {}
-
-    void clear() { m_count = 0; }
-    /// Where the next triangle may be written; it belongs to the list once keep() is called.
-    ScreenTriangle& next()
-    {
-        assert(m_count < m_triangles.size());
-        return m_triangles[m_count];
-    }
-    void keep() { ++m_count; }
-
-    std::span<const ScreenTriangle> view() const { return std::span(m_triangles).first(m_count); }
-    std::span<ScreenTriangle>       kept() { return std::span(m_triangles).first(m_count); }  // to be put in another order
-    std::size_t                     bytes() const { return m_triangles.capacity() * sizeof(ScreenTriangle); }
-
-private:
-    std::vector<ScreenTriangle> m_triangles;
-    std::size_t                 m_count = 0;
-};
 
 }  // namespace zscope

@@ -2,13 +2,13 @@
 //
 // Plain      batches wholly in front of the near plane and inside the guard band: corners by index
 // Careful    the others: each triangle from its positions, cut at the near plane, every corner checked
-// Room       `out` must have room for two parts per triangle of the batch, and one to spare
 // Promise    each triangle's fate is told once (TriangleSetUp); parts keep the triangle's id
 #pragma once
 
 #include "core/geometry/geometry_events.h"
 #include "core/geometry/near_clip.h"
 #include "core/geometry/screen_vertices.h"
+#include "core/geometry/triangle_list.h"
 
 namespace zscope {
 
@@ -26,14 +26,16 @@ template <class Rules, class Probe>
 [[gnu::always_inline]] inline void setUpPlain(const BatchPlace& place, const ScreenVertices& vertices, FaceCulling culling, const PixelBox& region,
                 const Rules& rules, TriangleList& out, const Probe& probe)
 {
-    const std::uint32_t first = place.batch.firstTriangle;
+    const std::uint32_t first   = place.batch.firstTriangle;
+    const auto&         corners = place.mesh.corners;
+    out.reserve(out.count + place.batch.triangleCount);
     for (std::uint32_t t = first; t < first + place.batch.triangleCount; ++t) {
-        const auto& corner = place.mesh.triangles[t].corner;
-        const SetUp fate = setUpTriangle(vertices.corner(corner[0]), vertices.corner(corner[1]), vertices.corner(corner[2]),
-                                         place.idOf(t), false, culling, region, rules, out.next());
+        ScreenTriangle made;
+        const SetUp    fate = setUpTriangle(vertices.corner(corners[0][t]), vertices.corner(corners[1][t]),
+                                            vertices.corner(corners[2][t]), place.idOf(t), false, culling, region, rules, made);
         if (fate == SetUp::Drawn) {
-            if (place.mesh.isPatterned(t)) out.next().patterned = true;
-            out.keep();
+            made.patterned = place.mesh.isPatterned(t);
+            out.add(made);
         }
         probe(TriangleSetUp{place.idOf(t), fate, false, false});
     }
@@ -74,7 +76,7 @@ dvec3 viewOf(const dvec3& model, const Affine* toWorld, const Projection& projec
 
 /// Sets up what the near plane leaves of one triangle, and tells its fate; the parts are drawn as `drawnAs`.
 template <class Rules, class Probe>
-SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId drawnAs, const Projection& projection,
+SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId drawnAs, bool patterned, const Projection& projection,
                    FaceCulling culling, const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe)
 {
     ClippedTriangle kept = clipNear(view, projection.near);
@@ -82,10 +84,13 @@ SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId d
     SetUp fate = SetUp::ClippedAway;
     bool  wide = false;
     for (std::size_t p = 0; p < kept.parts(); ++p) {
-        const SetUp partFate = setUpPart(kept.part(p), drawnAs, projection, culling, region, rules, out.next());
+        ScreenTriangle made;
+        const SetUp    partFate = setUpPart(kept.part(p), drawnAs, projection, culling, region, rules, made);
         if (partFate == SetUp::Drawn) {
-            wide = wide || out.next().wide;
-            out.keep();
+            wide           = wide || made.wide;
+            made.patterned = patterned;
+            out.reserve(out.count + 1);
+            out.add(made);
         }
         if (fate != SetUp::Drawn) fate = partFate;
     }
@@ -102,14 +107,11 @@ void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceC
     for (std::uint32_t t = first; t < first + place.batch.triangleCount; ++t) {
         std::array<dvec3, 3> view;
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t v = place.batch.firstVertex + mesh.triangles[t].corner[i];
+            const std::size_t v = place.batch.firstVertex + mesh.corners[i][t];
             const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
             view[i] = viewOf(model, place.toWorld, projection, rules);
         }
-        const std::size_t before = out.view().size();
-        setUpClipped(view, place.idOf(t), place.idOf(t), projection, culling, region, rules, out, probe);
-        if (mesh.isPatterned(t))
-            for (ScreenTriangle& part : out.kept().subspan(before)) part.patterned = true;
+        setUpClipped(view, place.idOf(t), place.idOf(t), mesh.isPatterned(t), projection, culling, region, rules, out, probe);
     }
 }
 

@@ -12,7 +12,7 @@ TransparentSurfaces::TransparentSurfaces(const Scene& scene)
         const bool mayHave = std::ranges::any_of(mesh->materials, [](const Material& m) { return m.opacity < 1; });
         m_meshes.push_back(mayHave ? makeBatches(*mesh, Surfaces::Transparent) : MeshBatches{});
     }
-    for (const Instance& instance : scene.instances) m_triangles += of(instance.mesh).triangles.size();
+    for (const Instance& instance : scene.instances) m_triangles += of(instance.mesh).triangleCount();
 }
 
 std::uint64_t TransparentSurfaces::bytes() const

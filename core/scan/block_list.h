@@ -1,4 +1,4 @@
-// Small triangles that wait to become pixels, and the blocks of the picture that each of them may cover.
+// Small triangles of one batch that wait to become pixels, and the blocks of the picture that each of them may cover.
 //
 // Room       grows to what a batch needs and stays there
 // Source     see blocks-inl.h, which fills it and works it off
@@ -8,24 +8,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "core/geometry/screen_triangle.h"
+#include "core/geometry/triangle_list.h"
 
 namespace zscope {
-
-/// What a block needs to know of its triangle. Edge values are divided by 256 and rounded down: integers.
-struct BlockTriangle {
-    std::array<float, 3> origin, perPixel, perLine;  // of the edges; origin is the value at pixel (x0, y0)
-    int                  x0, y0;
-    std::uint32_t        rank;
-    DepthPlane           depth;
-};
-
-struct BlockPlace {
-    int x, y;  // its first pixel
-};
 
 /// Sides up to this long, in subpixels along each axis, are tested by blocks: 128 pixels.
 inline constexpr double kCompactSide = 32768;
@@ -36,46 +23,42 @@ inline bool isCompact(const ScreenTriangle& t)
     return reach(t.x) <= kCompactSide && reach(t.y) <= kCompactSide;
 }
 
-class BlockList {
-public:
-    void clear() { m_triangleCount = m_blockCount = 0; }
+struct BlockPlace {
+    int x, y;  // its first pixel
+};
 
-    /// Room for one more triangle; the blocks that are kept from now on are its.
-    BlockTriangle& nextTriangle()
+struct BlockList {
+    // Entry i belongs to triangle i of the batch. Edge values are divided by 256 and rounded down: integers. An origin is the
+    // value at the first pixel of the triangle's box.
+    std::array<std::vector<float>, 3> origin, perPixel, perLine;
+
+    // Entry i is block i.
+    std::size_t                count = 0;
+    std::vector<std::uint32_t> places;  // x + 65536 y
+    std::vector<std::uint32_t> owners;  // which triangle's
+
+    void clear() { count = 0; }
+
+    /// Room for the edges of so many triangles.
+    void reserveTriangles(std::size_t triangles)
     {
-        if (m_triangleCount == m_triangles.size()) m_triangles.resize(2 * m_triangles.size() + 64);
-        return m_triangles[m_triangleCount++];
+        if (origin[0].size() >= triangles + kBatchPadding) return;
+        for (auto* columns : {&origin, &perPixel, &perLine})
+            for (std::vector<float>& column : *columns) column.resize(triangles + kBatchPadding);
+    }
+    /// Room for so many blocks more, and for whole vectors behind them.
+    void reserveBlocks(std::size_t more)
+    {
+        if (places.size() >= count + more + kBatchPadding) return;
+        places.resize(2 * (count + more + kBatchPadding));
+        owners.resize(places.size());
     }
 
-    /// Where the next blocks may be written: x + 65536 y of each, and the triangle they belong to.
-    struct Room {
-        std::uint32_t* places;
-        std::uint32_t* triangles;
-        std::uint32_t  triangle;
-    };
-    Room room(std::size_t count)
+    BlockPlace  block(std::size_t i) const { return {static_cast<int>(places[i] & 0xffff), static_cast<int>(places[i] >> 16)}; }
+    std::size_t bytes() const
     {
-        if (m_blockCount + count > m_places.size()) {
-            m_places.resize(2 * (m_blockCount + count));
-            m_owners.resize(m_places.size());
-        }
-        return {m_places.data() + m_blockCount, m_owners.data() + m_blockCount, static_cast<std::uint32_t>(m_triangleCount - 1)};
+        return 9 * origin[0].capacity() * sizeof(float) + (places.capacity() + owners.capacity()) * sizeof(std::uint32_t);
     }
-    void keep(std::size_t count) { m_blockCount += count; }
-
-    std::size_t size() const { return m_blockCount; }
-    BlockPlace  block(std::size_t i) const { return {static_cast<int>(m_places[i] & 0xffff), static_cast<int>(m_places[i] >> 16)}; }
-    /// Whose block it is.
-    const BlockTriangle& triangle(std::size_t i) const { return m_triangles[m_owners[i]]; }
-    std::size_t          bytes() const
-    {
-        return m_triangles.capacity() * sizeof(BlockTriangle) + (m_places.capacity() + m_owners.capacity()) * sizeof(std::uint32_t);
-    }
-
-private:
-    std::vector<BlockTriangle> m_triangles;
-    std::vector<std::uint32_t> m_places, m_owners;
-    std::size_t                m_triangleCount = 0, m_blockCount = 0;
 };
 
 }  // namespace zscope

@@ -58,97 +58,203 @@ void storeBlock(hn::Vec<hn::Rebind<T, Block32>> block, T* row, std::ptrdiff_t st
 }
 #endif
 
-/// Takes a triangle into the list, and those of its blocks that it may cover. isCompact(triangle) must be true.
-inline void addBlocks(const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes, BlockList& list)
-{
-    const hn::ScalableTag<float>              f32;
-    const hn::RebindToUnsigned<decltype(f32)> u32;
-    const hn::RebindToSigned<decltype(f32)>   i32;
-    const std::size_t                         lanes = hn::Lanes(f32);
-
-    const PixelBox& box = triangle.box;
-    BlockTriangle&  to  = list.nextTriangle();
-    to.x0               = box.x0;
-    to.y0               = box.y0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        to.origin[i]   = static_cast<float>(std::floor(planes[i].origin * (1 / kSubpixels)));
-        to.perPixel[i] = static_cast<float>(planes[i].perPixel * (1 / kSubpixels));
-        to.perLine[i]  = static_cast<float>(planes[i].perLine * (1 / kSubpixels));
-    }
-    to.depth = triangle.depth;
-    to.rank  = triangle.rank();
-
-    const int  width = laneCount(), x0 = box.x0 & -width, y0 = box.y0 & -kBlockLines;
-    const int  columns = (box.x1 - x0 + width - 1) / width, lines = (box.y1 - y0 + kBlockLines - 1) / kBlockLines;
-    const int  count   = columns * lines;
-    if (columns <= 2 && lines <= 2) {  // too few to choose from: all of them, without a branch
-        const BlockList::Room room  = list.room(4);
-        const auto            first = static_cast<std::uint32_t>(x0) + (static_cast<std::uint32_t>(y0) << 16);
-        const std::uint32_t   below = std::uint32_t{kBlockLines} << 16;
-        room.places[0] = first;
-        room.places[1] = first + (columns == 2 ? static_cast<std::uint32_t>(width) : below);
-        room.places[2] = first + below;
-        room.places[3] = first + below + static_cast<std::uint32_t>(width);
-        for (int i = 0; i < 4; ++i) room.triangles[i] = room.triangle;
-        list.keep(static_cast<std::size_t>(count));
-        return;
+/// From the triangles of a batch to the blocks that they may cover.
+class BlockFinder {
+public:
+    /// `notOwned` is what an edge value is lowered by where the edge does not own its points.
+    BlockFinder(const TriangleList& triangles, double notOwned, BlockList& list) : m_triangles(triangles), m_notOwned(notOwned), m_list(list)
+    {
+        list.clear();
+        list.reserveTriangles(triangles.count);
     }
 
-    // Several blocks side by side, each judged at the pixel that lies farthest inside for the edge.
-    const auto perColumn = hn::Set(f32, static_cast<float>(width)), perRow = hn::Set(f32, static_cast<float>(kBlockLines));
-    const auto across = hn::Set(f32, static_cast<float>(columns)), step = hn::Set(f32, 1 / static_cast<float>(columns));
-    for (int first = 0; first < count; first += static_cast<int>(lanes)) {
-        const auto at    = hn::Iota(f32, static_cast<float>(first));
-        const auto row   = hn::Floor((at + hn::Set(f32, 0.5f)) * step);
-        const auto right = (at - row * across) * perColumn + hn::Set(f32, static_cast<float>(x0 - box.x0));
-        const auto down  = row * perRow + hn::Set(f32, static_cast<float>(y0 - box.y0));
-        const auto best  = [&](std::size_t i) HWY_ATTR {
-            const float a = to.perPixel[i], b = to.perLine[i];
-            const float corner = to.origin[i] + std::max(a, 0.0f) * static_cast<float>(width - 1) + std::max(b, 0.0f) * (kBlockLines - 1);
-            return hn::Set(f32, corner) + right * hn::Set(f32, a) + down * hn::Set(f32, b);
+    /// The blocks of the triangles [first, end) that are drawn by blocks; calls others(i) for the rest, but for hidden ones.
+    template <class Others>
+    void add(std::size_t first, std::size_t end, const Others& others)
+    {
+        for (std::size_t i = first; i < end; i += hn::Lanes(F64())) {
+            const auto isThere  = hn::Iota(F64(), static_cast<double>(i)) < hn::Set(F64(), static_cast<double>(end));
+            const auto kind     = hn::LoadU(I32(), m_triangles.kind.data() + i);
+            const auto lanes    = asLanes(isThere);
+            const auto isHidden = hn::RebindMask(F32(), hn::TestBit(kind, hn::Set(I32(), TriangleList::kHidden)));
+            const auto isDrawn  = hn::AndNot(isHidden, lanes);
+            const auto special  = hn::And(kind, hn::Set(I32(), TriangleList::kWide | TriangleList::kPatterned)) != hn::Zero(I32());
+            const auto byBlocks = hn::AndNot(hn::RebindMask(F32(), special), hn::And(isDrawn, findEdges(i)));
+            addBlocks(i, byBlocks);
+            forEach(hn::AndNot(byBlocks, isDrawn), i, others);
+        }
+    }
+
+private:
+    using I32  = hn::Rebind<std::int32_t, F64>;
+    using VecF = hn::Vec<F32>;
+    using VecI = hn::Vec<I32>;
+
+    static hn::Mask<F32> asLanes(hn::Mask<F64> mask)
+    {
+        return hn::DemoteTo(F32(), hn::IfThenElseZero(mask, hn::Set(F64(), 1))) > hn::Zero(F32());
+    }
+    template <class Each>
+    static void forEach(hn::Mask<F32> mask, std::size_t first, const Each& each)
+    {
+        if (hn::AllFalse(F32(), mask)) return;
+        HWY_ALIGN std::array<float, hn::MaxLanes(F32())> lanes;
+        hn::Store(hn::IfThenElseZero(mask, hn::Set(F32(), 1)), F32(), lanes.data());
+        for (std::size_t lane = 0; lane < hn::Lanes(F32()); ++lane)
+            if (lanes[lane] != 0) each(first + lane);
+    }
+
+    /// The edges of the triangles i, i + 1, ...; which of them have no side longer than kCompactSide.
+    hn::Mask<F32> findEdges(std::size_t i)
+    {
+        const F64  d64;
+        const auto at = [&](const std::vector<double>& column) HWY_ATTR { return hn::LoadU(d64, column.data() + i); };
+        const std::array<Vec64, 3> x{at(m_triangles.x[0]), at(m_triangles.x[1]), at(m_triangles.x[2])};
+        const std::array<Vec64, 3> y{at(m_triangles.y[0]), at(m_triangles.y[1]), at(m_triangles.y[2])};
+        const auto centre = [&](const std::vector<std::int32_t>& column) HWY_ATTR {
+            return hn::PromoteTo(d64, hn::LoadU(I32(), column.data() + i)) * hn::Set(d64, kSubpixels) + hn::Set(d64, 128);
         };
-        const auto inside = hn::Min(hn::Min(best(0), best(1)), best(2)) >= hn::Zero(f32);
-        const auto kept   = hn::And(inside, at < hn::Set(f32, static_cast<float>(count)));
-        const auto x      = hn::BitCast(u32, hn::ConvertTo(i32, right)) + hn::Set(u32, static_cast<std::uint32_t>(box.x0));
-        const auto y      = hn::BitCast(u32, hn::ConvertTo(i32, down)) + hn::Set(u32, static_cast<std::uint32_t>(box.y0));
-        const BlockList::Room room = list.room(lanes);
-        hn::StoreU(hn::Compress(hn::Or(x, hn::ShiftLeft<16>(y)), hn::RebindMask(u32, kept)), u32, room.places);
-        hn::StoreU(hn::Set(u32, room.triangle), u32, room.triangles);
-        list.keep(hn::CountTrue(f32, kept));
+        const auto px = centre(m_triangles.x0), py = centre(m_triangles.y0);
+        auto       longest = hn::Zero(d64);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            const auto        dx = x[next] - x[k], dy = y[next] - y[k];
+            longest              = hn::Max(longest, hn::Max(hn::Abs(dx), hn::Abs(dy)));
+            const auto owns = hn::Or(dy < hn::Zero(d64), hn::And(dy == hn::Zero(d64), dx > hn::Zero(d64)));
+            const auto edge = (dx * (py - y[k]) - dy * (px - x[k])) - hn::IfThenZeroElse(owns, hn::Set(d64, m_notOwned));
+            keep(hn::Floor(edge * hn::Set(d64, 1 / kSubpixels)), m_list.origin[k], i);
+            keep(hn::Neg(dy), m_list.perPixel[k], i);
+            keep(dx, m_list.perLine[k], i);
+        }
+        return asLanes(longest <= hn::Set(d64, kCompactSide));
     }
-}
+    static void keep(Vec64 value, std::vector<float>& column, std::size_t i) { hn::StoreU(hn::DemoteTo(F32(), value), F32(), column.data() + i); }
 
-/// Tests one block and stores what it wins.
+    /// The blocks of those of the triangles i, i + 1, ... that `mask` names. Up to two by two of them are judged for all triangles
+    /// side by side; a triangle with more has its blocks judged side by side.
+    void addBlocks(std::size_t i, hn::Mask<F32> mask)
+    {
+        if (hn::AllFalse(F32(), mask)) return;
+        const auto box   = [&](const std::vector<std::int32_t>& column) HWY_ATTR { return hn::LoadU(I32(), column.data() + i); };
+        const auto x0 = box(m_triangles.x0), y0 = box(m_triangles.y0), x1 = box(m_triangles.x1), y1 = box(m_triangles.y1);
+        const auto width = hn::Set(I32(), laneCount()), lines = hn::Set(I32(), kBlockLines);
+        const auto left = hn::And(x0, hn::Set(I32(), -laneCount())), top = hn::And(y0, hn::Set(I32(), -kBlockLines));
+        const auto isSecondColumn = hn::RebindMask(F32(), left + width < x1), isSecondLine = hn::RebindMask(F32(), top + lines < y1);
+        const auto hasMore = hn::Or(hn::RebindMask(F32(), left + width + width < x1), hn::RebindMask(F32(), top + lines + lines < y1));
+        const auto hasFew  = hn::AndNot(hasMore, mask);
+
+        const auto owner = hn::Iota(U32(), static_cast<std::uint32_t>(i));
+        const auto place = hn::BitCast(U32(), left) + hn::ShiftLeft<16>(hn::BitCast(U32(), top));
+        const auto right = hn::ConvertTo(F32(), left - x0), down = hn::ConvertTo(F32(), top - y0);
+        std::array<VecF, 3> best, across, below;  // per edge: at the innermost pixel of the first block; from block to block
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto perPixel = hn::LoadU(F32(), m_list.perPixel[k].data() + i), perLine = hn::LoadU(F32(), m_list.perLine[k].data() + i);
+            const auto origin   = hn::LoadU(F32(), m_list.origin[k].data() + i);
+            best[k]             = hn::MulAdd(right, perPixel, hn::MulAdd(down, perLine, origin)) +
+                      hn::MulAdd(hn::Max(perPixel, hn::Zero(F32())), hn::Set(F32(), static_cast<float>(laneCount() - 1)),
+                                 hn::Max(perLine, hn::Zero(F32())) * hn::Set(F32(), static_cast<float>(kBlockLines - 1)));
+            across[k] = perPixel * hn::Set(F32(), static_cast<float>(laneCount()));
+            below[k]  = perLine * hn::Set(F32(), static_cast<float>(kBlockLines));
+        }
+        m_list.reserveBlocks(4 * hn::Lanes(F32()));
+        const auto judge = [&](std::array<VecF, 3> edge, hn::Mask<F32> exists, std::uint32_t offset) HWY_ATTR {
+            const auto kept = hn::And(exists, hn::Min(hn::Min(edge[0], edge[1]), edge[2]) >= hn::Zero(F32()));
+            const auto mine = hn::RebindMask(U32(), kept);
+            hn::StoreU(hn::Compress(place + hn::Set(U32(), offset), mine), U32(), m_list.places.data() + m_list.count);
+            hn::StoreU(hn::Compress(owner, mine), U32(), m_list.owners.data() + m_list.count);
+            m_list.count += hn::CountTrue(F32(), kept);
+        };
+        const auto moved = [](std::array<VecF, 3> edge, const std::array<VecF, 3>& by) HWY_ATTR {
+            return std::array<VecF, 3>{edge[0] + by[0], edge[1] + by[1], edge[2] + by[2]};
+        };
+        const std::uint32_t next = static_cast<std::uint32_t>(laneCount()), under = std::uint32_t{kBlockLines} << 16;
+        judge(best, hasFew, 0);
+        judge(moved(best, across), hn::And(hasFew, isSecondColumn), next);
+        const auto hasLower = hn::And(hasFew, isSecondLine);
+        if (!hn::AllFalse(F32(), hasLower)) {
+            const auto lower = moved(best, below);
+            judge(lower, hasLower, under);
+            judge(moved(lower, across), hn::And(hasLower, isSecondColumn), under + next);
+        }
+        forEach(hn::And(mask, hasMore), i, [this](std::size_t t) { addMany(t); });
+    }
+
+    /// The blocks of one triangle, each judged at the pixel that lies farthest inside for the edge.
+    void addMany(std::size_t t)
+    {
+        const hn::ScalableTag<float>              f32;
+        const hn::RebindToUnsigned<decltype(f32)> u32;
+        const hn::RebindToSigned<decltype(f32)>   i32;
+        const std::size_t                         lanes = hn::Lanes(f32);
+
+        const PixelBox box   = m_triangles.box(t);
+        const int      width = laneCount(), x0 = box.x0 & -width, y0 = box.y0 & -kBlockLines;
+        const int      columns = (box.x1 - x0 + width - 1) / width, lines = (box.y1 - y0 + kBlockLines - 1) / kBlockLines;
+        const int      count   = columns * lines;
+        m_list.reserveBlocks(static_cast<std::size_t>(count) + lanes);
+
+        std::array<float, 3> corner, perPixel, perLine;
+        for (std::size_t k = 0; k < 3; ++k) {
+            perPixel[k] = m_list.perPixel[k][t];
+            perLine[k]  = m_list.perLine[k][t];
+            corner[k]   = m_list.origin[k][t] + std::max(perPixel[k], 0.0f) * static_cast<float>(width - 1) + std::max(perLine[k], 0.0f) * (kBlockLines - 1);
+        }
+        const auto perColumn = hn::Set(f32, static_cast<float>(width)), perRow = hn::Set(f32, static_cast<float>(kBlockLines));
+        const auto across = hn::Set(f32, static_cast<float>(columns)), step = hn::Set(f32, 1 / static_cast<float>(columns));
+        for (int first = 0; first < count; first += static_cast<int>(lanes)) {
+            const auto at    = hn::Iota(f32, static_cast<float>(first));
+            const auto row   = hn::Floor((at + hn::Set(f32, 0.5f)) * step);
+            const auto right = (at - row * across) * perColumn + hn::Set(f32, static_cast<float>(x0 - box.x0));
+            const auto down  = row * perRow + hn::Set(f32, static_cast<float>(y0 - box.y0));
+            const auto best  = [&](std::size_t k) HWY_ATTR {
+                return hn::MulAdd(right, hn::Set(f32, perPixel[k]), hn::MulAdd(down, hn::Set(f32, perLine[k]), hn::Set(f32, corner[k])));
+            };
+            const auto inside = hn::Min(hn::Min(best(0), best(1)), best(2)) >= hn::Zero(f32);
+            const auto kept   = hn::And(inside, at < hn::Set(f32, static_cast<float>(count)));
+            const auto x      = hn::BitCast(u32, hn::ConvertTo(i32, right)) + hn::Set(u32, static_cast<std::uint32_t>(box.x0));
+            const auto y      = hn::BitCast(u32, hn::ConvertTo(i32, down)) + hn::Set(u32, static_cast<std::uint32_t>(box.y0));
+            hn::StoreU(hn::Compress(hn::Or(x, hn::ShiftLeft<16>(y)), hn::RebindMask(u32, kept)), u32, m_list.places.data() + m_list.count);
+            hn::StoreU(hn::Set(u32, static_cast<std::uint32_t>(t)), u32, m_list.owners.data() + m_list.count);
+            m_list.count += hn::CountTrue(f32, kept);
+        }
+    }
+
+    const TriangleList& m_triangles;
+    double              m_notOwned;
+    BlockList&          m_list;
+};
+
+/// Tests one block of triangle t and stores what it wins.
 template <Keep kKeep, class Probe>
-HWY_INLINE void testBlock(const BlockTriangle& triangle, int x, int y, VisibilityBuffer& visible, [[maybe_unused]] const Probe& probe)
+HWY_INLINE void testBlock(const TriangleList& triangles, const BlockList& list, std::size_t t, int x, int y, VisibilityBuffer& visible,
+                          [[maybe_unused]] const Probe& probe)
 {
-    const F64                              d64;
-    const F32                              d32;
-    const Block32                          f32;
+    const F64                                d64;
+    const F32                                d32;
+    const Block32                            f32;
     const hn::Rebind<std::uint32_t, Block32> u32;
 
-    const auto columns = hn::Iota(d32, static_cast<float>(x - triangle.x0));
+    const auto columns = hn::Iota(d32, static_cast<float>(x - triangles.x0[t]));
     const auto right   = bothLines(columns, columns);
-    const auto top     = static_cast<float>(y - triangle.y0);
+    const auto top     = static_cast<float>(y - triangles.y0[t]);
     const auto down    = bothLines(hn::Set(d32, top), hn::Set(d32, top + 1));
-    const auto edge    = [&](std::size_t i) HWY_ATTR {
-        return hn::Set(f32, triangle.origin[i]) + right * hn::Set(f32, triangle.perPixel[i]) + down * hn::Set(f32, triangle.perLine[i]);
+    const auto edge    = [&](std::size_t k) HWY_ATTR {
+        return hn::MulAdd(right, hn::Set(f32, list.perPixel[k][t]), hn::MulAdd(down, hn::Set(f32, list.perLine[k][t]), hn::Set(f32, list.origin[k][t])));
     };
     const auto inside = hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(f32);
 
-    const DepthPlane& plane  = triangle.depth;
-    const auto        column = hn::Set(d64, plane.a) * (hn::Iota(d64, 0.0) + hn::Set(d64, x + 0.5));
-    const auto        line   = [&](int at) HWY_ATTR {
-        return hn::DemoteTo(d32, column + hn::Set(d64, plane.b * (at + 0.5) + plane.c));
-    };
-    const auto z     = hn::Min(hn::Max(bothLines(line(y), line(y + kBlockLines - 1)), hn::Set(f32, plane.farthest)), hn::Set(f32, plane.nearest));
-    const auto depth = hn::IfThenElse(inside, z, hn::Set(f32, static_cast<float>(kNotCovered)));
+    const double a = triangles.a[t], b = triangles.b[t], c = triangles.c[t];
+    const auto   column = hn::Set(d64, a) * (hn::Iota(d64, 0.0) + hn::Set(d64, x + 0.5));
+    const auto   line   = [&](int at) HWY_ATTR { return hn::DemoteTo(d32, column + hn::Set(d64, b * (at + 0.5) + c)); };
+    const auto   z      = hn::Min(hn::Max(bothLines(line(y), line(y + kBlockLines - 1)), hn::Set(f32, triangles.farthest[t])),
+                                  hn::Set(f32, triangles.nearest[t]));
+    const auto   depth  = hn::IfThenElse(inside, z, hn::Set(f32, static_cast<float>(kNotCovered)));
 
     float* const         depthAt = visible.depthRow(y) + x;
     std::uint32_t* const rankAt  = visible.rankRow(y) + x;
     const auto           stored  = loadBlock(depthAt, visible.stride());
     const auto           holder  = loadBlock(rankAt, visible.stride());
-    const auto           rank    = hn::Set(u32, triangle.rank);
+    const auto           rank    = hn::Set(u32, triangles.id[t] + 1);
     const auto           won     = winners<kKeep>(f32, depth, stored, rank, holder, visible.empty());
     if constexpr (kKeep != Keep::Equal) storeBlock(hn::IfThenElse(won, depth, stored), depthAt, visible.stride());
     if constexpr (kKeep != Keep::DepthOnly)
@@ -157,17 +263,17 @@ HWY_INLINE void testBlock(const BlockTriangle& triangle, int x, int y, Visibilit
     if constexpr (Probe::listens) {
         static_assert(!Probe::listens || hn::MaxLanes(F64()) == 1, "a run that is listened to uses one lane");
         if (hn::AllFalse(f32, inside)) return;
-        probe(PixelTested{x, y, TriangleId{triangle.rank - 1}, hn::GetLane(depth), !hn::AllFalse(f32, won), hn::GetLane(holder),
+        probe(PixelTested{x, y, TriangleId{triangles.id[t]}, hn::GetLane(depth), !hn::AllFalse(f32, won), hn::GetLane(holder),
                           hn::GetLane(stored), kKeep, false, false});
     }
 }
 
 /// Works the list off and empties it.
 template <Keep kKeep, class Probe>
-void testBlocks(BlockList& list, VisibilityBuffer& visible, const Probe& probe)
+void testBlocks(const TriangleList& triangles, BlockList& list, VisibilityBuffer& visible, const Probe& probe)
 {
     constexpr std::size_t kAhead = 12;  // blocks, so that memory has time to answer
-    const std::size_t     count  = list.size();
+    const std::size_t     count  = list.count;
     for (std::size_t i = 0; i < count; ++i) {
         const BlockPlace soon = list.block(std::min(i + kAhead, count - 1));
         for (int line = 0; line < kBlockLines; ++line) {
@@ -175,7 +281,7 @@ void testBlocks(BlockList& list, VisibilityBuffer& visible, const Probe& probe)
             hwy::Prefetch(visible.rankRow(soon.y + line) + soon.x);
         }
         const BlockPlace block = list.block(i);
-        testBlock<kKeep>(list.triangle(i), block.x, block.y, visible, probe);
+        testBlock<kKeep>(triangles, list, list.owners[i], block.x, block.y, visible, probe);
     }
     list.clear();
 }

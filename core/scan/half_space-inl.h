@@ -31,14 +31,6 @@ namespace zscope::HWY_NAMESPACE {
 struct HalfSpace {
     static constexpr int kTileLines = 8;
 
-    /// True if such fragments of the triangle may wait in a list of blocks; fill() is for the others.
-    template <class Fragments, class Rules>
-    static bool testsBlocks(const ScreenTriangle& triangle)
-    {
-        if constexpr (!Rules::kExact || Fragments::kMoment != ShadingMoment::Never || Fragments::kPatterned) return false;
-        return !triangle.wide && isCompact(triangle);
-    }
-
     template <Keep kKeep, class Fragments, class Rules, class Probe>
     static void fill(const ScreenTriangle& triangle, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
                      const Probe& probe)

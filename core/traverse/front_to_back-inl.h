@@ -136,30 +136,23 @@ private:
         const MeshBatches& batches = placed.tree.batchesOf(node, mesh);
         const Affine*      toWorld = placed.toWorld.isIdentity() ? nullptr : &placed.toWorld;
         DrawnTriangles     all;
-        m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size() - batches.triangles.size())});
+        m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size() - batches.triangleCount())});
         for (const Batch& batch : batches.batches) {
             if (m_stripe.progress.cancelled()) break;
             m_clock.lap(Stage::Cull);
             setUpBatch(BatchPlace{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]}, placed.instance, m_stripe,
                        m_scratch, m_clock, m_rules, m_probe);
-            sortIfLarge(m_scratch.triangles);
-            all.add(m_consume(m_scratch.triangles.view()));
+            if (m_scratch.triangles.areLarge()) m_scratch.triangles.sort(m_scratch.sorted, isNearer);
+            all.add(m_consume(m_scratch.triangles));
         }
         return all;
     }
 
-    /// Nearest first where it pays: a triangle that is hidden saves more pixels than its place in the order costs. The
-    /// parts of a clipped triangle stay together, because all of them reach the near plane.
-    static void sortIfLarge(TriangleList& triangles)
+    /// The order of large triangles: one that is hidden saves more pixels than its place costs. The parts of a clipped triangle
+    /// stay together, because all of them reach the near plane.
+    static bool isNearer(const ScreenTriangle& a, const ScreenTriangle& b)
     {
-        constexpr std::int64_t kLarge = 256;  // pixels of a box, on average
-        std::int64_t           pixels = 0;
-        for (const ScreenTriangle& triangle : triangles.view())
-            pixels += std::int64_t{triangle.box.x1 - triangle.box.x0} * (triangle.box.y1 - triangle.box.y0);
-        if (pixels < kLarge * static_cast<std::int64_t>(triangles.view().size())) return;
-        std::ranges::sort(triangles.kept(), [](const ScreenTriangle& a, const ScreenTriangle& b) {
-            return a.depth.nearest != b.depth.nearest ? a.depth.nearest > b.depth.nearest : a.id < b.id;
-        });
+        return a.depth.nearest != b.depth.nearest ? a.depth.nearest > b.depth.nearest : a.id < b.id;
     }
 
     template <class DrawItems>

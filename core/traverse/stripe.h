@@ -11,8 +11,8 @@
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/face_set_up.h"
 #include "core/geometry/prepared_scene.h"
-#include "core/geometry/screen_triangle.h"
 #include "core/geometry/screen_vertices.h"
+#include "core/geometry/triangle_list.h"
 #include "core/scan/block_list.h"
 #include "core/sweep/active_edges.h"
 #include "core/sweep/active_polygons.h"
@@ -47,7 +47,8 @@ struct WaitingInstance {
 /// Scratch memory of one thread, reused frame after frame.
 struct StripeScratch {
     ScreenVertices   vertices;
-    TriangleList     triangles{2 * kBatchTriangles + 1};  // of the batch at hand
+    TriangleList     triangles;                           // of the batch at hand
+    std::vector<ScreenTriangle> sorted;                   // likewise, to put them in another order
     BlockList        blocks;                              // likewise, of small triangles
     EdgeTable        edges;                               // sweep methods only, like the next two
     ActiveEdges      active;
@@ -62,7 +63,7 @@ struct StripeScratch {
 
     std::size_t bytes() const
     {
-        return sizeof(*this) + triangles.bytes() + blocks.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
+        return sizeof(*this) + triangles.bytes() + sorted.capacity() * sizeof(ScreenTriangle) + blocks.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
                open.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes() +
                blend.bytes() + memory.bytes();
     }

@@ -1,4 +1,5 @@
-// Order "as submitted": instance after instance, batch after batch, triangle after triangle, in load order.
+// Order "as submitted": instance after instance in load order, batch after batch, triangle after triangle
+// (core/geometry/batches.h says in which order the triangles of a large mesh stand).
 //
 // Promise    skips only what cannot touch a pixel centre of the stripe (StripeVolume)
 // Cost       five planes per instance and per batch; transform and set-up of what is left
@@ -45,7 +46,7 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
         const Instance&    instance = scene.instances[i];
         const MeshBatches& mesh     = batchesOf(instance.mesh);
         const StripeVolume volume(stripe.projection, instance.toWorld, stripe.visible.width(), stripe.firstRow, stripe.endRow);
-        const auto         all = static_cast<std::uint32_t>(mesh.meshTriangle.size());
+        const auto         all = static_cast<std::uint32_t>(mesh.triangleCount());
         probe(TransparentLeftOut{InstanceId{i}, static_cast<std::uint32_t>(scene.meshOf(InstanceId{i}).triangles.size()) - all});
         if (volume.misses(mesh.bounds)) {
             probe(BatchOutside{InstanceId{i}, all});
@@ -75,7 +76,7 @@ void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScra
     const auto   visit = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld) {
         const MeshBatches& mesh = batchesOf(scene.instances[instance.value].mesh);
         setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value]}, instance, stripe, scratch, clock, rules, probe);
-        consume(scratch.triangles.view());
+        consume(scratch.triangles);
     };
     visitBatches(stripe, clock, batchesOf, visit, probe);
 }

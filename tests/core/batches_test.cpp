@@ -1,6 +1,9 @@
-// Batches hold every opaque triangle of a mesh exactly once, in load order, with its own corners.
+// Batches hold every opaque triangle of a mesh exactly once, with its own corners: a small mesh in load order, a large one by
+// patches of its surface.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "core/geometry/batches.h"
@@ -37,8 +40,10 @@ void expectFaithful(const Mesh& mesh)
     std::vector<std::uint32_t> opaque;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
         if (mesh.materialOf(mesh.trianglePolygon[t]).opacity >= 1) opaque.push_back(t);
-    ASSERT_EQ(made.meshTriangle, opaque);
-    ASSERT_EQ(made.triangles.size(), opaque.size());
+    if (mesh.triangles.size() <= kBatchTriangles)
+        ASSERT_TRUE(std::ranges::equal(made.meshTriangles(), opaque));
+    else
+        ASSERT_TRUE(std::ranges::is_permutation(made.meshTriangles(), opaque));
     ASSERT_EQ(made.x.size(), made.y.size());
     ASSERT_EQ(made.x.size(), made.z.size());
 
@@ -52,7 +57,7 @@ void expectFaithful(const Mesh& mesh)
         Bounds bounds;
         for (std::uint32_t t = triangle; t < triangle + batch.triangleCount; ++t) {
             for (std::size_t i = 0; i < 3; ++i) {
-                const std::uint16_t corner = made.triangles[t].corner[i];
+                const std::uint16_t corner = made.corners[i][t];
                 ASSERT_LT(corner, batch.vertexCount);
                 const std::size_t at = batch.firstVertex + corner;
                 const dvec3       p  = mesh.positions[mesh.triangles[made.meshTriangle[t]][i]];
@@ -69,7 +74,7 @@ void expectFaithful(const Mesh& mesh)
     EXPECT_GE(made.x.size(), vertex + kBatchPadding);
 }
 
-TEST(Batches, HoldEveryOpaqueTriangleOnceInLoadOrderWithItsCorners)
+TEST(Batches, HoldEveryOpaqueTriangleOnceWithItsCorners)
 {
     expectFaithful(anyMesh(1, 3000, 6000, true, false));
     expectFaithful(anyMesh(2, 3000, 6000, true, true));
@@ -77,6 +82,40 @@ TEST(Batches, HoldEveryOpaqueTriangleOnceInLoadOrderWithItsCorners)
     expectFaithful(anyMesh(4, 10, 5000, false, false));    // all shared: batches end by triangles
     expectFaithful(anyMesh(5, 257, 1, false, false));
     expectFaithful(anyMesh(6, 1, 3, false, false));
+    expectFaithful(anyMesh(10, 300, kBatchTriangles, false, true));
+}
+
+TEST(Batches, TransparentTrianglesStayInLoadOrder)
+{
+    Mesh mesh                 = anyMesh(11, 300, 3 * kBatchTriangles, false, false);
+    mesh.materials[0].opacity = 0.5f;
+    const MeshBatches made    = makeBatches(mesh, Surfaces::Transparent);
+    EXPECT_EQ(made.triangleCount(), mesh.triangles.size());
+    EXPECT_TRUE(std::ranges::is_sorted(made.meshTriangles()));
+}
+
+/// A flat sheet of 64 by 64 small triangles, loaded in no order.
+Mesh shuffledSheet()
+{
+    Mesh                       mesh = anyMesh(12, 3 * 4096, 4096, false, false);
+    std::vector<std::uint32_t> place(4096);
+    std::iota(place.begin(), place.end(), 0u);
+    std::ranges::shuffle(place, std::mt19937_64(12));
+    for (std::uint32_t t = 0; t < 4096; ++t) {
+        mesh.triangles[t] = {3 * t, 3 * t + 1, 3 * t + 2};
+        const double x = place[t] % 64, y = place[t] / 64;
+        for (std::uint32_t i = 0; i < 3; ++i) mesh.positions[3 * t + i] = {x + 0.5 * (i == 1), y + 0.5 * (i == 2), 0};
+    }
+    return mesh;
+}
+
+TEST(Batches, ALargeMeshIsCutIntoPatches)
+{
+    const MeshBatches made = makeBatches(shuffledSheet());
+    double            area = 0;
+    for (const Batch& batch : made.batches) area += (batch.bounds.max.x - batch.bounds.min.x) * (batch.bounds.max.y - batch.bounds.min.y);
+    EXPECT_GE(made.batches.size(), 4096 * 3 / kBatchVertices);
+    EXPECT_LE(area, 3 * 64.0 * 64.0);  // in load order each of them would reach over the whole sheet
 }
 
 TEST(Batches, AMeshWithNothingOpaqueHasNone)
@@ -100,7 +139,7 @@ TEST(Batches, ASelectionIsTakenInTheOrderGiven)
 {
     const Mesh                       mesh = anyMesh(9, 100, 50, false, false);
     const std::vector<std::uint32_t> some{40, 3, 17, 3};
-    EXPECT_EQ(makeBatches(mesh, some).meshTriangle, some);
+    EXPECT_TRUE(std::ranges::equal(makeBatches(mesh, some).meshTriangles(), some));
 }
 
 }  // namespace

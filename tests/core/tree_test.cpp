@@ -354,7 +354,7 @@ TEST(SceneTrees, HoldEveryTriangleOfEveryMeshAndEveryInstanceOnce)
 
                 std::vector<int> drawn(mesh.triangles.size(), 0);
                 for (const TreeNode* node : openedNodes(trees.mesh(MeshId{m})))
-                    for (const std::uint32_t t : trees.mesh(MeshId{m}).batchesOf(*node, mesh).meshTriangle) ++drawn[t];
+                    for (const std::uint32_t t : trees.mesh(MeshId{m}).batchesOf(*node, mesh).meshTriangles()) ++drawn[t];
                 for (const int times : drawn) ASSERT_EQ(times, 1) << word;
             }
             // Every placed vertex lies in the box of its instance.
