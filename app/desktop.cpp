@@ -123,7 +123,7 @@ Exit run(int argc, char** argv)
         std::fprintf(stderr, "%s\n", kNoDisplay);
         return Exit::Output;
     }
-    if (options.resetSettings) zscope::ui::Settings::forget();
+    if (options.resetSettings) zscope::ui::Settings::forget(QString::fromLocal8Bit(options.settings.c_str()));
 
     const QtMessageHandler before = qInstallMessageHandler(endWithoutDisplay);
     int                    qtArgc = 1;  // Qt has no say in our command line

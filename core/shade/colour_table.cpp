@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <omp.h>
+
 #include <glm/geometric.hpp>
 
 namespace zscope {
@@ -33,31 +35,93 @@ double brightnessOf(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3&
     return 0.25 + 0.75 * towards * std::sqrt(towards);
 }
 
+dvec3 towardsLightOf(const Scene& scene) { return -unit(scene.light.direction); }
+
+/// `a`, `b` and `c`: the triangle's corners in the world.
+std::uint32_t shaded(const Instance& placed, const Mesh& mesh, std::uint32_t triangle, const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& towardsLight)
+{
+    const Rgb colour = placed.colour ? *placed.colour : mesh.materialOf(mesh.trianglePolygon[triangle]).diffuse;
+    return pack(colour, brightnessOf(a, b, c, towardsLight));
+}
+
+/// Fills the table of one instance, a run of triangles after another; `world` holds the mesh's corners in the world.
+void shadeTriangles(const Instance& placed, const Mesh& mesh, std::uint32_t from, std::uint32_t end, const dvec3* world, const dvec3& towardsLight,
+                    std::uint32_t* colours)
+{
+    for (std::uint32_t t = from; t < end; ++t) {
+        const auto& corners = mesh.triangles[t];
+        colours[t] = shaded(placed, mesh, t, world[corners[0]], world[corners[1]], world[corners[2]], towardsLight);
+    }
+}
+
+/// Instances of at least so many triangles are shaded by all threads together, smaller ones by one thread each.
+constexpr std::uint32_t kLargeMesh = 65'536;
+constexpr std::int64_t  kRun       = 4'096;  // triangles or corners that a thread takes at a time
+
 }  // namespace
 
 std::uint32_t colourOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle)
 {
-    const Instance& placed       = scene.instances[instance.value];
-    const Mesh&     mesh         = *scene.meshes[placed.mesh.value];
-    const auto&     corners      = mesh.triangles[meshTriangle];
-    const dvec3     towardsLight = -unit(scene.light.direction);
-    const auto      at           = [&](std::size_t i) { return placed.toWorld(mesh.positions[corners[i]]); };
-    const Rgb colour = placed.colour ? *placed.colour : mesh.materialOf(mesh.trianglePolygon[meshTriangle]).diffuse;
-    return pack(colour, brightnessOf(at(0), at(1), at(2), towardsLight));
+    const Instance& placed  = scene.instances[instance.value];
+    const Mesh&     mesh    = *scene.meshes[placed.mesh.value];
+    const auto&     corners = mesh.triangles[meshTriangle];
+    const auto      at      = [&](std::size_t i) { return placed.toWorld(mesh.positions[corners[i]]); };
+    return shaded(placed, mesh, meshTriangle, at(0), at(1), at(2), towardsLightOf(scene));
 }
 
 ColourTable::ColourTable(const Scene& scene)
 {
     if (scene.triangleCount() > kMaxEntries) return;
     m_colours.resize(scene.triangleCount() + 1);
-    m_colours[0]         = kBackgroundColour;
-    const auto instances = static_cast<std::int64_t>(scene.instances.size());
-#pragma omp parallel for schedule(dynamic, 16)
+    m_colours[0]            = kBackgroundColour;
+    const dvec3 towardsLight = towardsLightOf(scene);
+    const auto  instances    = static_cast<std::int64_t>(scene.instances.size());
+    // Where triangles name few of the mesh's corners, to bring all of them into the world would cost more than it saves.
+    const auto  isSparse     = [](const Mesh& mesh) { return mesh.positions.size() > 3 * mesh.triangles.size(); };
+    const auto  isLarge      = [&](InstanceId instance) { return scene.meshOf(instance).triangles.size() >= kLargeMesh && !isSparse(scene.meshOf(instance)); };
+
+    // A corner belongs to some six triangles: each is brought into the world once. Memory first, where it may throw.
+    const auto  threads = static_cast<std::size_t>(omp_get_max_threads());
+    std::size_t most = 0, mostOfLarge = 0;
     for (std::int64_t i = 0; i < instances; ++i) {
-        const InstanceId    instance{static_cast<std::uint32_t>(i)};
-        const std::uint32_t first = scene.firstTriangle[instance.value];
-        const auto          count = static_cast<std::uint32_t>(scene.meshOf(instance).triangles.size());
-        for (std::uint32_t t = 0; t < count; ++t) m_colours[first + t + 1] = colourOf(scene, instance, t);
+        const InstanceId  instance{static_cast<std::uint32_t>(i)};
+        std::size_t&      of = isLarge(instance) ? mostOfLarge : most;
+        if (isSparse(scene.meshOf(instance))) continue;
+        of = std::max(of, scene.meshOf(instance).positions.size());
+    }
+    std::vector<dvec3> world(std::max(most * threads, mostOfLarge));
+
+#pragma omp parallel for schedule(dynamic, 4)
+    for (std::int64_t i = 0; i < instances; ++i) {
+        const InstanceId instance{static_cast<std::uint32_t>(i)};
+        if (isLarge(instance)) continue;
+        const Instance& placed = scene.instances[instance.value];
+        const Mesh&     mesh   = scene.meshOf(instance);
+        std::uint32_t*  colours = m_colours.data() + scene.firstTriangle[instance.value] + 1;
+        if (isSparse(mesh)) {
+            for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) colours[t] = colourOf(scene, instance, t);
+            continue;
+        }
+        dvec3* own = world.data() + most * static_cast<std::size_t>(omp_get_thread_num());
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) own[v] = placed.toWorld(mesh.positions[v]);
+        shadeTriangles(placed, mesh, 0, static_cast<std::uint32_t>(mesh.triangles.size()), own, towardsLight, colours);
+    }
+    for (std::int64_t i = 0; i < instances; ++i) {
+        const InstanceId instance{static_cast<std::uint32_t>(i)};
+        if (!isLarge(instance)) continue;
+        const Instance& placed    = scene.instances[instance.value];
+        const Mesh&     mesh      = scene.meshOf(instance);
+        const auto      corners   = static_cast<std::int64_t>(mesh.positions.size());
+        const auto      triangles = static_cast<std::int64_t>(mesh.triangles.size());
+        std::uint32_t*  colours   = m_colours.data() + scene.firstTriangle[instance.value] + 1;
+#pragma omp parallel for schedule(dynamic, 4)
+        for (std::int64_t run = 0; run < (corners + kRun - 1) / kRun; ++run)
+            for (std::int64_t v = run * kRun; v < std::min(corners, (run + 1) * kRun); ++v)
+                world[static_cast<std::size_t>(v)] = placed.toWorld(mesh.positions[static_cast<std::size_t>(v)]);
+#pragma omp parallel for schedule(dynamic, 4)
+        for (std::int64_t run = 0; run < (triangles + kRun - 1) / kRun; ++run)
+            shadeTriangles(placed, mesh, static_cast<std::uint32_t>(run * kRun), static_cast<std::uint32_t>(std::min(triangles, (run + 1) * kRun)),
+                           world.data(), towardsLight, colours);
     }
 }
 

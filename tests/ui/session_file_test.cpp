@@ -186,6 +186,9 @@ private slots:
         QVERIFY(window.dock("scene")->isWanted());  // Teach
         Settings next(file);
         QVERIFY(!next.trouble());
+        next.setLayoutName("profile");
+        Settings::forget(file);
+        QCOMPARE(Settings(file).layoutName(), QString());
         // A layout that is no layout is left out, too.
         write(file, "[window]\nlayout=nonsense\ngeometry=7\n[keys]\nstep.play=@@@\n");
         Settings   odd(file);

@@ -106,6 +106,20 @@ private slots:
         worker.post(Worker::Slot::Draw, [&](const std::atomic<bool>&) { done = true; });
         QVERIFY(QTest::qWaitFor([&] { return done.load(); }, kLong));
     }
+    void workThatTakesLongerThanPatienceIsDoneAllTheSameWhileNewerKeepsComing()
+    {
+        Worker           worker;
+        std::atomic<int> finished = 0;
+        const auto       slow = [&](const std::atomic<bool>& cancel) {
+            const auto end = std::chrono::steady_clock::now() + 3 * Worker::kPatience;
+            while (!cancel && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+            finished += !cancel;
+        };
+        QVERIFY(QTest::qWaitFor([&] {
+            worker.post(Worker::Slot::Draw, slow);
+            return finished >= 2;
+        }, kLong));
+    }
     void aStepDoesNotStopADrawing()
     {
         Worker                worker;

@@ -30,18 +30,21 @@ void Worker::post(Slot slot, Job job)
 {
     m_isBusy  = true;
     bool wait = false;
+    int  allowance = 1;
     {
         const std::lock_guard lock(m_mutex);
         for (auto kind = static_cast<std::size_t>(slot); kind < kSlots; ++kind) m_waiting[kind].reset();
         m_waiting[static_cast<std::size_t>(slot)] = std::move(job);
         ++m_posts;
         if (m_running && *m_running >= slot) {
+            if (!m_pointless) m_since = std::chrono::steady_clock::now();
             m_pointless = true;
             if (slot == Slot::Load) m_cancel = true;
             else wait = true;
         }
+        allowance = m_allowance;
     }
-    if (wait && !m_patience.isActive()) m_patience.start();
+    if (wait && !m_patience.isActive()) m_patience.start(kPatience * allowance);
     m_wake.notify_one();
 }
 
@@ -70,7 +73,11 @@ void Worker::sayIdle()
 void Worker::losePatience()
 {
     const std::lock_guard lock(m_mutex);
-    if (m_running && m_pointless) m_cancel = true;
+    if (!m_running || !m_pointless) return;
+    const auto had = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - m_since);
+    if (const auto due = kPatience * m_allowance; had < due) return m_patience.start(due - had);  // the timer was another job's
+    m_cancel    = true;
+    m_allowance = std::min(2 * m_allowance, kMostAllowance);
 }
 
 void Worker::run()
@@ -94,6 +101,7 @@ void Worker::run()
         job = nullptr;  // what it held may be large: let it go outside the lock
         lock.lock();
 
+        if (!m_cancel) m_allowance = 1;
         m_running.reset();
         if (std::ranges::none_of(m_waiting, [](const auto& waiting) { return waiting.has_value(); }))
             sayIdle();

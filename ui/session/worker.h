@@ -4,7 +4,8 @@
 // Slots      at most one job of each kind waits; a newer one takes its place. A load makes every other job
 //            pointless, a drawing makes the step of the old drawing pointless; likewise of what is compared with it
 // Cancel     a running job that a newer one has made pointless is asked to stop: at once by a load, otherwise when
-//            it has had kPatience since the newer one came, so that a dragged camera still sees frames finish
+//            it has had kPatience since the newer one came, so that a dragged camera still sees frames finish. One that was
+//            stopped like that gives the next twice the time, until one finishes: a slow machine is slow, not stuck
 // Threads    post(), cancel() and the destructor from the thread the worker lives in; jobs run on the thread it
 //            owns. The destructor asks the running job to stop and waits for it
 #pragma once
@@ -49,6 +50,7 @@ signals:
     void idle();
 
 private:
+    static constexpr int         kMostAllowance = 32;
     static constexpr std::size_t kSlots = 7;
 
     void run();
@@ -59,7 +61,9 @@ private:
     std::condition_variable                m_wake;
     std::array<std::optional<Job>, kSlots> m_waiting;
     std::optional<Slot>                    m_running;
-    bool                                   m_pointless = false;  // the running job's answer is no longer wanted
+    bool                                   m_pointless = false;  // the running job's answer is no longer wanted,
+    std::chrono::steady_clock::time_point  m_since;              // and since when
+    int                                    m_allowance = 1;      // times kPatience, for the next to be stopped
     bool                                   m_stop      = false;
     std::uint64_t                          m_posts     = 0;
     std::atomic<bool>                      m_cancel{false};

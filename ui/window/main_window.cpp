@@ -164,8 +164,9 @@ void MainWindow::applyAppearance(Appearance appearance)
 {
     const QPalette palette = paletteOf(appearance, m_systemPalette);
     const Theme&   theme   = themeOf(palette);
-    qApp->setPalette(palette);
-    qApp->setStyleSheet(styleSheetOf(theme));
+    // Setting either makes every widget look again at how it looks.
+    if (qApp->palette() != palette) qApp->setPalette(palette);
+    if (const QString sheet = styleSheetOf(theme); qApp->styleSheet() != sheet) qApp->setStyleSheet(sheet);
     m_actions->dress(theme);
     present(kEverything);
 }

@@ -44,9 +44,10 @@ Settings::Settings(const QString& file)
     m_settings.clear();
 }
 
-void Settings::forget()
+void Settings::forget(const QString& file)
 {
-    QSettings settings(QSettings::IniFormat, QSettings::UserScope, kOrganisation, kProgram);
+    QSettings settings(file.isEmpty() ? QSettings(QSettings::IniFormat, QSettings::UserScope, kOrganisation, kProgram).fileName() : file,
+                       QSettings::IniFormat);
     settings.clear();
     settings.sync();
 }

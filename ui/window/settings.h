@@ -28,7 +28,8 @@ public:
     /// What was wrong with the file, with its line; it is left as it is, and nothing of it is used.
     const std::optional<QString>& trouble() const { return m_trouble; }
 
-    static void forget();  // --reset-settings
+    /// --reset-settings; of a file, or the user's own.
+    static void forget(const QString& file = {});
 
     /// Between beginStart() and finishStart() a crash is remembered, and the next start does without the layout.
     void beginStart();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/faults/faults_panel.h"
 
+#include <QDockWidget>
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
@@ -93,7 +94,7 @@ void FaultsPanel::ask()
 {
     const Snapshot& now = session().now();
     m_bodyOrHint->setCurrentIndex(now.scene ? 0 : 1);
-    if (!isVisible() || !now.scene || !now.frame) return;
+    if (!m_isSeen || !now.scene || !now.frame) return;
     Question question{now.scene.get(), now.frame->camera, now.frame->pipeline, session().settings().faceCulling};
     question.pipeline.fault = Fault::None;
     if (m_asked == question) return;
@@ -165,7 +166,14 @@ void FaultsPanel::toggle()
 void FaultsPanel::showEvent(QShowEvent* event)
 {
     Panel::showEvent(event);
-    ask();
+    for (QWidget* at = parentWidget(); at; at = at->parentWidget())
+        if (auto* dock = qobject_cast<QDockWidget*>(at)) connect(dock, &QDockWidget::visibilityChanged, this, &FaultsPanel::setSeen, Qt::UniqueConnection);
+}
+
+void FaultsPanel::setSeen(bool seen)
+{
+    m_isSeen = seen;
+    if (seen) ask();
 }
 
 void FaultsPanel::resizeEvent(QResizeEvent* event)

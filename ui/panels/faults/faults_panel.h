@@ -24,6 +24,8 @@ public:
     ~FaultsPanel() override;
 
     void present(const Snapshot& shown, Changes what) override;
+    /// Whether the panel is before the others of its place: behind them, nothing is drawn for it.
+    void setSeen(bool seen);
     bool isIdle() const { return !m_worker->isBusy(); }
 
 protected:
@@ -50,6 +52,7 @@ private:
     QLabel *                      m_picture, *m_words, *m_hint;
     QPushButton*                  m_switch;
     QStackedLayout*               m_bodyOrHint;
+    bool                          m_isSeen = false;
     std::optional<Question>       m_asked;
     std::unique_ptr<Worker>       m_worker;  // last: stops before anything else goes
 };
