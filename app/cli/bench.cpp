@@ -6,6 +6,7 @@
 #include "app/cli/bench_scenes.h"
 #include "app/cli/bench_tables.h"
 #include "app/cli/commands.h"
+#include "app/cli/experiment.h"
 #include "app/cli/options.h"
 #include "app/cli/peers/peer_rows.h"
 #include "app/cli/peers/peer_tables.h"
@@ -20,7 +21,7 @@ namespace {
 struct BenchOptions {
     std::vector<std::string>   scenes;
     ViewOptions                view;
-    std::optional<std::string> suite, algorithms, threads, simd, frames, memoryLimit, json, csv;
+    std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, frames, memoryLimit, json, csv;
     bool                       noVerify = false, noShade = false, noCount = false, peers = false;
 };
 
@@ -90,10 +91,32 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
     return request;
 }
 
+/// An experiment says itself what is drawn how: nothing else may.
+Result<Exit> benchExperiment(const BenchOptions& options, const ViewWords& words, Session& session)
+{
+    const bool saysMore = !options.scenes.empty() || !words.given.empty() || words.faceCulling || options.suite || options.algorithms || options.threads ||
+                          options.simd || options.frames || options.peers || options.noVerify || options.noShade || options.noCount;
+    if (saysMore) return Error{Trouble::Usage, "an experiment says which scenes are drawn how: only --shard, --memory-limit, --json and --csv go with it"};
+    ExperimentOptions experiment{.file = *options.experiment, .json = options.json, .csv = options.csv};
+    if (options.shard) {
+        const auto shard = shardOf(*options.shard);
+        if (!shard) return shard.error();
+        experiment.shard = *shard;
+    }
+    if (options.memoryLimit) {
+        const auto limit = memoryLimitOf(*options.memoryLimit);
+        if (!limit) return limit.error();
+        experiment.memoryLimit = *limit;
+    }
+    return runExperiment(experiment, session);
+}
+
 Result<Exit> benchScenes(const BenchOptions& options, Session& session)
 {
     const Result<ViewWords> words = options.view.read();
     if (!words) return words.error();
+    if (options.experiment) return benchExperiment(options, *words, session);
+    if (options.shard) return Error{Trouble::Usage, "--shard parts the cases of an experiment: name one with --experiment"};
     const Result<const Suite*> suite = suiteOf(options);
     if (!suite) return suite.error();
     Result<BenchRequest> request = requestOf(options, *suite, session);
@@ -150,6 +173,8 @@ Command addBench(CLI::App& parent)
         parser->add_option(name, value, help)->type_name(type);
     };
     option("--suite", options->suite, "NAME", "A named choice of scenes, algorithms and threads, see 'list suites'");
+    option("--experiment", options->experiment, "FILE.json", "A question written down in a file: its scenes, algorithms and rounds (docs/experiments.md)");
+    option("--shard", options->shard, "I/N", "Only every N-th case of the experiment, beginning with the I-th");
     option("--algorithms", options->algorithms, "NAME[,NAME...]|all", "Which algorithms (default all, or the suite's)");
     option("--threads", options->threads, "N[,N...]", "Thread counts (default: one per core, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");

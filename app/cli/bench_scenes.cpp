@@ -23,28 +23,6 @@ Result<Done> readCamera(std::string_view file, BenchScene& scene)
     return Done{};
 }
 
-Result<BenchScene> resolve(const SuiteScene& from, const Suite& suite)
-{
-    BenchScene scene{.word        = std::string(from.word),
-                     .view        = std::string(from.view),
-                     .title       = std::string(from.title),
-                     .faceCulling = suite.faceCulling};
-    std::string_view camera = from.camera;
-    if (!from.model.empty()) {
-        const auto model = findProjectFile(from.model);
-        scene.isStandIn  = !model;
-        if (model) {
-            scene.word = *model;
-            camera     = from.modelCamera;
-        } else {
-            scene.title += " (stand-in)";
-        }
-    }
-    if (camera.empty()) return scene;
-    const auto read = readCamera(camera, scene);
-    return read ? Result<BenchScene>(std::move(scene)) : read.error();
-}
-
 }  // namespace
 
 std::string BenchScene::nameFor(const Scene& scene) const
@@ -77,6 +55,28 @@ std::string BenchScene::options() const
     return words;
 }
 
+Result<BenchScene> benchSceneOf(const SuiteScene& from, std::optional<FaceCulling> faceCulling)
+{
+    BenchScene scene{.word        = std::string(from.word),
+                     .view        = std::string(from.view),
+                     .title       = std::string(from.title),
+                     .faceCulling = faceCulling};
+    std::string_view camera = from.camera;
+    if (!from.model.empty()) {
+        const auto model = findProjectFile(from.model);
+        scene.isStandIn  = !model;
+        if (model) {
+            scene.word = *model;
+            camera     = from.modelCamera;
+        } else {
+            scene.title += " (stand-in)";
+        }
+    }
+    if (camera.empty()) return scene;
+    const auto read = readCamera(camera, scene);
+    return read ? Result<BenchScene>(std::move(scene)) : read.error();
+}
+
 Result<std::vector<BenchScene>> benchScenesOf(const std::vector<std::string>& said, const Suite* suite)
 {
     std::vector<BenchScene> scenes;
@@ -84,7 +84,7 @@ Result<std::vector<BenchScene>> benchScenesOf(const std::vector<std::string>& sa
         scenes.push_back({.word = word, .faceCulling = suite ? suite->faceCulling : std::nullopt});
     if (!scenes.empty()) return scenes;
     for (const SuiteScene& scene : suite->scenes) {
-        Result<BenchScene> resolved = resolve(scene, *suite);
+        Result<BenchScene> resolved = benchSceneOf(scene, suite->faceCulling);
         if (!resolved) return resolved.error();
         scenes.push_back(*std::move(resolved));
     }

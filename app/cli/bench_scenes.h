@@ -28,6 +28,8 @@ struct BenchScene {
     std::string options() const;
 };
 
+/// What a suite or an experiment calls a scene. Errors: Input when a file of the project is missing.
+Result<BenchScene> benchSceneOf(const SuiteScene& scene, std::optional<FaceCulling> faceCulling);
 /// Scenes that were said replace those of the suite; suite may be nullptr. Errors: Input when a file of the project is missing.
 Result<std::vector<BenchScene>> benchScenesOf(const std::vector<std::string>& said, const Suite* suite);
 

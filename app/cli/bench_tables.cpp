@@ -82,4 +82,36 @@ std::string suiteTableOf(std::span<const BenchRow> rows)
     return table.text();
 }
 
+std::string experimentTableOf(std::span<const BenchRow> rows, std::string_view baseline)
+{
+    std::vector<Stage> stages;
+    for (const Stage stage : kStages)
+        if (std::ranges::any_of(rows, [stage](const BenchRow& row) { return msOf(row, stage) > 0; })) stages.push_back(stage);
+    const auto baselineOf = [&](const BenchRow& row) -> const BenchRow* {
+        const auto found = std::ranges::find_if(rows, [&](const BenchRow& other) {
+            return other.algorithm == baseline && other.scene == row.scene && other.threads == row.threads && other.shaded == row.shaded;
+        });
+        return found == rows.end() || found->isBroken() || found->roundMs.size() != row.roundMs.size() || row.roundMs.empty() ? nullptr : &*found;
+    };
+
+    std::vector<Table::Column> columns{{"scene", Table::Align::Left}, {"algorithm", Table::Align::Left}, {"threads"}, {"picture", Table::Align::Left}, {"median ms"}};
+    if (!baseline.empty()) columns.push_back({fmt::format("/ {}", baseline)});
+    if (!baseline.empty()) columns.push_back({"interval"});
+    for (const Stage stage : stages) columns.push_back({std::string(wordOf(stage))});
+    Table table(std::move(columns));
+    for (const BenchRow& row : rows) {
+        const bool               isBroken = row.isBroken();
+        std::vector<std::string> cells{row.scene, row.algorithm, std::to_string(row.threads), pictureOf(row), isBroken ? "struck out" : ms(row.medianMs)};
+        if (!baseline.empty()) {
+            const BenchRow* other = isBroken ? nullptr : baselineOf(row);
+            const auto      ratio = other ? pairedRatio(row.roundMs, other->roundMs) : PairedRatio{};
+            cells.push_back(other ? fmt::format("{:.2f}", ratio.median) : "");
+            cells.push_back(other && row.roundMs.size() > 1 ? fmt::format("{:.2f}-{:.2f}", ratio.low, ratio.high) : "");
+        }
+        for (const Stage stage : stages) cells.push_back(isBroken ? "" : ms(msOf(row, stage)));
+        table.row(std::move(cells));
+    }
+    return table.text();
+}
+
 }  // namespace zscope::cli

@@ -23,6 +23,7 @@ Command addExplain(CLI::App& parent);
 Command addLesson(CLI::App& parent);
 Command addCompare(CLI::App& parent);
 Command addBench(CLI::App& parent);
+Command addMerge(CLI::App& parent);
 Command addList(CLI::App& parent);
 
 }  // namespace zscope::cli

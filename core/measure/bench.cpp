@@ -73,15 +73,15 @@ public:
             if (!picture) return picture.error();
             m_reference = *std::move(picture);
         }
-        std::vector<BenchRow> rows;
-        std::vector<bool>     shades;
+        std::vector<Run>  runs;
+        std::vector<bool> shades;
         if (m_request.pictures != BenchPictures::Unshaded) shades.push_back(true);
         if (m_request.pictures != BenchPictures::Shaded) shades.push_back(false);
-        const std::size_t runs = m_request.algorithms.size() * m_request.threads.size() * m_request.simd.size() * shades.size();
+        const std::size_t count = m_request.algorithms.size() * m_request.threads.size() * m_request.simd.size() * shades.size();
         for (const BenchAlgorithm& algorithm : m_request.algorithms) {
             std::vector<NamedCount> counters;
             if (m_request.count) {
-                auto work = m_renderer.count(drawRequest(algorithm, 1, Simd::Scalar, true));
+                auto work = Renderer().count(drawRequest(algorithm, 1, Simd::Scalar, true));
                 if (!work) return work.error();
                 counters = std::move(work->counters);
             }
@@ -89,14 +89,20 @@ public:
             for (const int threads : m_request.threads)
                 for (const Simd simd : m_request.simd)
                     for (const bool shade : shades) {
-                        m_request.progress.at(static_cast<double>(rows.size()) / static_cast<double>(runs), algorithm.name);
-                        Result<BenchRow> row = time(algorithm, threads, simd, shade);
-                        if (!row) return row.error();
-                        row->counters = counters;
-                        if (m_request.finished) m_request.finished(*row);
-                        rows.push_back(*std::move(row));
+                        m_request.progress.at(static_cast<double>(runs.size()) / static_cast<double>(count), algorithm.name);
+                        Result<Run> run = prepare(algorithm, threads, simd, shade);
+                        if (!run) return run.error();
+                        run->row.counters = counters;
+                        runs.push_back(*std::move(run));
+                        if (m_request.rounds > 1) continue;
+                        if (const auto done = timeRound(runs.back(), 0); !done) return done.error();
+                        finish(runs.back());
                     }
         }
+        if (m_request.rounds > 1)
+            if (const auto done = timeInTurn(runs); !done) return done.error();
+        std::vector<BenchRow> rows;
+        for (Run& run : runs) rows.push_back(std::move(run.row));
         return rows;
     }
 
@@ -108,6 +114,14 @@ private:
     struct Judged {
         Picture   picture;
         Judgement judgement;
+    };
+
+    /// One algorithm with one thread count and vector target, and what it keeps from frame to frame.
+    struct Run {
+        DrawRequest               draw;
+        BenchRow                  row;
+        std::unique_ptr<Renderer> renderer = std::make_unique<Renderer>();
+        std::vector<FrameReport>  reports  = {};  // of the timed frames
     };
 
     DrawRequest drawRequest(const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade) const
@@ -123,20 +137,21 @@ private:
                 .cancel      = m_request.progress.cancel};
     }
 
-    Result<BenchRow> time(const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade)
+    /// Draws and judges the first picture, and warms up.
+    Result<Run> prepare(const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade)
     {
-        const DrawRequest draw = drawRequest(algorithm, threads, simd, shade);
-        BenchRow          row;
+        Run       run{.draw = drawRequest(algorithm, threads, simd, shade), .row = {}};
+        BenchRow& row = run.row;
         row.shaded    = shade;
         row.scene     = m_request.scene->name;
         row.algorithm = algorithm.name;
         row.claim     = algorithm.claim;
         row.triangles = m_request.scene->triangleCount();
-        row.pixels    = static_cast<std::uint64_t>(draw.camera.width) * static_cast<std::uint64_t>(draw.camera.height);
+        row.pixels    = static_cast<std::uint64_t>(run.draw.camera.width) * static_cast<std::uint64_t>(run.draw.camera.height);
         row.buildMs   = m_buildMs;
         row.load      = m_request.load;
 
-        const Result<FrameReport> first = m_renderer.draw(draw, m_frame);
+        const Result<FrameReport> first = run.renderer->draw(run.draw, m_frame);
         if (!first) return first.error();
         row.threads = first->threads;
         row.simd    = first->simd;
@@ -146,23 +161,51 @@ private:
             row.wrongPixels = judgement->wrong;
             row.figures     = judgement->figures;
         }
-        for (int frame = 0; frame < m_request.warmUp; ++frame)
-            if (const auto report = m_renderer.draw(draw, m_frame); !report) return report.error();
-        for (bool isTrial = first->isTrial; isTrial;) {
-            const auto report = m_renderer.draw(draw, m_frame);
+        bool isTrial = first->isTrial;
+        for (int frame = 0; frame < m_request.warmUp || isTrial; ++frame) {
+            const auto report = run.renderer->draw(run.draw, m_frame);
             if (!report) return report.error();
             isTrial = report->isTrial;
         }
+        return run;
+    }
 
-        std::vector<FrameReport> reports;
-        for (int frame = 0; frame < m_request.frames; ++frame) {
-            Result<FrameReport> report = m_renderer.draw(draw, m_frame);
+    /// The frames of one round.
+    Result<Done> timeRound(Run& run, int round)
+    {
+        const auto before = [this](int each) { return static_cast<int>(std::int64_t{m_request.frames} * each / m_request.rounds); };
+        std::vector<double> ms;
+        for (int frame = before(round); frame < before(round + 1); ++frame) {
+            Result<FrameReport> report = run.renderer->draw(run.draw, m_frame);
             if (!report) return report.error();
-            reports.push_back(*std::move(report));
+            ms.push_back(report->frameMs);
+            run.reports.push_back(*std::move(report));
         }
-        row.chosen = reports.back().chosen;
-        summarise(std::move(reports), row);
-        return row;
+        std::ranges::sort(ms);
+        run.row.roundMs.push_back(ms[quantileRank(ms.size(), 0.5)]);
+        return Done{};
+    }
+
+    Result<Done> timeInTurn(std::vector<Run>& runs)
+    {
+        for (int round = 0; round < m_request.rounds; ++round)
+            for (Run& run : runs) {
+                m_request.progress.at(static_cast<double>(round) / static_cast<double>(m_request.rounds), run.row.algorithm);
+                // What another run has left in the caches is none of this one's business.
+                if (const auto report = run.renderer->draw(run.draw, m_frame); !report) return report.error();
+                if (const auto done = timeRound(run, round); !done) return done.error();
+            }
+        for (Run& run : runs) finish(run);
+        return Done{};
+    }
+
+    void finish(Run& run)
+    {
+        run.row.chosen = run.reports.back().chosen;
+        summarise(std::move(run.reports), run.row);
+        run.reports = {};
+        run.renderer.reset();
+        if (m_request.finished) m_request.finished(run.row);
     }
 
     /// Of the frame just drawn.
@@ -185,7 +228,6 @@ private:
     double                               m_buildMs = 0;
     std::optional<Picture>               m_reference;
     std::optional<Judged>                m_judged;  // the first picture of the algorithm at hand, if it draws faces
-    Renderer                             m_renderer;
     Frame                                m_frame;
 };
 
@@ -206,9 +248,29 @@ std::size_t quantileRank(std::size_t count, double p)
     return static_cast<std::size_t>(std::ceil(p * static_cast<double>(count))) - 1;
 }
 
+PairedRatio pairedRatio(std::span<const double> roundMs, std::span<const double> baselineRoundMs)
+{
+    assert(!roundMs.empty() && roundMs.size() == baselineRoundMs.size());
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < roundMs.size(); ++i) ratios.push_back(roundMs[i] / baselineRoundMs[i]);
+    std::ranges::sort(ratios);
+
+    // The k-th smallest and the k-th largest hold the median but for 2 P(at most k - 1 of n fall on one side).
+    const std::size_t n    = ratios.size();
+    std::size_t       k    = 1;
+    double            term = std::pow(0.5, static_cast<double>(n)), below = term;  // P(none), P(at most k - 1)
+    for (std::size_t next = 1; 2 * next < n; ++next) {
+        term *= static_cast<double>(n - next + 1) / static_cast<double>(next);
+        below += term;
+        if (2 * below > 0.05) break;
+        k = next + 1;
+    }
+    return {ratios[quantileRank(n, 0.5)], ratios[k - 1], ratios[n - k]};
+}
+
 Result<std::vector<BenchRow>> bench(const BenchRequest& request)
 {
-    assert(request.frames >= 1 && request.warmUp >= 0);
+    assert(request.frames >= 1 && request.warmUp >= 0 && request.rounds >= 1 && request.rounds <= request.frames);
     return Bench(request).run();
 }
 
@@ -232,14 +294,14 @@ std::string benchToCsv(std::span<const BenchRow> rows)
     return csv;
 }
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
 std::string_view wordOf(Claim claim)
 {
     return claim == Claim::Exact ? "exact" : claim == Claim::ExactByFace ? "exact-by-face" : "approximate";
 }
+
+namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// JSON knows no infinity: a word stands for it, as in cameras.
 Json number(double value) { return std::isinf(value) ? Json("inf") : Json(value); }
@@ -304,6 +366,7 @@ std::string benchToJson(std::span<const BenchRow> rows)
                         {"bytes", row.bytes},
                         {"stages", std::move(stages)},
                         {"stage_quartiles", std::move(quartiles)},
+                        {"round_ms", row.roundMs},
                         {"counters", std::move(counters)}});
     }
     return list.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -6,6 +6,8 @@
 // Verified   the first picture of every run. Of methods that draw faces the first of each algorithm is judged against
 //            the reference, which takes long, and the others against that first one. A picture that differs gets all its
 //            error figures; one that does not has zeros for the cost of the comparison alone
+// Rounds     more than one: the timed frames of every run are parted into so many turns, each run after the other in every
+//            turn, so that what disturbs the machine disturbs all of them alike and their times may be divided turn by turn
 // Quantiles  nearest rank, so every figure is a time that was measured; the stage times are those of the median
 //            frame and add up to it. The quartiles of a stage are its own, over all timed frames, and need not add up
 // Threads    one render thread, OpenMP inside; nothing else should run meanwhile
@@ -48,6 +50,7 @@ struct BenchRequest {
     std::vector<Simd>            simd        = {Simd::Auto};
     int                          warmUp      = 3;    // frames before the timed ones
     int                          frames      = 30;   // timed, at least 1
+    int                          rounds      = 1;    // 1 to frames
     BenchPictures                pictures    = BenchPictures::Shaded;
     bool                         verify      = true; // against the brute-force reference
     bool                         count       = true; // the work behind the times
@@ -57,6 +60,9 @@ struct BenchRequest {
     /// Told of every row as soon as it is finished, from the calling thread; what was told stays true if the rest fails.
     std::function<void(const BenchRow&)> finished = {};
 };
+
+/// exact, exact-by-face, approximate.
+std::string_view wordOf(Claim claim);
 
 /// Of one stage over the timed frames, in ms.
 struct StageQuartiles {
@@ -88,10 +94,19 @@ struct BenchRow {
     std::array<double, kStages.size()>         stageMs{};         // of the median frame
     std::array<StageQuartiles, kStages.size()> stageQuartiles{};  // of each stage by itself
     std::vector<NamedCount>                    counters;          // the work behind the times
+    std::vector<double>                        roundMs;           // the median frame of each round
 
     /// It promised the reference's picture and drew another: its time is no result.
     bool isBroken() const { return claim != Claim::Approximate && wrongPixels.value_or(0) != 0; }
 };
+
+/// How many times as long as another run a run takes: the median over the rounds, and an interval that holds the true one in 19
+/// of 20 cases, as far as so few rounds allow it.
+struct PairedRatio {
+    double median = 1, low = 1, high = 1;
+};
+/// Two runs of as many rounds, at least one, timed in turn; no baseline time is 0. Source: the sign test's interval.
+PairedRatio pairedRatio(std::span<const double> roundMs, std::span<const double> baselineRoundMs);
 
 /// Position in `count` sorted values of their quantile p in (0, 1]: nearest rank.
 std::size_t quantileRank(std::size_t count, double p);
@@ -102,5 +117,7 @@ Result<std::vector<BenchRow>> bench(const BenchRequest& request);
 /// A header and one line per row, the columns as the command line promises them; one more, `shaded`, if a row is not.
 std::string benchToCsv(std::span<const BenchRow> rows);
 std::string benchToJson(std::span<const BenchRow> rows);
+/// The rows that benchToJson() wrote. Error: Input, without a file: these are no such rows.
+Result<std::vector<BenchRow>> benchFromJson(const std::string& json);
 
 }  // namespace zscope

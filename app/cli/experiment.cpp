@@ -1,0 +1,200 @@
+#include "app/cli/experiment.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "app/cli/bench_scenes.h"
+#include "app/cli/bench_tables.h"
+#include "app/cli/options.h"
+#include "app/cli/words.h"
+#include "core/io/file_writer.h"
+#include "core/io/read_file.h"
+#include "core/measure/record.h"
+
+namespace zscope::cli {
+namespace {
+
+Error at(const std::string& file, int line, Error error)
+{
+    return {Trouble::Input, std::move(error.sentence), file, line};
+}
+
+/// Algorithms, files and names of scenes of all parts are looked up before anything is measured: a misspelt one must not cost
+/// an hour.
+struct PreparedPart {
+    std::vector<BenchAlgorithm> algorithms;
+    std::vector<BenchScene>     scenes;  // as those of the part
+    ViewWords                   view;
+};
+
+std::optional<Error> whyNotThere(const BenchScene& scene)
+{
+    constexpr std::string_view kBuiltin = "builtin:";
+    if (!scene.word.starts_with(kBuiltin)) {
+        if (std::filesystem::exists(scene.word)) return std::nullopt;
+        return Error{Trouble::Input, fmt::format("there is no file '{}'", scene.word)};
+    }
+    const std::string name = scene.word.substr(kBuiltin.size(), scene.word.find('?') - kBuiltin.size());
+    if (std::ranges::find(builtinScenes(), name, &SceneEntry::name) != builtinScenes().end()) return std::nullopt;
+    return Error{Trouble::Input, fmt::format("there is no builtin scene '{}': see 'zscope-cli list scenes'", name)};
+}
+
+Result<PreparedPart> prepare(const ExperimentPart& part, const std::string& file)
+{
+    PreparedPart prepared;
+    for (const std::string& word : part.algorithms) {
+        auto named = algorithmsOf(word);
+        if (!named) return at(file, part.line, named.error());
+        for (NamedPipeline& each : *named) {
+            if (const auto why = explainInvalid(each.pipeline))
+                return Error{Trouble::Input, fmt::format("'{}' cannot be drawn: {}", word, *why), file, part.line};
+            prepared.algorithms.push_back({std::move(each.name), each.pipeline, each.claim});
+        }
+    }
+    for (const ExperimentScene& from : part.scenes) {
+        const SuiteScene scene{.word = from.word, .view = from.view, .title = from.title, .camera = from.camera, .model = from.model, .modelCamera = from.modelCamera};
+        auto             named = benchSceneOf(scene, part.faceCulling);
+        if (!named) return at(file, from.line, named.error());
+        if (auto why = whyNotThere(*named)) return at(file, from.line, std::move(*why));
+        prepared.scenes.push_back(*std::move(named));
+    }
+    if (part.hasSize) {
+        prepared.view.given          = {"--size"};
+        prepared.view.request.width  = part.width;
+        prepared.view.request.height = part.height;
+    }
+    return prepared;
+}
+
+class ExperimentRun {
+public:
+    ExperimentRun(const ExperimentOptions& options, Session& session) : m_options(options), m_session(session) {}
+
+    Result<Exit> run()
+    {
+        const auto text = readRegularFile(m_options.file, kMaxExperimentFile);
+        if (!text) return text.error();
+        Result<Experiment> read = experimentFromJson(*text, m_options.file);
+        if (!read) return read.error();
+        m_experiment = *std::move(read);
+        for (const ExperimentPart& part : m_experiment.parts) {
+            auto prepared = prepare(part, m_options.file);
+            if (!prepared) return prepared.error();
+            m_parts.push_back(*std::move(prepared));
+        }
+        if (const auto begun = beginRecord(); !begun) return begun.error();
+
+        for (const ExperimentCase& each : casesOf(m_experiment)) {
+            if (!m_options.shard.has(each.index)) continue;
+            if (const auto measured = measure(each); !measured) return measured.error();
+        }
+        return tell();
+    }
+
+private:
+    Result<Done> beginRecord()
+    {
+        m_record.head = recordHeadFor(m_experiment);
+        if (!m_options.json || !std::filesystem::exists(*m_options.json)) return Done{};
+        const auto text = readRegularFile(*m_options.json, kMaxRecordFile);
+        if (!text) return text.error();
+        Result<Record> begun = recordFromJson(*text, *m_options.json);
+        if (!begun) return begun.error();
+        if (const std::string why = whyNotComparable(m_record.head, begun->head); !why.empty())
+            return Error{Trouble::Input, fmt::format("this record cannot be gone on with ({}): name another file", why), *m_options.json};
+        m_session.note(fmt::format("going on with '{}': {} of {} cases are there", *m_options.json, begun->cases.size(), m_experiment.caseCount()));
+        m_record.cases = std::move(begun->cases);
+        return Done{};
+    }
+
+    Result<Done> measure(const ExperimentCase& each)
+    {
+        const auto            part = static_cast<std::size_t>(each.part - m_experiment.parts.data());
+        const auto            number = static_cast<std::size_t>(each.scene - each.part->scenes.data());
+        const PreparedPart&   prepared = m_parts[part];
+        const BenchScene&     named = prepared.scenes[number];
+
+        LoadTimes  load;
+        const auto scene = cli::loadScene(named.word, m_session, m_options.memoryLimit, 0, &load);
+        if (!scene) return scene.error().kind == Trouble::Usage ? at(m_options.file, each.scene->line, scene.error()) : scene.error();
+        if (const RecordCase* known = m_record.find(each.index)) {
+            if (known->sceneDigest == (*scene)->digest) return Done{};
+            return Error{Trouble::Input,
+                         fmt::format("this record was made with another scene '{}': its digest was {} and is {}; name another file", known->scene,
+                                     known->sceneDigest, (*scene)->digest),
+                         m_options.json.value_or("")};
+        }
+        if (named.isStandIn) m_session.note(fmt::format("'{}' stands in for a model that is not here: {}", named.word, named.title));
+        const auto view = named.viewOf(**scene, prepared.view);
+        if (!view) return view.error();
+
+        const auto rows = bench({.scene       = *scene,
+                                 .camera      = view->camera,
+                                 .faceCulling = view->faceCulling,
+                                 .algorithms  = prepared.algorithms,
+                                 .threads     = each.part->threads,
+                                 .frames      = each.part->frames,
+                                 .rounds      = each.part->rounds,
+                                 .pictures    = each.part->shade ? BenchPictures::Shaded : BenchPictures::Unshaded,
+                                 .memoryLimit = m_options.memoryLimit,
+                                 .load        = load,
+                                 .progress    = m_session.progress()});
+        if (!rows) return rows.error();
+        m_record.add({.index       = each.index,
+                      .part        = each.part->title,
+                      .x           = each.part->x,
+                      .scene       = named.nameFor(**scene),
+                      .sceneDigest = (*scene)->digest,
+                      .place       = each.scene->x.value_or(static_cast<double>(number) + 1),
+                      .width       = view->camera.width,
+                      .height      = view->camera.height,
+                      .rows        = benchToJson(*rows)});
+        return m_options.json ? writeFile(*m_options.json, recordToJson(m_record)) : Result<Done>(Done{});
+    }
+
+    Result<Exit> tell()
+    {
+        std::vector<BenchRow> all;
+        std::string           text = fmt::format("{}\n{}\n", m_experiment.title.english, m_experiment.question.english);
+        for (std::size_t i = 0; i < m_record.cases.size();) {
+            const ExperimentText& part = m_record.cases[i].part;
+            std::vector<BenchRow> rows;
+            for (; i < m_record.cases.size() && m_record.cases[i].part == part; ++i) {
+                auto read = rowsOf(m_record.cases[i]);
+                if (!read) return read.error();
+                std::ranges::move(*read, std::back_inserter(rows));
+            }
+            text += fmt::format("\n{}\n{}", part.english, experimentTableOf(rows, m_experiment.baseline));
+            std::ranges::move(rows, std::back_inserter(all));
+        }
+        m_session.print(text);
+        if (m_options.csv)
+            if (const auto written = writeFile(*m_options.csv, benchToCsv(all)); !written) return written.error();
+        return std::ranges::any_of(all, &BenchRow::isBroken) ? Exit::CheckFailed : Exit::Done;
+    }
+
+    const ExperimentOptions&  m_options;
+    Session&                  m_session;
+    Experiment                m_experiment;
+    std::vector<PreparedPart> m_parts;  // as those of the experiment
+    Record                    m_record;
+};
+
+}  // namespace
+
+Result<Shard> shardOf(const std::string& word)
+{
+    const std::size_t slash = word.find('/');
+    const Error       wrong{Trouble::Usage, fmt::format("--shard is written i/n with 1 <= i <= n, for example 2/4, not '{}'", word)};
+    if (slash == std::string::npos) return wrong;
+    const auto index = wholeNumber(word.substr(0, slash), "--shard", 1, 1'000'000);
+    const auto count = wholeNumber(word.substr(slash + 1), "--shard", 1, 1'000'000);
+    if (!index || !count || *index > *count) return wrong;
+    return Shard{static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
+}
+
+Result<Exit> runExperiment(const ExperimentOptions& options, Session& session) { return ExperimentRun(options, session).run(); }
+
+}  // namespace zscope::cli

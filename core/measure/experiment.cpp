@@ -1,0 +1,239 @@
+#include "core/measure/experiment.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+#include "core/io/json_document.h"
+
+namespace zscope {
+namespace {
+
+constexpr int kMaxSide    = 1 << 16;
+constexpr int kMaxFrames  = 100'000;
+constexpr int kMaxThreads = 1024;
+
+/// Fowler, Noll and Vo's hash of 64 bits: says whether two files ask for the same, not that nobody forged one.
+std::string digestOfText(std::string_view text)
+{
+    std::uint64_t hash = 0xCBF2'9CE4'8422'2325ull;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100'0000'01B3ull;
+    return fmt::format("{:016x}", hash);
+}
+
+class ExperimentReader {
+public:
+    explicit ExperimentReader(const std::string& file) : m_file(file) {}
+
+    Result<Experiment> read(const JsonValue& document)
+    {
+        Experiment experiment;
+        const bool isRead = knows(document, "an experiment", {"title", "question", "baseline", "parts"}) && text(document, "title", experiment.title, true) &&
+                            text(document, "question", experiment.question, false) && word(document, "baseline", experiment.baseline) &&
+                            parts(document, experiment.parts);
+        if (!isRead) return *m_error;
+        if (experiment.caseCount() > kMaxCases)
+            return Error{Trouble::Limit, fmt::format("an experiment has at most {} cases, not {}", kMaxCases, experiment.caseCount()), m_file, document.line};
+        experiment.digest = digestOf(experiment);
+        return experiment;
+    }
+
+private:
+    static std::string digestOf(const Experiment& experiment)
+    {
+        std::string all = experiment.baseline;
+        for (const ExperimentPart& part : experiment.parts) {
+            all += fmt::format("\n{}|{}x{}|{}|{}|{}|{}|{}|", fmt::join(part.algorithms, ","), part.width, part.height, part.hasSize,
+                               part.faceCulling ? static_cast<int>(*part.faceCulling) : -1, part.frames, part.rounds, part.shade);
+            for (const int threads : part.threads) all += fmt::format("{},", threads);
+            for (const ExperimentScene& scene : part.scenes)
+                all += fmt::format("\n {}|{}|{}|{}|{}|{}", scene.word, scene.view, scene.camera, scene.model, scene.modelCamera, scene.x.value_or(-1));
+        }
+        return digestOfText(all);
+    }
+
+    bool fail(const JsonValue& at, std::string sentence)
+    {
+        m_error = Error{Trouble::Input, std::move(sentence), m_file, at.line};
+        return false;
+    }
+
+    bool knows(const JsonValue& value, std::string_view what, std::initializer_list<std::string_view> keys)
+    {
+        if (!value.object()) return fail(value, fmt::format("{} is an object with some of: {}", what, fmt::join(keys, ", ")));
+        for (const auto& [key, member] : *value.object())
+            if (std::ranges::find(keys, key) == keys.end())
+                return fail(member, fmt::format("{} has no '{}': it has {}", what, key.substr(0, 60), fmt::join(keys, ", ")));
+        return true;
+    }
+
+    static const JsonValue* find(const JsonValue& object, std::string_view key)
+    {
+        const auto found = std::ranges::find(*object.object(), key, &JsonMember::first);
+        return found == object.object()->end() ? nullptr : &found->second;
+    }
+
+    /// A text that may be left out; `to` is then what it was.
+    bool word(const JsonValue& object, std::string_view key, std::string& to)
+    {
+        const JsonValue* value = find(object, key);
+        if (!value) return true;
+        if (!value->text() || value->text()->empty()) return fail(*value, fmt::format("'{}' is a text", key));
+        to = *value->text();
+        return true;
+    }
+
+    bool text(const JsonValue& object, std::string_view key, ExperimentText& to, bool isWanted)
+    {
+        const JsonValue* value = find(object, key);
+        if (!value) return isWanted ? fail(object, fmt::format("'{}' is missing", key)) : true;
+        if (value->text()) {
+            to = {*value->text(), *value->text()};
+            return true;
+        }
+        if (!knows(*value, fmt::format("'{}'", key), {"en", "zh_CN"}) || !word(*value, "en", to.english)) return false;
+        if (to.english.empty()) return fail(*value, fmt::format("'{}' has no text under 'en'", key));
+        to.chinese = to.english;
+        return word(*value, "zh_CN", to.chinese);
+    }
+
+    bool number(const JsonValue& object, std::string_view key, int min, int max, int& to)
+    {
+        const JsonValue* value = find(object, key);
+        if (!value) return true;
+        const auto read = wholeOf(*value, m_file, fmt::format("'{}'", key), min, max);
+        if (!read) return m_error = read.error(), false;
+        to = static_cast<int>(*read);
+        return true;
+    }
+
+    /// The members of a list that must not be empty.
+    template <class Each>
+    bool list(const JsonValue& object, std::string_view key, const Each& each)
+    {
+        const JsonValue* value = find(object, key);
+        if (!value) return fail(object, fmt::format("'{}' is missing", key));
+        if (!value->array() || value->array()->empty()) return fail(*value, fmt::format("'{}' is a list that is not empty", key));
+        return std::ranges::all_of(*value->array(), each);
+    }
+
+    bool parts(const JsonValue& document, std::vector<ExperimentPart>& to)
+    {
+        return list(document, "parts", [&](const JsonValue& value) {
+            ExperimentPart part;
+            part.line = value.line;
+            if (!onePart(value, part)) return false;
+            to.push_back(std::move(part));
+            return true;
+        });
+    }
+
+    bool onePart(const JsonValue& value, ExperimentPart& part)
+    {
+        if (!knows(value, "a part", {"title", "scenes", "algorithms", "threads", "size", "cull", "frames", "rounds", "shade", "x"})) return false;
+        const auto algorithm = [&](const JsonValue& each) {
+            if (!each.text() || each.text()->empty()) return fail(each, "an algorithm is a text");
+            part.algorithms.push_back(*each.text());
+            return true;
+        };
+        if (!text(value, "title", part.title, true) || !text(value, "x", part.x, false) || !list(value, "algorithms", algorithm)) return false;
+        if (!list(value, "scenes", [&](const JsonValue& each) { return oneScene(each, part); })) return false;
+        if (!size(value, part) || !culling(value, part) || !threads(value, part)) return false;
+        if (!number(value, "frames", 1, kMaxFrames, part.frames)) return false;
+        part.rounds = std::min(part.rounds, part.frames);
+        if (!number(value, "rounds", 1, part.frames, part.rounds)) return false;
+        if (const JsonValue* shade = find(value, "shade")) {
+            if (!shade->truth()) return fail(*shade, "'shade' is true or false");
+            part.shade = *shade->truth();
+        }
+        return true;
+    }
+
+    bool oneScene(const JsonValue& value, ExperimentPart& part)
+    {
+        ExperimentScene scene;
+        scene.line = value.line;
+        if (value.text()) {
+            scene.word = *value.text();
+        } else {
+            if (!knows(value, "a scene", {"scene", "title", "view", "camera", "model", "model_camera", "x"})) return false;
+            const bool isRead = word(value, "scene", scene.word) && word(value, "title", scene.title) && word(value, "view", scene.view) &&
+                                word(value, "camera", scene.camera) && word(value, "model", scene.model) && word(value, "model_camera", scene.modelCamera);
+            if (!isRead) return false;
+            if (const JsonValue* x = find(value, "x")) {
+                const auto read = realOf(*x, m_file, "'x'");
+                if (!read) return m_error = read.error(), false;
+                scene.x = *read;
+            }
+        }
+        if (scene.word.empty()) return fail(value, "a scene has no word: a path, or builtin:NAME");
+        part.scenes.push_back(std::move(scene));
+        return true;
+    }
+
+    bool size(const JsonValue& value, ExperimentPart& part)
+    {
+        std::string said;
+        if (!word(value, "size", said)) return false;
+        if (said.empty()) return true;
+        int  read = 0;
+        char rest = 0;
+        part.hasSize = true;
+        if (std::sscanf(said.c_str(), "%5dx%5d%n%c", &part.width, &part.height, &read, &rest) == 2 && part.width >= 1 && part.height >= 1 &&
+            part.width <= kMaxSide && part.height <= kMaxSide)
+            return true;
+        return fail(*find(value, "size"), fmt::format("'size' is written WxH, in pixels, not '{}'", said.substr(0, 60)));
+    }
+
+    bool culling(const JsonValue& value, ExperimentPart& part)
+    {
+        std::string said;
+        if (!word(value, "cull", said)) return false;
+        if (said == "back") part.faceCulling = FaceCulling::Back;
+        if (said == "none") part.faceCulling = FaceCulling::None;
+        return said.empty() || part.faceCulling ? true : fail(*find(value, "cull"), "'cull' is none or back");
+    }
+
+    bool threads(const JsonValue& value, ExperimentPart& part)
+    {
+        if (!find(value, "threads")) return true;
+        part.threads.clear();
+        return list(value, "threads", [&](const JsonValue& each) {
+            const auto read = wholeOf(each, m_file, "a number of threads", 0, kMaxThreads);
+            if (!read) return m_error = read.error(), false;
+            part.threads.push_back(static_cast<int>(*read));
+            return true;
+        });
+    }
+
+    const std::string&   m_file;
+    std::optional<Error> m_error;  // the first
+};
+
+}  // namespace
+
+std::size_t Experiment::caseCount() const
+{
+    std::size_t count = 0;
+    for (const ExperimentPart& part : parts) count += part.scenes.size();
+    return count;
+}
+
+std::vector<ExperimentCase> casesOf(const Experiment& experiment)
+{
+    std::vector<ExperimentCase> cases;
+    for (const ExperimentPart& part : experiment.parts)
+        for (const ExperimentScene& scene : part.scenes) cases.push_back({cases.size(), &part, &scene});
+    return cases;
+}
+
+Result<Experiment> experimentFromJson(const std::string& text, const std::string& file)
+{
+    const Result<JsonValue> document = parseJson(text, file);
+    if (!document) return document.error();
+    return ExperimentReader(file).read(*document);
+}
+
+}  // namespace zscope

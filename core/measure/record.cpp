@@ -1,0 +1,165 @@
+#include "core/measure/record.h"
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace zscope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kForm = 1;
+
+std::string processorName()
+{
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+    return "unknown processor";
+}
+
+Json toJson(const ExperimentText& text) { return {{"en", text.english}, {"zh_CN", text.chinese}}; }
+
+ExperimentText textOf(const Json& json) { return {json.at("en").get<std::string>(), json.at("zh_CN").get<std::string>()}; }
+
+Record recordOf(const Json& json)
+{
+    Record      record;
+    RecordHead& head       = record.head;
+    const Json& experiment = json.at("experiment");
+    head.title             = textOf(experiment.at("title"));
+    head.question          = textOf(experiment.at("question"));
+    experiment.at("baseline").get_to(head.baseline);
+    experiment.at("digest").get_to(head.digest);
+    json.at("program").at("version").get_to(head.version);
+    json.at("program").at("compiler").get_to(head.compiler);
+    json.at("machine").at("processor").get_to(head.processor);
+    json.at("machine").at("cores").get_to(head.cores);
+    json.at("case_count").get_to(head.caseCount);
+    for (const Json& each : json.at("cases")) {
+        RecordCase one{.index       = each.at("index").get<std::size_t>(),
+                       .part        = textOf(each.at("part")),
+                       .x           = textOf(each.at("x")),
+                       .scene       = each.at("scene").get<std::string>(),
+                       .sceneDigest = each.at("scene_digest").get<std::string>(),
+                       .place       = each.at("place").get<double>(),
+                       .width       = each.at("width").get<int>(),
+                       .height      = each.at("height").get<int>(),
+                       .rows        = each.at("rows").dump()};
+        record.add(std::move(one));
+    }
+    return record;
+}
+
+}  // namespace
+
+RecordHead recordHeadFor(const Experiment& experiment)
+{
+    return {.title     = experiment.title,
+            .question  = experiment.question,
+            .baseline  = experiment.baseline,
+            .digest    = experiment.digest,
+            .version   = ZSCOPE_VERSION,
+            .compiler  = __VERSION__,
+            .processor = processorName(),
+            .cores     = std::thread::hardware_concurrency(),
+            .caseCount = experiment.caseCount()};
+}
+
+std::string whyNotComparable(const RecordHead& a, const RecordHead& b)
+{
+    const auto differ = [](std::string_view what, const auto& one, const auto& other) {
+        return one == other ? std::string() : fmt::format("{} differs: {} and {}", what, one, other);
+    };
+    if (a.digest != b.digest) return fmt::format("they answer different questions: '{}' and '{}'", a.title.english, b.title.english);
+    for (const std::string& why : {differ("the program's version", a.version, b.version), differ("its compiler", a.compiler, b.compiler),
+                                   differ("the processor", a.processor, b.processor), differ("the number of cores", a.cores, b.cores)})
+        if (!why.empty()) return why;
+    return {};
+}
+
+const RecordCase* Record::find(std::size_t index) const
+{
+    const auto found = std::ranges::lower_bound(cases, index, {}, &RecordCase::index);
+    return found == cases.end() || found->index != index ? nullptr : &*found;
+}
+
+void Record::add(RecordCase measured)
+{
+    const auto place = std::ranges::lower_bound(cases, measured.index, {}, &RecordCase::index);
+    cases.insert(place, std::move(measured));
+}
+
+std::string recordToJson(const Record& record)
+{
+    const RecordHead& head  = record.head;
+    Json              cases = Json::array();
+    for (const RecordCase& each : record.cases)
+        cases.push_back({{"index", each.index},
+                         {"part", toJson(each.part)},
+                         {"scene", each.scene},
+                         {"x", toJson(each.x)},
+                         {"place", each.place},
+                         {"scene_digest", each.sceneDigest},
+                         {"width", each.width},
+                         {"height", each.height},
+                         {"rows", Json::parse(each.rows)}});
+    const Json all{{"record", kForm},
+                   {"experiment", {{"title", toJson(head.title)}, {"question", toJson(head.question)}, {"baseline", head.baseline}, {"digest", head.digest}}},
+                   {"program", {{"version", head.version}, {"compiler", head.compiler}}},
+                   {"machine", {{"processor", head.processor}, {"cores", head.cores}}},
+                   {"case_count", head.caseCount},
+                   {"cases", std::move(cases)}};
+    return all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Result<Record> recordFromJson(const std::string& text, const std::string& file)
+{
+    try {
+        const Json json = Json::parse(text);
+        if (!json.is_object() || !json.contains("record"))
+            return Error{Trouble::Input, "this is no record of an experiment: 'bench --experiment' makes them", file};
+        if (json.at("record") != kForm) return Error{Trouble::Input, "this record has a form that this version does not know", file};
+        return recordOf(json);
+    } catch (const Json::parse_error& error) {
+        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())), '\n');
+        return Error{Trouble::Input, "this is not JSON, or only part of it", file, static_cast<int>(line)};
+    } catch (const Json::exception&) {
+        return Error{Trouble::Input, "something is missing in this record, or is not what it should be", file};
+    }
+}
+
+Result<Record> joined(std::span<const NamedRecord> records)
+{
+    Record             all   = records.front().record;
+    const std::string& first = records.front().file;
+    for (const NamedRecord& other : records.subspan(1)) {
+        if (const std::string why = whyNotComparable(all.head, other.record.head); !why.empty())
+            return Error{Trouble::Input, fmt::format("this record cannot be joined with '{}': {}", first, why), other.file};
+        for (const RecordCase& each : other.record.cases) {
+            const RecordCase* known = all.find(each.index);
+            if (!known) {
+                all.add(each);
+            } else if (known->sceneDigest != each.sceneDigest) {
+                return Error{Trouble::Input,
+                             fmt::format("its scene '{}' is not the one of '{}': their digests are {} and {}", each.scene, first, each.sceneDigest, known->sceneDigest),
+                             other.file};
+            }
+        }
+    }
+    return all;
+}
+
+Result<std::vector<BenchRow>> rowsOf(const RecordCase& measured)
+{
+    auto rows = benchFromJson(measured.rows);
+    if (!rows) return Error{Trouble::Input, fmt::format("the rows of '{}' are not those of a benchmark", measured.scene)};
+    for (BenchRow& row : *rows) row.scene = measured.scene;
+    return rows;
+}
+
+}  // namespace zscope

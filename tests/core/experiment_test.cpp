@@ -1,0 +1,185 @@
+// Experiments are read as they are written, records are gone on with and joined, and nothing that cannot be compared is mixed.
+#include <gtest/gtest.h>
+
+#include "core/measure/experiment.h"
+#include "core/measure/record.h"
+
+namespace zscope {
+namespace {
+
+constexpr const char* kTwoParts = R"({
+  "title": {"en": "Growth", "zh_CN": "增长"},
+  "baseline": "zbuffer",
+  "parts": [
+    {"title": "one", "scenes": ["builtin:cubes", {"scene": "builtin:city", "view": "street", "x": 2.5}], "algorithms": ["zbuffer", "scanline"],
+     "threads": [1, 2], "size": "64x48", "frames": 6, "rounds": 3, "cull": "back", "shade": false, "x": "count"},
+    {"title": "two", "scenes": ["builtin:teapot"], "algorithms": ["zbuffer"]}
+  ]
+})";
+
+Experiment experimentOf(const std::string& text)
+{
+    auto read = experimentFromJson(text, "e.json");
+    EXPECT_TRUE(read) << read.error().sentence;
+    return *std::move(read);
+}
+
+TEST(Experiment, IsReadAsItIsWritten)
+{
+    const Experiment experiment = experimentOf(kTwoParts);
+    EXPECT_EQ(experiment.title.english, "Growth");
+    EXPECT_EQ(experiment.title.chinese, "增长");
+    EXPECT_EQ(experiment.baseline, "zbuffer");
+    ASSERT_EQ(experiment.parts.size(), 2u);
+    const ExperimentPart& one = experiment.parts[0];
+    EXPECT_EQ(one.scenes[0].word, "builtin:cubes");
+    EXPECT_EQ(one.scenes[1].view, "street");
+    EXPECT_EQ(one.scenes[1].x, 2.5);
+    EXPECT_EQ(one.algorithms, (std::vector<std::string>{"zbuffer", "scanline"}));
+    EXPECT_EQ(one.threads, (std::vector{1, 2}));
+    EXPECT_EQ(one.width, 64);
+    EXPECT_EQ(one.height, 48);
+    EXPECT_EQ(one.frames, 6);
+    EXPECT_EQ(one.rounds, 3);
+    EXPECT_EQ(one.faceCulling, FaceCulling::Back);
+    EXPECT_FALSE(one.shade);
+    EXPECT_EQ(one.x.chinese, "count");
+    EXPECT_FALSE(experiment.parts[1].hasSize);
+    EXPECT_EQ(experiment.parts[1].rounds, 5);
+
+    const auto cases = casesOf(experiment);
+    ASSERT_EQ(cases.size(), 3u);
+    EXPECT_EQ(cases[2].index, 2u);
+    EXPECT_EQ(cases[2].scene->word, "builtin:teapot");
+}
+
+TEST(Experiment, KeepsItsDigestWhenOnlyItsTitlesChange)
+{
+    std::string text = kTwoParts, other = kTwoParts;
+    text.replace(text.find("\"one\""), 5, "\"uno\"");
+    other.replace(other.find("64x48"), 5, "64x49");
+    EXPECT_EQ(experimentOf(text).digest, experimentOf(kTwoParts).digest);
+    EXPECT_NE(experimentOf(other).digest, experimentOf(kTwoParts).digest);
+}
+
+TEST(Experiment, ThatIsWrongIsRefusedWithItsLine)
+{
+    const auto refused = [](const std::string& text, int line, const std::string& word) {
+        const auto read = experimentFromJson(text, "e.json");
+        ASSERT_FALSE(read) << text;
+        EXPECT_EQ(read.error().file, "e.json");
+        EXPECT_EQ(read.error().line, line) << read.error().sentence;
+        EXPECT_NE(read.error().sentence.find(word), std::string::npos) << read.error().sentence;
+    };
+    const auto part = [](const std::string& members) { return "{\"title\":\"t\",\n\"parts\":[\n" + members + "]}"; };
+    refused("[]", 1, "object");
+    refused("{\"title\":\"t\"}", 1, "'parts' is missing");
+    refused("{\"parts\":[{}]}", 1, "'title' is missing");
+    refused("{\"title\":\"t\",\n\"parts\":[]}", 2, "not empty");
+    refused("{\"title\":\"t\",\n\"wrong\":1}", 2, "'wrong'");
+    refused("{\"title\":{\"zh_CN\":\"t\"}}", 1, "'en'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"zbuffer\"]}"), 3, "'scenes' is missing");
+    refused(part("{\"title\":\"p\",\"algorithms\":[],\"scenes\":[\"s\"]}"), 3, "'algorithms'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"view\":\"v\"}]}"), 4, "no word");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"size\":\"640x\"}"), 4, "WxH");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"size\":\"0x9\"}"), 4, "WxH");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"cull\":\"front\"}"), 4, "none or back");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"frames\":0}"), 4, "'frames'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"frames\":4,\n\"rounds\":5}"), 4, "'rounds'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"threads\":[-1]}"), 4, "threads");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"shade\":1}"), 4, "'shade'");
+    refused("{\"title\":\"t\",\n", 2, "");
+}
+
+TEST(PairedRatio, IsTheMedianAndAnIntervalThatFewRoundsWiden)
+{
+    const std::vector<double> ones(21, 1.0);
+    std::vector<double>       ramp;
+    for (int i = 0; i < 21; ++i) ramp.push_back(1 + i);
+    const auto of = [&](std::size_t count) { return pairedRatio(std::span(ramp).first(count), std::span(ones).first(count)); };
+    EXPECT_EQ(of(1).median, 1);
+    EXPECT_EQ(of(5).median, 3);
+    EXPECT_EQ(of(5).low, 1);
+    EXPECT_EQ(of(5).high, 5);
+    // 6 of 21 tosses or fewer on one side: 3.9 % for both sides; 7 or fewer: 18.9 %. Tables of the sign test say 6.
+    EXPECT_EQ(of(21).low, 6);
+    EXPECT_EQ(of(21).high, 16);
+}
+
+RecordCase caseOf(std::size_t index, const std::string& digest)
+{
+    return {.index = index, .part = {"p", "p"}, .x = {}, .scene = "s" + std::to_string(index), .sceneDigest = digest, .place = 1, .width = 4, .height = 3, .rows = "[]"};
+}
+
+Record recordWith(std::vector<RecordCase> cases)
+{
+    Record record{recordHeadFor(experimentOf(kTwoParts)), {}};
+    for (RecordCase& each : cases) record.add(std::move(each));
+    return record;
+}
+
+TEST(Record, IsReadBackAsItWasWrittenWhateverTheOrderOfItsCases)
+{
+    const Record record = recordWith({caseOf(2, "c"), caseOf(0, "a")});
+    const auto   read   = recordFromJson(recordToJson(record), "r.json");
+    ASSERT_TRUE(read) << read.error().sentence;
+    EXPECT_EQ(recordToJson(*read), recordToJson(record));
+    EXPECT_EQ(read->cases[0].index, 0u);
+    EXPECT_TRUE(read->find(2));
+    EXPECT_FALSE(read->find(1));
+    EXPECT_TRUE(whyNotComparable(read->head, record.head).empty());
+}
+
+TEST(Record, OfAPieceOfAFileOrOfSomethingElseIsRefused)
+{
+    const std::string whole = recordToJson(recordWith({caseOf(0, "a")}));
+    for (const std::string& text : {whole.substr(0, whole.size() / 2), std::string("[]"), std::string("{\"record\":1}"), std::string("{\"record\":99}"), std::string()}) {
+        const auto read = recordFromJson(text, "r.json");
+        ASSERT_FALSE(read);
+        EXPECT_EQ(read.error().file, "r.json");
+    }
+}
+
+TEST(Record, JoinsWhatCanBeComparedAndNothingElse)
+{
+    const NamedRecord a{"a.json", recordWith({caseOf(0, "a"), caseOf(2, "c")})}, b{"b.json", recordWith({caseOf(1, "b"), caseOf(2, "c")})};
+    const auto        all = joined(std::vector{a, b});
+    ASSERT_TRUE(all) << all.error().sentence;
+    EXPECT_EQ(all->cases.size(), 3u);
+    EXPECT_EQ(recordToJson(*all), recordToJson(recordWith({caseOf(0, "a"), caseOf(1, "b"), caseOf(2, "c")})));
+
+    const NamedRecord otherScene{"c.json", recordWith({caseOf(2, "other")})};
+    const auto        refused = joined(std::vector{a, otherScene});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence.find("digests are other and c"), std::string::npos) << refused.error().sentence;
+
+    for (auto change : {+[](RecordHead& head) { head.digest = "0"; }, +[](RecordHead& head) { head.version = "0"; }, +[](RecordHead& head) { head.compiler = "0"; },
+                        +[](RecordHead& head) { head.processor = "abacus"; }, +[](RecordHead& head) { ++head.cores; }}) {
+        NamedRecord other = b;
+        change(other.record.head);
+        EXPECT_FALSE(joined(std::vector{a, other}));
+    }
+}
+
+TEST(BenchRows, AreReadBackAsTheyWereWritten)
+{
+    BenchRow row;
+    row.scene = "s", row.algorithm = "zbuffer+snap=4-bits", row.claim = Claim::Approximate, row.chosen = "scanline";
+    row.threads = 2, row.simd = Simd::Avx2, row.shaded = false, row.pixels = 12, row.wrongPixels = 3, row.roundMs = {1.5, 2.5};
+    row.figures.emplace();
+    row.figures->pixels = 12, row.figures->holes = 1, row.figures->maxDepthSteps = 7;
+    row.figures->distanceOnWrongSurface.max = std::numeric_limits<double>::infinity();
+    row.counters = {{"triangles_in", 9}};
+    row.stageMs[2] = 0.25, row.stageQuartiles[2] = {1, 2, 3};
+    BenchRow plain;
+    plain.simd           = Simd::Scalar;
+    const std::string json = benchToJson(std::vector{row, plain});
+    const auto        read = benchFromJson(json);
+    ASSERT_TRUE(read) << read.error().sentence;
+    EXPECT_EQ(benchToJson(*read), json);
+    EXPECT_FALSE(benchFromJson("[{\"scene\":1}]"));
+    EXPECT_FALSE(benchFromJson("nonsense"));
+}
+
+}  // namespace
+}  // namespace zscope
