@@ -234,6 +234,21 @@ private slots:
         desk.settings.forgetOwnLayout("mine / \u6211");
         QVERIFY(desk.settings.ownLayouts().isEmpty());
     }
+    void noLayoutMakesTheWindowGrow()
+    {
+        Desk desk("scanline");  // 1280 x 800
+        QVERIFY(desk.open("builtin:cubes"));
+        for (const char* algorithm : {"scanline", "hzb-octree", "zbuffer"}) {
+            desk.session.setPipeline(findPreset(algorithm)->pipeline);
+            QVERIFY(desk.settles());
+            for (const LayoutEntry& layout : layoutEntries()) {
+                desk.window.useLayout(layout.word);
+                QTest::qWait(50);
+                QVERIFY2(desk.window.height() <= 800 && desk.window.width() <= 1280,
+                         qPrintable(QString("%1, %2: %3 x %4").arg(algorithm, layout.word).arg(desk.window.width()).arg(desk.window.height())));
+            }
+        }
+    }
     void theStartPageOpensAnExampleByTheKeyboard()
     {
         Desk  desk("zbuffer");

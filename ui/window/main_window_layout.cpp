@@ -53,6 +53,7 @@ void MainWindow::placeDocks(const LayoutEntry& layout)
         dock->setFloating(false);
         dock->setNeeded(dock->entry().isNeededBy(m_session.now().pipeline));
         if (placeOf(*dock) == places.end()) dock->setWanted(false);
+        dock->hide();  // until all are in their places: one below the other they may be higher than the screen
     }
     for (const LayoutPlace& place : places) {  // in the order of the layout, which is that from top to bottom
         PanelDock* dock = this->dock(place.panel);
@@ -60,8 +61,9 @@ void MainWindow::placeDocks(const LayoutEntry& layout)
         addDockWidget(place.area, dock);
         if (place.tabbedWith) tabifyDockWidget(this->dock(place.tabbedWith), dock);
         dock->setShare(place.share);
-        dock->setWanted(true);
     }
+    for (const LayoutPlace& place : places)
+        if (PanelDock* dock = this->dock(place.panel)) dock->setWanted(true);
     // Of the panels that share a place the first is seen.
     for (auto place = places.rbegin(); place != places.rend(); ++place)
         if (PanelDock* dock = this->dock(place->panel)) QTimer::singleShot(0, dock, &QWidget::raise);

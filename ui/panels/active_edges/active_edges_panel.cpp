@@ -43,6 +43,7 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
     small.setPointSizeF(small.pointSizeF() * 0.92);
     m_table->setFont(small);
     m_table->horizontalHeader()->setFont(small);
+    m_table->viewport()->installEventFilter(this);  // its width is known last
     m_table->setColumnHidden(EdgeTableModel::FirstLine, true);  // in the tool tip; the last line decides
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setHighlightSections(false);
@@ -174,6 +175,12 @@ void ActiveEdgesPanel::resizeEvent(QResizeEvent* event)
     Panel::resizeEvent(event);
     fitColumns();
     fitPolygons();
+}
+
+bool ActiveEdgesPanel::eventFilter(QObject* object, QEvent* event)
+{
+    if (event->type() == QEvent::Resize && object == m_table->viewport()) fitColumns();
+    return Panel::eventFilter(object, event);
 }
 
 void ActiveEdgesPanel::fitColumns()

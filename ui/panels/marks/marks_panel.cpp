@@ -43,6 +43,8 @@ MarksPanel::MarksPanel(Session& session, QWidget* parent)
     m_hint->setObjectName("hint");
     m_hint->setWordWrap(true);
     m_hint->setAlignment(Qt::AlignCenter);
+    m_bookmark->setText(QStringLiteral("\u2605"));
+    m_break->setText(QStringLiteral("\u25CF \u2026"));
     m_break->setPopupMode(QToolButton::InstantPopup);
     m_break->setMenu(new QMenu(m_break));
     for (std::size_t i = 0; i < m_breaks.size(); ++i)
@@ -65,13 +67,13 @@ MarksPanel::MarksPanel(Session& session, QWidget* parent)
     layout->addLayout(row);
 
     spoken(*this, [this] {
-        m_bookmark->setText(tr("Bookmark"));
+        m_bookmark->setAccessibleName(tr("Bookmark"));
         m_remove->setText(tr("Remove"));
         m_table->setAccessibleName(tr("Bookmarks and breakpoints"));
         m_hint->setText(tr("Ctrl+B marks a step to come back to. F9 sets a breakpoint on what is picked or selected; F5 runs to it."));
         m_bookmark->setToolTip(tr("Marks the step on show, or takes its mark away (Ctrl+B)"));
         m_remove->setToolTip(tr("Removes the selected mark (Del)"));
-        m_break->setText(tr("Break on"));
+        m_break->setAccessibleName(tr("Break on"));
         m_break->setToolTip(tr("Sets a breakpoint on what is picked or selected, or takes it away (F9)"));
     });
     connect(m_bookmark, &QPushButton::clicked, this, [this] { this->session().toggleBookmark(); });

@@ -204,7 +204,7 @@ void WhyPanel::fitColumns()
     const int room  = m_tree->viewport()->width();
     m_tree->setColumnWidth(WhyModel::Depth, depth);
     m_tree->setColumnWidth(WhyModel::Fate, fate);
-    m_tree->setColumnWidth(WhyModel::What, std::max(120, room - depth - fate));
+    m_tree->setColumnWidth(WhyModel::What, std::max(76, room - depth - fate));
 }
 
 void WhyPanel::resizeEvent(QResizeEvent* event)
