@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include "app/cli/options.h"
+#include "ui/session/course.h"
 #include "ui/view/frame_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
@@ -28,6 +29,9 @@ struct Options {
     std::string               screenshot;  // a file; empty: none
     std::string               grain;
     std::string               language;
+    std::string               lessons;     // a folder; empty: the one of the settings
+    std::string               lesson;      // a name or a number of the list
+    std::size_t               page = 1;
     std::optional<std::uint64_t> step;
     zscope::cli::ViewOptions  view;
     zscope::cli::HowOptions   how;
@@ -45,6 +49,9 @@ void declare(CLI::App& parser, Options& options)
     parser.add_option("--session", options.session, "Reopen the view that was saved in this session file")->type_name("FILE")->group("Window");
     parser.add_flag("--reset-settings", options.resetSettings, "Forget layout, recent files and appearance")->group("Window");
     parser.add_option("--language", options.language, "Language of the window in this run: system, en or zh_CN")->type_name("LANGUAGE")->group("Window");
+    parser.add_option("--lessons", options.lessons, "A folder of lessons to add to those of the program, see docs/lessons.md")->type_name("DIR")->group("Lessons");
+    parser.add_option("--lesson", options.lesson, "Begin with this lesson: its file's name, or its number in the list")->type_name("NAME")->group("Lessons");
+    parser.add_option("--page", options.page, "Page of the lesson to begin with, from 1")->type_name("N")->group("Lessons")->check(CLI::PositiveNumber);
     parser.add_option("--settings", options.settings, "Keep settings in this file instead")->type_name("FILE")->group("Window");
     parser.add_option("--screenshot", options.screenshot,
                       "Save a picture of the whole window once the scene is drawn, and quit; for course notes and tests")
@@ -80,7 +87,7 @@ void screenshotWhenIdle(zscope::ui::MainWindow& window, zscope::ui::Session& ses
     auto* poll = new QTimer(&window);
     QObject::connect(poll, &QTimer::timeout, &window, [&window, &session, file, poll, asked] {
         const bool failed = !window.messages().sentence().isEmpty();
-        if (!session.isIdle() || (asked && !session.now().step && !failed)) return;
+        if (!session.isIdle() || !session.course().isSettled() || (asked && !session.now().step && !failed)) return;
         poll->stop();
         QTimer::singleShot(100, &window, [&window, file, failed] {
             const bool saved = window.grab().save(file, "PNG");
@@ -148,9 +155,15 @@ Exit run(int argc, char** argv)
     else if (!options.scene.empty())
         window.open(QString::fromLocal8Bit(options.scene.c_str()),
                     [words = *view](const zscope::Scene& scene) { return words.requestFor(scene); });
+    if (!options.lessons.empty()) window.openLessons(QString::fromLocal8Bit(options.lessons.c_str()));
+    if (!options.lesson.empty()) {
+        const auto found = session.course().find(QString::fromLocal8Bit(options.lesson.c_str()));
+        if (!found) return complain(Exit::Usage, "there is no lesson '" + options.lesson + "'");
+        session.course().open(*found, options.page - 1);
+    }
     if (options.step) session.startAt(*options.step);
     if (!options.screenshot.empty()) screenshotWhenIdle(window, session, QString::fromLocal8Bit(options.screenshot.c_str()),
-                                                          !options.scene.empty() || !options.session.empty());
+                                                          !options.scene.empty() || !options.session.empty() || !options.lesson.empty());
     return static_cast<Exit>(QApplication::exec());
 }
 

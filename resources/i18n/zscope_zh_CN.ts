@@ -365,6 +365,133 @@
         <source>Marks</source>
         <translation>标记</translation>
     </message>
+    <message>
+        <source>Lessons</source>
+        <translation>课程</translation>
+    </message>
+</context>
+<context>
+    <name>Predict</name>
+    <message>
+        <source>Node %1 of instance %2</source>
+        <translation>实例 %2 的结点 %1</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>结点 %1</translation>
+    </message>
+    <message>
+        <source>active edges</source>
+        <translation>活动边</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>金字塔</translation>
+    </message>
+    <message>
+        <source>hierarchy</source>
+        <translation>层次结构</translation>
+    </message>
+    <message>
+        <source>Line %1 comes next. How many edges enter?</source>
+        <translation>接下来是第 %1 行。有多少条边进入？</translation>
+    </message>
+    <message>
+        <source>Line %1 comes next. How many edges leave?</source>
+        <translation>接下来是第 %1 行。有多少条边离开？</translation>
+    </message>
+    <message>
+        <source>Line %1 comes next. The edge of polygon %2 is at x = %3 and moves by dx = %4. Where will it be? (to 0.1 pixel)</source>
+        <translation>接下来是第 %1 行。多边形 %2 的边在 x = %3，每行移动 dx = %4。它将在哪里？（答到 0.1 像素）</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>%1 covers the pixels %2 to %3 across and %4 to %5 down, and is at nearest D = %6. What does the pyramid answer?</source>
+        <translation>%1覆盖横向像素 %2 到 %3、纵向 %4 到 %5，最近 D = %6。金字塔如何回答？</translation>
+    </message>
+    <message>
+        <source>Cell %1 of level %2 is computed anew; it held %3. What comes of it?</source>
+        <translation>第 %2 级的单元格 %1 重新计算；它原为 %3。结果如何？</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>%1 is judged next. Its box reaches around the eye. What becomes of it?</source>
+        <translation>接下来判定%1。它的盒子包住视点。结果如何？</translation>
+    </message>
+    <message>
+        <source>%1 is judged next. Its box covers %2 pixels and is at nearest D = %3. What becomes of it?</source>
+        <translation>接下来判定%1。它的盒子覆盖 %2 个像素，最近 D = %3。结果如何？</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>被遮住</translation>
+    </message>
+    <message>
+        <source>May be seen</source>
+        <translation>可能看得见</translation>
+    </message>
+    <message>
+        <source>It changes</source>
+        <translation>改变</translation>
+    </message>
+    <message>
+        <source>It stays</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>视野之外</translation>
+    </message>
+    <message>
+        <source>Entered</source>
+        <translation>进入</translation>
+    </message>
+    <message>
+        <source>%1 enter: so many lie in the bucket of line %2.</source>
+        <translation>%1 条进入：第 %2 行的桶里有这么多。</translation>
+    </message>
+    <message>
+        <source>%1 leave: line %2 was their last.</source>
+        <translation>%1 条离开：第 %2 行是它们的末行。</translation>
+    </message>
+    <message>
+        <source>x = %1: the x before, and dx.</source>
+        <translation>x = %1：原来的 x 加 dx。</translation>
+    </message>
+    <message>
+        <source>Hidden: all that is there is nearer than %1.</source>
+        <translation>被遮住：那里的一切都比 %1 更近。</translation>
+    </message>
+    <message>
+        <source>May be seen: something there is not nearer than %1.</source>
+        <translation>可能看得见：那里有不比 %1 更近的东西。</translation>
+    </message>
+    <message>
+        <source>It changes: the farthest below it has come nearer, and the cells above may change, too.</source>
+        <translation>改变：其下最远的变近了，上面的单元格也可能改变。</translation>
+    </message>
+    <message>
+        <source>It stays: the farthest below it is as far as before, and the way up ends.</source>
+        <translation>不变：其下最远的与之前一样远，上行之路到此结束。</translation>
+    </message>
+    <message>
+        <source>Outside: the box does not reach the view.</source>
+        <translation>视野之外：盒子没有进入视野。</translation>
+    </message>
+    <message>
+        <source>Hidden: what is drawn already is nearer all over its rectangle.</source>
+        <translation>被遮住：已画的内容在其整个矩形内都更近。</translation>
+    </message>
+    <message>
+        <source>Entered: nobody can say that it is hidden.</source>
+        <translation>进入：无法断定它被遮住。</translation>
+    </message>
 </context>
 <context>
     <name>Pyramid</name>
@@ -1047,6 +1174,34 @@
         <source>C&amp;hange keys…</source>
         <translation>更改按键(&amp;H)…</translation>
     </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>课程(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;List of lessons</source>
+        <translation>课程列表(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Next page</source>
+        <translation>下一页(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous page</source>
+        <translation>上一页(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Show this page&apos;s step again</source>
+        <translation>重新显示本页的步骤(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Open a folder of lessons…</source>
+        <translation>打开课程文件夹(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Reload lessons</source>
+        <translation>重新载入课程(&amp;R)</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::ActiveEdgesPanel</name>
@@ -1332,6 +1487,13 @@
     <message>
         <source>Where B gives the picked pixel to the triangle that it shows in A</source>
         <translation>B 把拾取的像素交给 A 中所示三角形之处</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::Course</name>
+    <message>
+        <source>%1 is not a folder of lessons</source>
+        <translation>%1 不是课程文件夹</translation>
     </message>
 </context>
 <context>
@@ -1686,6 +1848,122 @@
     </message>
 </context>
 <context>
+    <name>zscope::ui::LessonsPanel</name>
+    <message>
+        <source>en</source>
+        <comment>the language of this translation: zh in Chinese</comment>
+        <translation>zh</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>全部课程</translation>
+    </message>
+    <message>
+        <source>Show again</source>
+        <translation>重新显示</translation>
+    </message>
+    <message>
+        <source>Brings scene, algorithm and step of this page back</source>
+        <translation>恢复本页的场景、算法和步骤</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>上一页</translation>
+    </message>
+    <message>
+        <source>The page before (Ctrl+PageUp)</source>
+        <translation>上一页 (Ctrl+PageUp)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一页</translation>
+    </message>
+    <message>
+        <source>The next page (Ctrl+PageDown)</source>
+        <translation>下一页 (Ctrl+PageDown)</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Your answer, a number</source>
+        <translation>你的答案，一个数</translation>
+    </message>
+    <message>
+        <source>Page of the lesson</source>
+        <translation>课程页面</translation>
+    </message>
+    <message>
+        <source>Whether the answer is right</source>
+        <translation>答案是否正确</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>  (%1 of %2 right)</source>
+        <translation>  （%2 题答对 %1 题）</translation>
+    </message>
+    <message>
+        <source>There are no lessons here. Choose a folder of lessons in the menu Lessons.</source>
+        <translation>这里没有课程。请在“课程”菜单中选择课程文件夹。</translation>
+    </message>
+    <message>
+        <source>Choose a lesson: each brings its own scenes, stops and questions.</source>
+        <translation>选择一课：每课自带场景、停点和问题。</translation>
+    </message>
+    <message>
+        <source>1 lesson</source>
+        <translation>1 课</translation>
+    </message>
+    <message>
+        <source>%1 lessons</source>
+        <translation>%1 课</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+    <message>
+        <source>Picked pixel: %1, %2</source>
+        <translation>选取的像素：%1, %2</translation>
+    </message>
+    <message>
+        <source>Click the pixel in the picture, or move to it with Ctrl and the arrow keys.</source>
+        <translation>在图像中单击该像素，或用 Ctrl 加方向键移动到它。</translation>
+    </message>
+    <message>
+        <source>The page is still on its way to its step</source>
+        <translation>本页还在前往其步骤的途中</translation>
+    </message>
+    <message>
+        <source>✔ Right.</source>
+        <translation>✔ 正确。</translation>
+    </message>
+    <message>
+        <source>✘ Not right.</source>
+        <translation>✘ 不对。</translation>
+    </message>
+    <message>
+        <source>It is: %1</source>
+        <translation>正确答案：%1</translation>
+    </message>
+    <message>
+        <source>It is %1.</source>
+        <translation>正确答案是 %1。</translation>
+    </message>
+    <message>
+        <source>Pixel %1 is none of those that were asked for.</source>
+        <translation>像素 %1 不符合要求。</translation>
+    </message>
+</context>
+<context>
     <name>zscope::ui::LevelThumbs</name>
     <message>
         <source>Levels of the pyramid</source>
@@ -1894,6 +2172,14 @@
     <message>
         <source>The layout “%1” does not fit this version of the window.</source>
         <translation>布局“%1”不适用于此版本的窗口。</translation>
+    </message>
+    <message>
+        <source>Open a folder of lessons</source>
+        <translation>打开课程文件夹</translation>
+    </message>
+    <message>
+        <source>There is no panel “%1”</source>
+        <translation>没有名为“%1”的面板</translation>
     </message>
 </context>
 <context>
@@ -2154,6 +2440,64 @@
     <message>
         <source>Not needed: %1</source>
         <translation>不需要：%1</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::PredictBar</name>
+    <message>
+        <source>Predict</source>
+        <translation>预测</translation>
+    </message>
+    <message>
+        <source>Before the next step is shown here, say what it brings</source>
+        <translation>在这里显示下一步之前，先说出它会带来什么</translation>
+    </message>
+    <message>
+        <source>Save score…</source>
+        <translation>保存成绩…</translation>
+    </message>
+    <message>
+        <source>Writes every question, answer and result as a table (CSV) that a spreadsheet opens</source>
+        <translation>把每个问题、答案和结果写成电子表格可打开的表 (CSV)</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Your prediction, a number</source>
+        <translation>你的预测，一个数</translation>
+    </message>
+    <message>
+        <source>Whether the prediction was right</source>
+        <translation>预测是否正确</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right</source>
+        <translation>%2 题答对 %1 题</translation>
+    </message>
+    <message>
+        <source>✔ Right.</source>
+        <translation>✔ 正确。</translation>
+    </message>
+    <message>
+        <source>✘ Not right.</source>
+        <translation>✘ 不对。</translation>
+    </message>
+    <message>
+        <source>Save the score</source>
+        <translation>保存成绩</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::Predictions</name>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>无法写入 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -2634,6 +2978,10 @@
     <message>
         <source>Marks this step, or takes its mark away (Ctrl+B)</source>
         <translation>标记此步或取消标记 (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Say what this step brings: the question is above its table.</source>
+        <translation>请说出这一步带来什么：问题在相应表格的上方。</translation>
     </message>
 </context>
 <context>

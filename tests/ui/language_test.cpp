@@ -26,7 +26,7 @@ namespace {
 bool isName(const QString& word)
 {
     static const std::set<QString> kNames = [] {
-        std::set<QString> names{"ZScope", "Language", "English", "Ctrl", "Shift", "Alt", "Esc", "Del", "Home", "End", "Enter", "WASD", "OBJ", "PNG", "BVH", "teapot",
+        std::set<QString> names{"ZScope", "Language", "English", "Ctrl", "Shift", "Alt", "Esc", "Del", "Home", "End", "Enter", "PageUp", "PageDown", "WASD", "OBJ", "PNG", "BVH", "teapot",
                                 "near", "float", "px", "dx", "Newell", "scalar", "avx", "sse", "neon", "builtin", "default", "body", "glaze",
                                 "exponent", "apart", "level"};
         const auto add = [&](std::string_view words) {

@@ -11,6 +11,7 @@
 #include "ui/panels/faults/faults_panel.h"
 #include "ui/panels/hierarchy/hierarchy_panel.h"
 #include "ui/panels/marks/marks_panel.h"
+#include "ui/panels/lessons/lessons_panel.h"
 #include "ui/panels/observer/observer_panel.h"
 #include "ui/panels/pipeline/pipeline_panel.h"
 #include "ui/panels/pyramid/pyramid_panel.h"
@@ -40,6 +41,7 @@ bool visitsTree(const Pipeline& pipeline) { return pipeline.order != Order::Subm
 constexpr std::array kPanels{
     PanelEntry{"scene", QT_TRANSLATE_NOOP("Panels", "Scene"), Qt::LeftDockWidgetArea, make<ScenePanel>, always},
     PanelEntry{"pipeline", QT_TRANSLATE_NOOP("Panels", "Pipeline"), Qt::LeftDockWidgetArea, make<PipelinePanel>, always},
+    PanelEntry{"lessons", QT_TRANSLATE_NOOP("Panels", "Lessons"), Qt::LeftDockWidgetArea, make<LessonsPanel>, always, "scene"},
     PanelEntry{"active-edges", QT_TRANSLATE_NOOP("Panels", "Active edges"), Qt::RightDockWidgetArea,
                make<ActiveEdgesPanel>, sweeps, nullptr, 72},
     PanelEntry{"pyramid", QT_TRANSLATE_NOOP("Panels", "Pyramid"), Qt::RightDockWidgetArea, make<PyramidPanel>, keepsPyramid, nullptr, 40},

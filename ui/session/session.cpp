@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/predict/predictions.h"
+#include "ui/session/course.h"
 #include "ui/text/phrase_book.h"
 
 namespace zscope::ui {
@@ -38,6 +40,8 @@ Session::Session(const DrawSettings& settings, QObject* parent)
     connect(m_worker.get(), &Worker::idle, this, [this] {
         if (isIdle()) setBusy({});
     });
+    m_predictions = std::make_unique<Predictions>(*this);
+    m_course      = std::make_unique<Course>(*this);
 }
 
 Session::~Session() = default;

@@ -20,6 +20,9 @@
 
 namespace zscope::ui {
 
+class Course;
+class Predictions;
+
 /// What stays the same for the whole run of the program; from the command line.
 struct DrawSettings {
     int           threads     = 0;  // 0: one per core
@@ -122,6 +125,10 @@ public:
 
     bool    isIdle() const;
     Player& player() { return m_player; }
+    Course& course() { return *m_course; }
+    Predictions& predictions() { return *m_predictions; }
+    /// What is shown of the picture's step has changed without it: panels look again.
+    void presentAgain() { emit changed(Change::Picture); }
     /// What draws the picture that is wanted now.
     DrawRequest request() const;
     /// Number of steps at the current grain and the step that is wanted; nothing while they are not known.
@@ -184,7 +191,9 @@ private:
     QTimer                       m_rest;         // the finished picture's tables are made when the camera rests
     std::shared_ptr<Engine>      m_engine;       // used by jobs of the worker only
     std::shared_ptr<Engine>      m_otherEngine;  // likewise, for B
-    std::unique_ptr<Worker>      m_worker;       // last: stops before anything else goes
+    std::unique_ptr<Worker>      m_worker;       // stops before anything that it works with goes
+    std::unique_ptr<Predictions> m_predictions;  // hears of a step before any panel does
+    std::unique_ptr<Course>      m_course;       // goes first: it asks the session
 };
 
 }  // namespace zscope::ui

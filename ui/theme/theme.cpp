@@ -168,6 +168,10 @@ QString styleSheetOf(const Theme& theme)
         QCheckBox::indicator:checked { background: @picked; border-color: @picked; image: url(:/icons/@tick.svg); }
         QCheckBox::indicator:disabled { border-color: @border; }
         QCheckBox:focus { color: @picked; }
+        QRadioButton::indicator { width: 10px; height: 10px; border: 2px solid @softText; border-radius: 7px; background: @card; }
+        QRadioButton::indicator:checked { background: @picked; }
+        QRadioButton::indicator:focus { border-color: @picked; }
+        QTabBar[atLeftEdge="true"]::tab:first { margin-left: 8px; }
         QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
         QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
         QScrollBar::handle { background: @border; border-radius: 4px; min-height: 24px; min-width: 24px; margin: 1px; }
@@ -176,7 +180,9 @@ QString styleSheetOf(const Theme& theme)
         QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
         QScrollArea { border: none; background: transparent; }
         QScrollArea > QWidget > QWidget { background: transparent; }
-        QListWidget { background: transparent; border: none; }
+        QListWidget { background: transparent; border: none; outline: none; }
+        QListWidget#lessons::item { padding: 4px; border-radius: 4px; }
+        QListWidget#lessons::item:selected { background: @pickedTint; color: @text; }
         QProgressBar { background: @ground; border: none; border-radius: 3px; max-height: 6px; min-height: 6px; }
         QProgressBar::chunk { background: @idle; border-radius: 3px; }
         QToolTip { background: @card; color: @text; border: 1px solid @border; padding: 4px 8px; }

@@ -12,6 +12,7 @@
 #include <QPainterPath>
 #include <QWheelEvent>
 
+#include "ui/predict/predictions.h"
 #include "ui/text/numbers.h"
 #include "ui/text/spoken.h"
 #include "ui/view/magnifier.h"
@@ -45,9 +46,10 @@ FrameView::FrameView(Session& session, QWidget* parent)
     });
 }
 
-void FrameView::present(const Snapshot& shown, Changes what)
+void FrameView::present(const Snapshot& now, Changes what)
 {
-    m_shown = shown;
+    const auto before = m_session.predictions().before(now);  // while a question is open
+    m_shown           = before ? *before : now;
     if (what & (Change::Picture | Change::Scene | Change::Layers | Change::Compare)) showPicture();
     if (what & Change::Compare) update();
     if (what & (Change::Picture | Change::Selection | Change::Scene | Change::Layers)) {

@@ -29,7 +29,7 @@ class FrameView final : public QWidget {
 public:
     explicit FrameView(Session& session, QWidget* parent = nullptr);
 
-    void present(const Snapshot& shown, Changes what);
+    void present(const Snapshot& now, Changes what);
 
     Tool          tool() const { return m_tool; }
     void          setTool(Tool tool);

@@ -44,6 +44,7 @@ Actions::Actions(QMainWindow& window, Session& session, FrameView& view, Setting
     makeAlgorithmMenu();
     makeStepMenu();
     makeCompareMenu();
+    makeLessonsMenu();
     makeLanguageMenu();
     makeHelpMenu();
     makeToolBar();

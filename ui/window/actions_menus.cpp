@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The menus: which actions there are, their keys, and what they ask the session for.
 #include "ui/window/actions.h"
+#include "ui/session/course.h"
 #include "ui/window/layouts.h"
 #include "ui/window/settings.h"
 
@@ -356,6 +357,19 @@ void Actions::makeCompareMenu()
     m_needOther.push_back(add(menu, "compare.swap", QT_TR_NOOP("&Swap A and B"), QKeySequence(), [this] { m_session.swapCompared(); }));
     menu->addSeparator();
     m_needOther.push_back(add(menu, "compare.end", QT_TR_NOOP("&End the comparison"), QKeySequence(), [this] { m_session.compareWith({}); }));
+}
+
+void Actions::makeLessonsMenu()
+{
+    QMenu*  menu   = addMenu(nullptr, QT_TR_NOOP("&Lessons"));
+    Course& course = m_session.course();
+    add(menu, "lessons.list", QT_TR_NOOP("&List of lessons"), key(Qt::CTRL | Qt::Key_L), [&course] { course.showList(); });
+    add(menu, "lessons.next", QT_TR_NOOP("&Next page"), key(Qt::CTRL | Qt::Key_PageDown), [&course] { course.next(); });
+    add(menu, "lessons.previous", QT_TR_NOOP("&Previous page"), key(Qt::CTRL | Qt::Key_PageUp), [&course] { course.back(); });
+    add(menu, "lessons.show", QT_TR_NOOP("&Show this page's step again"), key(Qt::CTRL | Qt::Key_Backspace), [&course] { course.show(); });
+    menu->addSeparator();
+    add(menu, "lessons.open", QT_TR_NOOP("&Open a folder of lessons…"), QKeySequence(), m_requests.openLessons);
+    add(menu, "lessons.reload", QT_TR_NOOP("&Reload lessons"), key(Qt::CTRL | Qt::SHIFT | Qt::Key_R), [&course] { course.reload(); });
 }
 
 void Actions::makeHelpMenu()

@@ -26,6 +26,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/registry.h"
+#include "ui/session/course.h"
 #include "ui/session/reproduce.h"
 #include "ui/text/numbers.h"
 #include "ui/text/spoken.h"
@@ -73,6 +74,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
                              .changeKeys       = [this] { changeKeys(); },
                              .palette          = [this] { showPalette(); },
                              .saveSession      = [this] { saveSession(); },
+                             .openLessons      = [this] { chooseLessons(); },
                              .layout           = [this](const QString& word) { useLayout(word); },
                              .saveOwnLayout    = [this] { saveOwnLayout(); },
                              .useOwnLayout     = [this](const QString& name) { useOwnLayout(name); },
@@ -102,6 +104,12 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     connect(&m_held, &QTimer::timeout, this, [this] { m_session.holdOther(true); });
     qApp->installEventFilter(this);
 
+    Course& course = session.course();
+    connect(&course, &Course::troubled, m_messages, &MessageBar::tell);
+    connect(&course, &Course::panelWanted, this, [this](const QString& word) { showPanel(word); });
+    connect(&course, &Course::opened, this, [this] { makeRoomForLesson(); });
+    connect(&course, &Course::listWanted, this, [this] { makeRoomForLesson(); });
+    if (const QString folder = settings.lessonFolder(); QFileInfo(folder).isDir()) course.setFolder(folder);
     m_actions->showRecent(settings.recentFiles());
     m_start->showRecent(settings.recentFiles());
     m_actions->showOwnLayouts(settings.ownLayouts());
@@ -118,6 +126,7 @@ MainWindow::~MainWindow()
 {
     // Widgets that go may still commit what was typed into them: nobody is here any more to show what that changes.
     m_session.disconnect(this);
+    m_session.course().disconnect(this);
     qApp->removeEventFilter(this);
     qDeleteAll(findChildren<QDialog*>());  // they speak of actions, which go with the window
 }
@@ -134,7 +143,7 @@ void MainWindow::makeCentre()
     auto* inside = new QVBoxLayout(frame);
     inside->setContentsMargins(1, 1, 1, 1);
     m_view = new FrameView(m_session);
-    m_start  = new StartPage({.open = [this] { chooseFile(); }, .openWord = [this](const QString& word) { open(word); }, .firstLesson = {}});
+    m_start  = new StartPage({.open = [this] { chooseFile(); }, .openWord = [this](const QString& word) { open(word); }, .firstLesson = [this] { m_session.course().open(0); }});
     m_centre = new QStackedWidget;
     m_centre->addWidget(m_start);
     m_centre->addWidget(m_view);
@@ -148,6 +157,7 @@ void MainWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
     m_settings.finishStart();
+    QTimer::singleShot(0, this, [this] { keepTabsOffTheEdge(); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

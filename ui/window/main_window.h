@@ -36,6 +36,8 @@ public:
 
     /// Files are added to the recent ones; builtin scenes are not.
     void open(const QString& word, const Session::ViewOf& viewOf = {});
+    /// A teacher's lessons, remembered.
+    void openLessons(const QString& folder);
     /// For this run; the Language menu is what keeps a choice.
     void speak(Language language);
 
@@ -78,6 +80,10 @@ private:
     void restoreLayout();
     void applyAppearance(Appearance appearance);
     void chooseFile();
+    void chooseLessons();
+    void showPanel(const QString& word);
+    void keepTabsOffTheEdge();
+    void makeRoomForLesson();
     void savePicture(bool decorated);
     void savePictureAs();
     void copyPicture();

@@ -13,6 +13,7 @@
 
 #include "core/io/file_writer.h"
 #include "core/io/read_file.h"
+#include "ui/session/course.h"
 #include "ui/session/reproduce.h"
 #include "ui/session/session_file.h"
 #include "ui/text/phrase_book.h"
@@ -138,6 +139,21 @@ void MainWindow::saveSessionTo(const QString& file)
     m_settings.addRecentFile(QFileInfo(file).absoluteFilePath());
     m_actions->showRecent(m_settings.recentFiles());
     m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
+}
+
+// Lessons -----------------------------------------------------------------------------------------------------------
+
+void MainWindow::chooseLessons()
+{
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of lessons"), m_settings.lessonFolder());
+    if (!folder.isEmpty()) openLessons(folder);
+}
+
+void MainWindow::openLessons(const QString& folder)
+{
+    m_settings.setLessonFolder(folder);
+    m_session.course().setFolder(folder);
+    showPanel(QStringLiteral("lessons"));
 }
 
 }  // namespace zscope::ui

@@ -10,10 +10,13 @@
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
+#include <QStyle>
+#include <QTabBar>
 #include <QTimer>
 
 #include "ui/panels/registry.h"
 #include "ui/text/spoken.h"
+#include "ui/theme/theme.h"
 #include "ui/window/actions.h"
 #include "ui/window/dock.h"
 #include "ui/window/layouts.h"
@@ -124,6 +127,8 @@ void MainWindow::shareHeights()
     QList<int>          shares;
     for (PanelDock* dock : m_docks) {
         if (!dock->isVisible() || dock->isFloating() || dockWidgetArea(dock) != Qt::RightDockWidgetArea) continue;
+        const QList<QDockWidget*> sameTabs = tabifiedDockWidgets(dock);  // they share one height
+        if (std::ranges::any_of(docks, [&](QDockWidget* counted) { return sameTabs.contains(counted); })) continue;
         docks << dock;
         shares << dock->share();
     }
@@ -142,6 +147,36 @@ void MainWindow::useLayout(const QString& word)
 }
 
 void MainWindow::resetLayout() { useLayout(m_layout); }
+
+void MainWindow::showPanel(const QString& word)
+{
+    PanelDock* wanted = dock(word);
+    if (!wanted) return m_messages->tell(tr("There is no panel “%1”").arg(word));
+    wanted->setWanted(true);
+    QTimer::singleShot(0, wanted, [this, wanted] {
+        wanted->raise();
+        keepTabsOffTheEdge();
+    });
+}
+
+void MainWindow::keepTabsOffTheEdge()
+{
+    for (QTabBar* tabs : findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+        const bool atEdge = tabs->x() < kStep;
+        if (tabs->property("atLeftEdge").toBool() == atEdge) continue;
+        tabs->setProperty("atLeftEdge", atEdge);
+        tabs->style()->unpolish(tabs);
+        tabs->style()->polish(tabs);
+    }
+}
+
+void MainWindow::makeRoomForLesson()
+{
+    showPanel(QStringLiteral("lessons"));
+    if (dockWidgetArea(dock("lessons")) != Qt::LeftDockWidgetArea) return;
+    resizeDocks({dock("lessons")}, {std::max(320, width() * 24 / 100)}, Qt::Horizontal);
+    if (dock("pipeline")->isWanted()) resizeDocks({dock("lessons"), dock("pipeline")}, {80, 20}, Qt::Vertical);
+}
 
 WindowLayout MainWindow::layoutNow() const
 {

@@ -167,6 +167,10 @@ void Settings::keepKeys(const QString& command, const std::optional<QStringList>
     else m_settings.setValue("keys/" + command, keys->isEmpty() ? QStringList{QString()} : *keys);
 }
 
+QString Settings::lessonFolder() const { return m_settings.value("files/lessons").toString(); }
+
+void Settings::setLessonFolder(const QString& folder) { m_settings.setValue("files/lessons", folder); }
+
 QString Settings::pictureFolder() const
 {
     const QString kept = m_settings.value("files/pictures").toString();

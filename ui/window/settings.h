@@ -64,6 +64,10 @@ public:
     std::optional<QStringList> keysOf(const QString& command) const;
     void                       keepKeys(const QString& command, const std::optional<QStringList>& keys);
 
+    /// A teacher's lessons; empty: none.
+    QString lessonFolder() const;
+    void    setLessonFolder(const QString& folder);
+
     QString pictureFolder() const;
     void    setPictureFolder(const QString& folder);
 

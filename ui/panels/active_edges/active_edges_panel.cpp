@@ -14,6 +14,9 @@
 #include "ui/panels/active_edges/edge_table_model.h"
 #include "ui/panels/active_edges/line_strip.h"
 #include "ui/parts/row_delegate.h"
+#include "ui/parts/scrolling.h"
+#include "ui/predict/predict_bar.h"
+#include "ui/predict/predictions.h"
 #include "ui/text/numbers.h"
 #include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
@@ -22,6 +25,7 @@ namespace zscope::ui {
 
 namespace {
 
+constexpr int         kLowest        = 330;  // table, strip and buckets; a question scrolls them
 constexpr std::size_t kPolygonsNamed = 60;  // the tool tip of the list; the line itself shows what fits
 
 }  // namespace
@@ -63,14 +67,21 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
     m_tableOrHint->addWidget(m_table);
     m_tableOrHint->addWidget(m_hint);
 
-    auto* layout = new QVBoxLayout(this);
+    m_room       = new QWidget;
+    auto* layout = new QVBoxLayout(m_room);
     layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     layout->setSpacing(6);
+    layout->addWidget(new PredictBar(session, Topic::Edges));
     layout->addWidget(tableOrHint, 1);
     layout->addWidget(m_changes);
     layout->addWidget(m_polygons);
     layout->addWidget(m_strip);
     layout->addWidget(m_buckets);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    QWidget* room = scrolling(m_room);
+    room->setMinimumHeight(kLowest);
+    whole->addWidget(room);
 
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
         if (m_filling || !row.isValid()) return;
@@ -84,8 +95,10 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
     });
 }
 
-void ActiveEdgesPanel::present(const Snapshot& shown, Changes what)
+void ActiveEdgesPanel::present(const Snapshot& now, Changes what)
 {
+    const auto      before = session().predictions().before(Topic::Edges, now);  // while a question is open
+    const Snapshot& shown  = before ? *before : now;
     if (!(what & (Change::Picture | Change::Selection | Change::Pipeline | Change::Scene))) return;
     showRows(shown, what);
     showWords(shown);
@@ -166,20 +179,17 @@ void ActiveEdgesPanel::showWords(const Snapshot& shown)
 
 void ActiveEdgesPanel::fitPolygons()
 {
-    const int room = width() - layout()->contentsMargins().left() - layout()->contentsMargins().right();
+    const QMargins margins = m_room->layout()->contentsMargins();
+    const int      room    = m_room->width() - margins.left() - margins.right();
     m_polygons->setText(m_polygons->fontMetrics().elidedText(m_polygonText, Qt::ElideRight, room));
-}
-
-void ActiveEdgesPanel::resizeEvent(QResizeEvent* event)
-{
-    Panel::resizeEvent(event);
-    fitColumns();
-    fitPolygons();
 }
 
 bool ActiveEdgesPanel::eventFilter(QObject* object, QEvent* event)
 {
-    if (event->type() == QEvent::Resize && object == m_table->viewport()) fitColumns();
+    if (object == m_table->viewport() && event->type() == QEvent::Resize) {
+        fitColumns();
+        fitPolygons();
+    }
     return Panel::eventFilter(object, event);
 }
 
@@ -211,7 +221,7 @@ void ActiveEdgesPanel::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         m_model->setPalette(palette());
-        showWords(session().now());
+        present(session().now(), Change::Picture);
     }
     Panel::changeEvent(event);
 }

@@ -23,11 +23,10 @@ class ActiveEdgesPanel final : public Panel {
 public:
     explicit ActiveEdgesPanel(Session& session, QWidget* parent = nullptr);
 
-    void present(const Snapshot& shown, Changes what) override;
+    void present(const Snapshot& now, Changes what) override;
 
 protected:
     void changeEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
@@ -42,6 +41,7 @@ private:
     QLabel*         m_polygons;
     QString         m_polygonText;  // before it is made to fit
     QLabel*         m_hint;
+    QWidget*        m_room = nullptr;  // of all of them, scrolled where the panel is low
     LineStrip*      m_strip;
     BucketChart*    m_buckets;
     QStackedLayout* m_tableOrHint;

@@ -15,6 +15,8 @@
 #include "ui/parts/row_delegate.h"
 #include "ui/parts/verdict_bar.h"
 #include "ui/parts/scrolling.h"
+#include "ui/predict/predict_bar.h"
+#include "ui/predict/predictions.h"
 #include "ui/text/numbers.h"
 #include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
@@ -54,6 +56,7 @@ HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
     auto* inside = new QVBoxLayout(tree);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(6);
+    inside->addWidget(new PredictBar(session, Topic::Nodes));
     inside->addWidget(m_text);
     inside->addWidget(m_verdicts);
     inside->addWidget(m_tree, 1);
@@ -100,8 +103,10 @@ HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
     });
 }
 
-void HierarchyPanel::present(const Snapshot& shown, Changes what)
+void HierarchyPanel::present(const Snapshot& now, Changes what)
 {
+    const auto      before = session().predictions().before(Topic::Nodes, now);  // while a question is open
+    const Snapshot& shown  = before ? *before : now;
     m_boxes->setChecked(shown.layers.boxes);
     if (what & (Change::Picture | Change::Pipeline | Change::Scene)) showNodes(shown);
     else if (what & Change::Selection) showSelection(shown);

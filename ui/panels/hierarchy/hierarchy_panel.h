@@ -26,7 +26,7 @@ class HierarchyPanel final : public Panel {
 public:
     explicit HierarchyPanel(Session& session, QWidget* parent = nullptr);
 
-    void present(const Snapshot& shown, Changes what) override;
+    void present(const Snapshot& now, Changes what) override;
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -13,6 +13,8 @@
 #include "ui/panels/pyramid/level_view.h"
 #include "ui/panels/pyramid/pyramid_words.h"
 #include "ui/parts/scrolling.h"
+#include "ui/predict/predict_bar.h"
+#include "ui/predict/predictions.h"
 #include "ui/text/numbers.h"
 #include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
@@ -47,6 +49,7 @@ PyramidPanel::PyramidPanel(Session& session, QWidget* parent)
     auto* inside = new QVBoxLayout(levels);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(kStep);
+    inside->addWidget(new PredictBar(session, Topic::Pyramid));
     inside->addWidget(m_thumbs);
     inside->addWidget(m_large, 1);
     inside->addLayout(row);
@@ -75,8 +78,10 @@ PyramidPanel::PyramidPanel(Session& session, QWidget* parent)
     });
 }
 
-void PyramidPanel::present(const Snapshot& shown, Changes what)
+void PyramidPanel::present(const Snapshot& now, Changes what)
 {
+    const auto      before = session().predictions().before(Topic::Pyramid, now);  // while a question is open
+    const Snapshot& shown  = before ? *before : now;
     m_overlay->setChecked(shown.layers.pyramid);
     if (!(what & (Change::Picture | Change::Selection | Change::Pipeline | Change::Scene))) return;
     m_thumbs->present(shown);
@@ -111,7 +116,7 @@ void PyramidPanel::showWords(const Snapshot& shown)
 
 void PyramidPanel::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::PaletteChange && m_levelsOrHint) showWords(session().now());
+    if (event->type() == QEvent::PaletteChange && m_levelsOrHint) present(session().now(), Change::Picture);
     Panel::changeEvent(event);
 }
 

@@ -20,7 +20,7 @@ class PyramidPanel final : public Panel {
 public:
     explicit PyramidPanel(Session& session, QWidget* parent = nullptr);
 
-    void present(const Snapshot& shown, Changes what) override;
+    void present(const Snapshot& now, Changes what) override;
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -15,6 +15,7 @@
 
 #include "ui/panels/timeline/step_track.h"
 #include "ui/text/grains.h"
+#include "ui/predict/predictions.h"
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
@@ -164,7 +165,8 @@ void TimelinePanel::showStep(const Snapshot& shown)
     m_track->setEnabled(at.has_value());
     m_position->setText(timelineText(at, shown.marks));
     const ShownStep* step = shown.stepOfPicture();
-    m_sentence->setText(step ? said(step->state.sentence)
+    m_sentence->setText(session().predictions().isAnyOpen() ? tr("Say what this step brings: the question is above its table.")
+                        : step ? said(step->state.sentence)
                         : shown.scene ? QString()
                                       : tr("The steps of the algorithm appear here once a scene is open."));
     const bool scene = shown.scene != nullptr;
