@@ -1875,16 +1875,8 @@
         <translation>上一页</translation>
     </message>
     <message>
-        <source>The page before (Ctrl+PageUp)</source>
-        <translation>上一页 (Ctrl+PageUp)</translation>
-    </message>
-    <message>
         <source>Next</source>
         <translation>下一页</translation>
-    </message>
-    <message>
-        <source>The next page (Ctrl+PageDown)</source>
-        <translation>下一页 (Ctrl+PageDown)</translation>
     </message>
     <message>
         <source>Check</source>
@@ -1961,6 +1953,14 @@
     <message>
         <source>Pixel %1 is none of those that were asked for.</source>
         <translation>像素 %1 不符合要求。</translation>
+    </message>
+    <message>
+        <source>The page before (Ctrl+Shift+PageUp)</source>
+        <translation>上一页 (Ctrl+Shift+PageUp)</translation>
+    </message>
+    <message>
+        <source>The next page (Ctrl+Shift+PageDown)</source>
+        <translation>下一页 (Ctrl+Shift+PageDown)</translation>
     </message>
 </context>
 <context>

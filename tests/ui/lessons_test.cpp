@@ -141,11 +141,11 @@ private slots:
             QVERIFY(course.given());
             QVERIFY(course.given()->isRight);
             if (page == 1) desk.photograph("lesson");
-            if (page + 1 < course.lesson()->pages.size()) desk.press(Qt::Key_PageDown, Qt::ControlModifier);
+            if (page + 1 < course.lesson()->pages.size()) desk.press(Qt::Key_PageDown, Qt::ControlModifier | Qt::ShiftModifier);
         }
         QVERIFY(kinds[0] && kinds[1] && kinds[2]);
         QCOMPARE(course.scoreOf(0).right, course.scoreOf(0).questions);
-        desk.press(Qt::Key_PageUp, Qt::ControlModifier);
+        desk.press(Qt::Key_PageUp, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(course.pageNumber(), course.lesson()->pages.size() - 2);
         QVERIFY(course.given());  // what was answered is still there
         desk.press(Qt::Key_L, Qt::ControlModifier);

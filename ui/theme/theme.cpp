@@ -171,7 +171,7 @@ QString styleSheetOf(const Theme& theme)
         QRadioButton::indicator { width: 10px; height: 10px; border: 2px solid @softText; border-radius: 7px; background: @card; }
         QRadioButton::indicator:checked { background: @picked; }
         QRadioButton::indicator:focus { border-color: @picked; }
-        QTabBar[atLeftEdge="true"]::tab:first { margin-left: 8px; }
+        QTabBar[atLeftEdge="true"]::tab { margin: 0 0 4px 8px; }
         QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
         QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
         QScrollBar::handle { background: @border; border-radius: 4px; min-height: 24px; min-width: 24px; margin: 1px; }

@@ -364,8 +364,8 @@ void Actions::makeLessonsMenu()
     QMenu*  menu   = addMenu(nullptr, QT_TR_NOOP("&Lessons"));
     Course& course = m_session.course();
     add(menu, "lessons.list", QT_TR_NOOP("&List of lessons"), key(Qt::CTRL | Qt::Key_L), [&course] { course.showList(); });
-    add(menu, "lessons.next", QT_TR_NOOP("&Next page"), key(Qt::CTRL | Qt::Key_PageDown), [&course] { course.next(); });
-    add(menu, "lessons.previous", QT_TR_NOOP("&Previous page"), key(Qt::CTRL | Qt::Key_PageUp), [&course] { course.back(); });
+    add(menu, "lessons.next", QT_TR_NOOP("&Next page"), key(Qt::CTRL | Qt::SHIFT | Qt::Key_PageDown), [&course] { course.next(); });
+    add(menu, "lessons.previous", QT_TR_NOOP("&Previous page"), key(Qt::CTRL | Qt::SHIFT | Qt::Key_PageUp), [&course] { course.back(); });
     add(menu, "lessons.show", QT_TR_NOOP("&Show this page's step again"), key(Qt::CTRL | Qt::Key_Backspace), [&course] { course.show(); });
     menu->addSeparator();
     add(menu, "lessons.open", QT_TR_NOOP("&Open a folder of lessons…"), QKeySequence(), m_requests.openLessons);

@@ -56,9 +56,9 @@ LessonsPanel::LessonsPanel(Session& session, QWidget* parent) : Panel(session, p
         m_again->setText(tr("Show again"));
         m_again->setToolTip(tr("Brings scene, algorithm and step of this page back"));
         m_back->setText(tr("Back"));
-        m_back->setToolTip(tr("The page before (Ctrl+PageUp)"));
+        m_back->setToolTip(tr("The page before (Ctrl+Shift+PageUp)"));
         m_next->setText(tr("Next"));
-        m_next->setToolTip(tr("The next page (Ctrl+PageDown)"));
+        m_next->setToolTip(tr("The next page (Ctrl+Shift+PageDown)"));
         m_check->setText(tr("Check"));
         m_number->setAccessibleName(tr("Your answer, a number"));
         m_scroll->setAccessibleName(tr("Page of the lesson"));

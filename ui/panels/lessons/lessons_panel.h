@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lessons: the list of them, or the page that is being read, with its question. Everything can be done by keyboard: the arrow
-// keys and Enter in the list and among the choices, Ctrl+PageDown and Ctrl+PageUp for the pages.
+// keys and Enter in the list and among the choices, Ctrl+Shift+PageDown and Ctrl+Shift+PageUp for the pages.
 #pragma once
 
 #include <vector>
