@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lessons in the window: read, answered and turned by keys alone; a teacher's folder; answers that are told at once.
+#include <QAction>
 #include <QDialog>
 #include <QFile>
 #include <QLabel>
@@ -271,6 +272,29 @@ private slots:
         Session    session;
         MainWindow window(session, settings, QApplication::palette());
         QVERIFY(session.course().lessons().size() >= 15);
+    }
+    void theStartPageBeginsWithTheFirstLesson()
+    {
+        Desk desk;
+        for (auto* button : desk.window.findChildren<QPushButton*>())
+            if (button->text() == "Begin with lesson 1") QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(desk.session.course().lesson());
+        QCOMPARE(desk.session.course().lessonNumber(), std::size_t{0});
+        QVERIFY(arrives(desk));
+    }
+    void itsKeysAreNobodyElses()
+    {
+        Desk desk;
+        int  keys = 0;
+        const auto actions = desk.window.findChildren<QAction*>();
+        for (const QAction* own : actions) {
+            if (!own->objectName().startsWith("lessons.")) continue;
+            for (const QKeySequence& key : own->shortcuts()) {
+                ++keys;
+                for (const QAction* other : actions) QVERIFY2(other == own || !other->shortcuts().contains(key), qPrintable(other->objectName()));
+            }
+        }
+        QCOMPARE(keys, 5);
     }
     void inChineseALessonIsChinese()
     {

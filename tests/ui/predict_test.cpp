@@ -174,7 +174,7 @@ private slots:
         QVERIFY(desk.settles());
         QVERIFY(desk.goTo(Grain::Update, 1));
         int changes = 0, stays = 0;
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < 900 && changes + stays <= 10; ++i) {
             QVERIFY(forward(desk));
             const Riddle* riddle = predictions.open(Topic::Pyramid);
             if (!riddle) continue;
