@@ -86,7 +86,7 @@ void FaultsPanel::present(const Snapshot& shown, Changes what)
         emit summaryChanged(fault == Fault::None ? QString() : QStringLiteral("\u2716 ") + said(entryOf(fault).title));
         showFault();
     }
-    if ((what & Change::Scene) && what != kEverything) m_asked.reset();  // another language draws nothing anew
+    if (what & Change::Scene) m_asked.reset();
     if (what & (Change::Picture | Change::Scene)) ask();
 }
 
