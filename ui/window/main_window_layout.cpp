@@ -7,6 +7,8 @@
 #include <cstring>
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
@@ -167,6 +169,8 @@ void MainWindow::keepTabsOffTheEdge()
         tabs->setProperty("atLeftEdge", atEdge);
         tabs->style()->unpolish(tabs);
         tabs->style()->polish(tabs);
+        QEvent dressed(QEvent::StyleChange);  // only this makes it measure its tabs again
+        QCoreApplication::sendEvent(tabs, &dressed);
     }
 }
 
