@@ -9,6 +9,7 @@ packages_to_build=(
 packages_for_the_window=(
     qt6-base-dev qt6-svg-dev
     qt6-tools-dev qt6-l10n-tools qt6-translations-l10n  # the window in Chinese, Qt's own words too
+    libqcustomplot-dev  # charts
     fonts-wqy-microhei
 )
 packages_to_compare=(libembree-dev libosmesa6-dev)  # other renderers, for `bench --peers`

@@ -369,6 +369,10 @@
         <source>Lessons</source>
         <translation>课程</translation>
     </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
 </context>
 <context>
     <name>Predict</name>
@@ -573,6 +577,49 @@
     </message>
 </context>
 <context>
+    <name>Runs</name>
+    <message>
+        <source>%1, 1 thread, %2.</source>
+        <translation>%1，1 个线程，%2。</translation>
+    </message>
+    <message>
+        <source>%1, %2 threads, %3.</source>
+        <translation>%1，%2 个线程，%3。</translation>
+    </message>
+    <message>
+        <source>It chose %1.</source>
+        <translation>它选择了 %1。</translation>
+    </message>
+    <message>
+        <source>Its picture was not checked.</source>
+        <translation>其图像未经检验。</translation>
+    </message>
+    <message>
+        <source>Its picture is WRONG although it promised to be exact: %1. Its time is no result.</source>
+        <translation>其图像有错，尽管它承诺精确：%1。其时间不算结果。</translation>
+    </message>
+    <message>
+        <source>1 pixel differs in triangle or depth</source>
+        <translation>1 个像素的三角形或深度不同</translation>
+    </message>
+    <message>
+        <source>%1 pixels differ in triangle or depth</source>
+        <translation>%1 个像素的三角形或深度不同</translation>
+    </message>
+    <message>
+        <source>Its faces cover exactly what they should.</source>
+        <translation>各面的覆盖恰好正确。</translation>
+    </message>
+    <message>
+        <source>Its picture is the reference&apos;s, to the bit.</source>
+        <translation>其图像与参考图逐位相同。</translation>
+    </message>
+    <message>
+        <source>%1 holes, %2 spills, %3 other surfaces, of them %4 near ties; %5 depths differ, by up to %6 float32 steps.</source>
+        <translation>%1 个空洞，%2 个溢出，%3 个错误表面，其中 %4 个近乎相等；%5 个深度不同，最多相差 %6 个 float32 步。</translation>
+    </message>
+</context>
+<context>
     <name>SavePicture</name>
     <message>
         <source>%1 is there already; it was left as it is.</source>
@@ -588,6 +635,132 @@
     <message>
         <source>%1 cannot be read as settings; the window starts with its defaults.</source>
         <translation>无法把 %1 读作设置；窗口以默认设置启动。</translation>
+    </message>
+</context>
+<context>
+    <name>SpeedError</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>exact by face</source>
+        <translation>按面精确</translation>
+    </message>
+    <message>
+        <source>approximate</source>
+        <translation>近似</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>unchecked</source>
+        <translation>未检验</translation>
+    </message>
+    <message>
+        <source>no wrong pixel</source>
+        <translation>没有错误像素</translation>
+    </message>
+    <message>
+        <source>1 wrong pixel</source>
+        <translation>1 个错误像素</translation>
+    </message>
+    <message>
+        <source>%1 wrong pixels</source>
+        <translation>%1 个错误像素</translation>
+    </message>
+    <message>
+        <source>no depth is off</source>
+        <translation>深度无误差</translation>
+    </message>
+    <message>
+        <source>depth off by up to %1</source>
+        <translation>深度误差最大 %1</translation>
+    </message>
+    <message>
+        <source>No run of this view has been checked against the reference.</source>
+        <translation>此视图还没有与参考图比较过的测量。</translation>
+    </message>
+    <message>
+        <source>One run.</source>
+        <translation>1 次测量。</translation>
+    </message>
+    <message>
+        <source>%1 runs.</source>
+        <translation>%1 次测量。</translation>
+    </message>
+    <message>
+        <source>The fastest without error is %1, at %2.</source>
+        <translation>无误差者中最快的是 %1，%2。</translation>
+    </message>
+    <message>
+        <source>None is without error.</source>
+        <translation>没有无误差的。</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3)</source>
+        <translation>%1（%2，%3）</translation>
+    </message>
+    <message>
+        <source>Faster at the price of an error: %1.</source>
+        <translation>以误差换取速度：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>No error buys more speed.</source>
+        <translation>任何误差都换不来更快的速度。</translation>
+    </message>
+    <message>
+        <source>1 is wrong although it promised to be exact.</source>
+        <translation>其中 1 次有错，尽管承诺精确。</translation>
+    </message>
+    <message>
+        <source>%1 are wrong although they promised to be exact.</source>
+        <translation>其中 %1 次有错，尽管承诺精确。</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3, half of the frames between %4 and %5; %6.</source>
+        <translation>%1，%2：%3，半数帧在 %4 与 %5 之间；%6。</translation>
+    </message>
+</context>
+<context>
+    <name>StageCosts</name>
+    <message>
+        <source>%1 / vertex</source>
+        <translation>%1 / 顶点</translation>
+    </message>
+    <message>
+        <source>%1 / triangle</source>
+        <translation>%1 / 三角形</translation>
+    </message>
+    <message>
+        <source>%1 / pixel</source>
+        <translation>%1 / 像素</translation>
+    </message>
+    <message>
+        <source>%1 / edge</source>
+        <translation>%1 / 边</translation>
+    </message>
+    <message>
+        <source>%1 / active edge</source>
+        <translation>%1 / 活动边</translation>
+    </message>
+    <message>
+        <source>%1 / node</source>
+        <translation>%1 / 结点</translation>
+    </message>
+    <message>
+        <source>%1 / cell</source>
+        <translation>%1 / 单元格</translation>
     </message>
 </context>
 <context>
@@ -1490,6 +1663,17 @@
     </message>
 </context>
 <context>
+    <name>zscope::ui::CountersModel</name>
+    <message>
+        <source>counter</source>
+        <translation>计数器</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>计数</translation>
+    </message>
+</context>
+<context>
     <name>zscope::ui::Course</name>
     <message>
         <source>%1 is not a folder of lessons</source>
@@ -2277,6 +2461,149 @@
     </message>
 </context>
 <context>
+    <name>zscope::ui::MeasurePanel</name>
+    <message>
+        <source>What to time</source>
+        <translation>测量什么</translation>
+    </message>
+    <message>
+        <source>this algorithm</source>
+        <translation>当前算法</translation>
+    </message>
+    <message>
+        <source>every preset</source>
+        <translation>所有预设</translation>
+    </message>
+    <message>
+        <source>each approximation</source>
+        <translation>逐一测量每种近似</translation>
+    </message>
+    <message>
+        <source>The choices that the window draws with now, faults and approximations too</source>
+        <translation>窗口当前绘制所用的选择，包括错误和近似</translation>
+    </message>
+    <message>
+        <source>All algorithms that have a name</source>
+        <translation>所有有名称的算法</translation>
+    </message>
+    <message>
+        <source>This algorithm made exact, then with one exactness given up at a time</source>
+        <translation>当前算法的精确形式，然后每次放弃一项精确性</translation>
+    </message>
+    <message>
+        <source>Timed frames of every run</source>
+        <translation>每次测量的计时帧数</translation>
+    </message>
+    <message>
+        <source>Timed frames of every run, after a few to warm up</source>
+        <translation>每次测量在预热数帧之后的计时帧数</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> 帧</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>检验</translation>
+    </message>
+    <message>
+        <source>Hold the first picture of every run against the brute-force reference. Without that no error is known, and nothing is in the chart</source>
+        <translation>把每次测量的第一幅图像与穷举参考图比较。否则误差未知，图表中没有内容</translation>
+    </message>
+    <message>
+        <source>Check every picture against the reference</source>
+        <translation>每幅图像都与参考图比较</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Checks, times and counts what is chosen, in the background; leave the window alone meanwhile, it takes time from the runs</source>
+        <translation>在后台检验、计时并计数所选内容；其间请勿操作窗口，否则会占用测量的时间</translation>
+    </message>
+    <message>
+        <source>Stops; what is finished stays</source>
+        <translation>停止；已完成的保留</translation>
+    </message>
+    <message>
+        <source>Saves the runs of this view as JSON or CSV</source>
+        <translation>把此视图的测量保存为文件</translation>
+    </message>
+    <message>
+        <source>How far the runs are</source>
+        <translation>测量进度</translation>
+    </message>
+    <message>
+        <source>Runs of this view</source>
+        <translation>此视图的测量</translation>
+    </message>
+    <message>
+        <source>Stages of the selected run</source>
+        <translation>所选测量的各阶段</translation>
+    </message>
+    <message>
+        <source>Counters of the selected run</source>
+        <translation>所选测量的计数</translation>
+    </message>
+    <message>
+        <source>Which error the chart shows</source>
+        <translation>图表显示哪种误差</translation>
+    </message>
+    <message>
+        <source>wrong pixels</source>
+        <translation>错误像素</translation>
+    </message>
+    <message>
+        <source>depth error</source>
+        <translation>深度误差</translation>
+    </message>
+    <message>
+        <source>Drawing the reference</source>
+        <translation>正在绘制参考图</translation>
+    </message>
+    <message>
+        <source>Timing %1</source>
+        <translation>正在测量 %1</translation>
+    </message>
+    <message>
+        <source>Open a scene, then measure how long algorithms take on it.</source>
+        <translation>打开一个场景，然后测量各算法在其上所需的时间。</translation>
+    </message>
+    <message>
+        <source>Nothing has been timed on this view yet. Choose what to time, and press Measure: every run is checked first, then timed, then explained by counters.</source>
+        <translation>此视图还没有测量。选择要测量的内容，再按“测量”：每次测量先检验，再计时，然后用计数来解释。</translation>
+    </message>
+    <message>
+        <source>1 run</source>
+        <translation>1 次测量</translation>
+    </message>
+    <message>
+        <source>%1 runs</source>
+        <translation>%1 次测量</translation>
+    </message>
+    <message>
+        <source>Save the runs of this view</source>
+        <translation>保存此视图的测量</translation>
+    </message>
+    <message>
+        <source>JSON, everything (*.json);;CSV, the table (*.csv)</source>
+        <translation>JSON，全部内容 (*.json);;CSV，表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+</context>
+<context>
     <name>zscope::ui::MessageBar</name>
     <message>
         <source>Message</source>
@@ -2599,6 +2926,53 @@
     </message>
 </context>
 <context>
+    <name>zscope::ui::RunsModel</name>
+    <message>
+        <source>Pixels that show another triangle than the reference, or one or none where it does not</source>
+        <translation>与参考图显示不同三角形、多出或缺失三角形的像素</translation>
+    </message>
+    <message>
+        <source>The largest relative error of a view distance, wherever both show a triangle</source>
+        <translation>在两者都显示三角形之处，视距的最大相对误差</translation>
+    </message>
+    <message>
+        <source>Half of the frames took between the two quartiles</source>
+        <translation>半数帧的时间在两个四分位数之间</translation>
+    </message>
+    <message>
+        <source>algorithm</source>
+        <translation>算法</translation>
+    </message>
+    <message>
+        <source>choices</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>median, ms</source>
+        <translation>中位数，毫秒</translation>
+    </message>
+    <message>
+        <source>Q1, ms</source>
+        <translation>Q1，毫秒</translation>
+    </message>
+    <message>
+        <source>Q3, ms</source>
+        <translation>Q3，毫秒</translation>
+    </message>
+    <message>
+        <source>best, ms</source>
+        <translation>最快，毫秒</translation>
+    </message>
+    <message>
+        <source>wrong px</source>
+        <translation>错误像素</translation>
+    </message>
+    <message>
+        <source>depth error</source>
+        <translation>深度误差</translation>
+    </message>
+</context>
+<context>
     <name>zscope::ui::ScenePanel</name>
     <message>
         <source>Normalise</source>
@@ -2770,6 +3144,76 @@
     <message>
         <source>Searching</source>
         <translation>正在查找</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::SpeedErrorChart</name>
+    <message>
+        <source>Speed against error</source>
+        <translation>速度与误差</translation>
+    </message>
+    <message>
+        <source>median time of a frame, ms</source>
+        <translation>每帧时间的中位数，毫秒</translation>
+    </message>
+    <message>
+        <source>wrong pixels</source>
+        <translation>错误像素</translation>
+    </message>
+    <message>
+        <source>largest relative depth error</source>
+        <translation>最大相对深度误差</translation>
+    </message>
+    <message>
+        <source>unbeaten</source>
+        <translation>未被超越</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::StagesModel</name>
+    <message>
+        <source>Nothing that is counted is what this stage works on</source>
+        <translation>该阶段处理的对象没有计数</translation>
+    </message>
+    <message>
+        <source>The stage&apos;s median over %1</source>
+        <translation>该阶段的中位数除以 %1</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>整帧</translation>
+    </message>
+    <message>
+        <source>Of the median frame, whose stages add up to it; the quartiles of a stage are its own</source>
+        <translation>占中位帧的比例，其各阶段之和即该帧；阶段的四分位数各自计算</translation>
+    </message>
+    <message>
+        <source>The stage&apos;s median over the number of things it works on; with several threads wall time, not work</source>
+        <translation>该阶段的中位数除以所处理对象的数目；多线程时是实际经过的时间，而非工作量</translation>
+    </message>
+    <message>
+        <source>stage</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Q1, ms</source>
+        <translation>Q1，毫秒</translation>
+    </message>
+    <message>
+        <source>median, ms</source>
+        <translation>中位数，毫秒</translation>
+    </message>
+    <message>
+        <source>Q3, ms</source>
+        <translation>Q3，毫秒</translation>
+    </message>
+    <message>
+        <source>share, %</source>
+        <translation>占比，%</translation>
+    </message>
+    <message>
+        <source>ns per piece</source>
+        <translation>纳秒 / 件</translation>
     </message>
 </context>
 <context>

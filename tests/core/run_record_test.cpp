@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/measure/approximate_switches.h"
 #include "core/measure/reference.h"
 #include "core/measure/speed_error.h"
 #include "core/measure/unit_costs.h"
@@ -221,6 +222,44 @@ TEST(SpeedError, TheSetIsWhatTheDefinitionSaysOfPairs)
             isDominated |= p.ms <= points[i].ms && p.error <= points[i].error && (p.ms < points[i].ms || p.error < points[i].error);
         EXPECT_EQ(set.contains(i), !isDominated) << i;
     }
+}
+
+TEST(ApproximateSwitches, AreEveryChoiceOfEveryKindAloneAndCanRun)
+{
+    Pipeline base            = presetNamed("hzb-octree");
+    base.approximation.near  = NearPlane::Drop;  // neither this nor a fault is taken over
+    base.fault               = Fault::CornersOnly;
+    const auto            all = approximateSwitches(base);
+    std::set<std::string> seen;
+    ASSERT_FALSE(all.empty());
+    EXPECT_EQ(all.front().name, "hzb-octree");
+    EXPECT_EQ(all.front().claim, Claim::Exact);
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        EXPECT_FALSE(explainInvalid(all[i].pipeline)) << all[i].name;
+        EXPECT_EQ(all[i].claim, Claim::Approximate) << all[i].name;
+        EXPECT_EQ(all[i].pipeline.fault, Fault::None);
+        int switched = 0;
+        for (const AxisEntry& axis : axes()) {
+            Pipeline exact      = all[i].pipeline;
+            exact.approximation = {};
+            const std::string_view choice = chosen(all[i].pipeline, axis.word);
+            if (choice == chosen(exact, axis.word)) continue;
+            ++switched;
+            EXPECT_TRUE(seen.insert(std::string(axis.word) + "=" + std::string(choice)).second) << "twice: " << choice;
+        }
+        EXPECT_EQ(switched, 1) << all[i].name;
+    }
+    const std::set<std::string_view> kinds{"snap", "vertices", "depth-numbers", "depth-format", "edges", "near", "cells", "small-nodes"};
+    for (const AxisEntry& entry : axes()) {
+        if (!kinds.contains(entry.word)) continue;
+        for (const ChoiceEntry& choice : entry.choices.subspan(1))
+            EXPECT_TRUE(seen.contains(std::string(entry.word) + "=" + std::string(choice.word))) << entry.word << "=" << choice.word;
+    }
+}
+
+TEST(ApproximateSwitches, StandBesideEveryPresetThatCanRun)
+{
+    EXPECT_EQ(presetsToTime().size(), presets().size());
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "ui/panels/hierarchy/hierarchy_panel.h"
 #include "ui/panels/marks/marks_panel.h"
 #include "ui/panels/lessons/lessons_panel.h"
+#include "ui/panels/measure/measure_panel.h"
 #include "ui/panels/observer/observer_panel.h"
 #include "ui/panels/pipeline/pipeline_panel.h"
 #include "ui/panels/pyramid/pyramid_panel.h"
@@ -53,6 +54,7 @@ constexpr std::array kPanels{
     PanelEntry{"compare", QT_TRANSLATE_NOOP("Panels", "Compare"), Qt::RightDockWidgetArea, make<ComparePanel>, always, "depth-test", 28},
     PanelEntry{"faults", QT_TRANSLATE_NOOP("Panels", "Faults"), Qt::LeftDockWidgetArea, make<FaultsPanel>, always, "pipeline"},
     PanelEntry{"marks", QT_TRANSLATE_NOOP("Panels", "Marks"), Qt::LeftDockWidgetArea, make<MarksPanel>, always, "scene"},
+    PanelEntry{"measure", QT_TRANSLATE_NOOP("Panels", "Measure"), Qt::RightDockWidgetArea, make<MeasurePanel>, always, nullptr, 60, false},
     PanelEntry{"timeline", QT_TRANSLATE_NOOP("Panels", "Timeline"), Qt::BottomDockWidgetArea, make<TimelinePanel>,
                always},
 };

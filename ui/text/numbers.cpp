@@ -43,6 +43,12 @@ QString signedDecimal(double value, int decimals)
     return value > 0 ? QLatin1Char('+') + decimal(value, decimals) : decimal(value, decimals);
 }
 
+QString significant(double value, int digits)
+{
+    if (std::isinf(value)) return QStringLiteral("\u221E");
+    return withRealMinus(displayLocale().toString(value, 'g', digits));
+}
+
 QString fraction(const std::array<std::int64_t, 2>& value)
 {
     const QString numerator = withRealMinus(QString::number(value[0]));

@@ -20,6 +20,8 @@ QString groupedSigned(std::int64_t value);
 QString decimal(double value, int decimals);
 /// The same with a sign in front of everything but zero.
 QString signedDecimal(double value, int decimals);
+/// So many significant digits, with a power of ten where it is short; the sign of infinity.
+QString significant(double value, int digits);
 /// "13/64", "−15/128"; a whole number without its denominator of 1.
 QString fraction(const std::array<std::int64_t, 2>& value);
 /// Two decimals below 100 ms, none above; with the unit.

@@ -17,7 +17,7 @@ constexpr std::array kLayouts{
     LayoutEntry{"compare", QT_TRANSLATE_NOOP("Layouts", "Compare"), QT_TRANSLATE_NOOP("Layouts", "Two algorithms held against each other, and why a pixel differs"),
                 "compare", 232, 350, 350},
     LayoutEntry{"profile", QT_TRANSLATE_NOOP("Layouts", "Profile"), QT_TRANSLATE_NOOP("Layouts", "What ran and how long it took, and what was left out"),
-                "hierarchy", 280, 400, 350},
+                "hierarchy", 280, 400, 350, 46},
 };
 
 constexpr std::array kComparePlaces{
@@ -35,6 +35,7 @@ constexpr std::array kProfilePlaces{
     LayoutPlace{"observer", Qt::RightDockWidgetArea, "hierarchy"},
     LayoutPlace{"pyramid", Qt::RightDockWidgetArea, nullptr, 44},
     LayoutPlace{"active-edges", Qt::RightDockWidgetArea},
+    LayoutPlace{"measure", Qt::BottomDockWidgetArea},
 };
 
 }  // namespace
@@ -47,7 +48,8 @@ std::vector<LayoutPlace> LayoutEntry::places() const
     if (std::strcmp(word, "compare") == 0) return {kComparePlaces.begin(), kComparePlaces.end()};
     if (std::strcmp(word, "profile") == 0) return {kProfilePlaces.begin(), kProfilePlaces.end()};
     std::vector<LayoutPlace> all;
-    for (const PanelEntry& panel : panels()) all.push_back({panel.word, panel.area, panel.tabbedWith, panel.share});
+    for (const PanelEntry& panel : panels())
+        if (panel.isInTeach) all.push_back({panel.word, panel.area, panel.tabbedWith, panel.share});
     return all;
 }
 

@@ -23,12 +23,13 @@ struct LayoutEntry {
     const char* raised;  // the panel in front of those that share its place
     int         left, right;  // widths in logical pixels, at 1280
     int         narrow;       // of the right side while it holds nothing that wants room
+    int         bottom = 0;   // hundredths of the window's height; 0: what its panels need
 
     QString                  translatedTitle() const;
     QString                  translatedTip() const;
     std::vector<LayoutPlace> places() const;
 };
-/// Teach, the first, has every panel where the registry of panels says.
+/// Teach, the first, has the panels of the registry where that says, but for those that belong to another layout.
 std::span<const LayoutEntry> layoutEntries();
 const LayoutEntry&           layoutEntry(const QString& word);  // the first, if there is none of that word
 

@@ -57,8 +57,10 @@ void MainWindow::placeDocks(const LayoutEntry& layout)
     for (PanelDock* dock : m_docks) {
         dock->setFloating(false);
         dock->setNeeded(dock->entry().isNeededBy(m_session.now().pipeline));
-        if (placeOf(*dock) == places.end()) dock->setWanted(false);
         dock->hide();  // until all are in their places: one below the other they may be higher than the screen
+        if (placeOf(*dock) != places.end()) continue;
+        addDockWidget(dock->entry().area, dock);  // where it opens, if it is opened
+        dock->setWanted(false);
     }
     for (const LayoutPlace& place : places) {  // in the order of the layout, which is that from top to bottom
         PanelDock* dock = this->dock(place.panel);
@@ -143,6 +145,8 @@ void MainWindow::useLayout(const QString& word)
     m_layout                  = layout.word;
     placeDocks(layout);
     shareWidths();
+    for (const LayoutPlace& place : layout.places())
+        if (layout.bottom > 0 && place.area == Qt::BottomDockWidgetArea) resizeDocks({dock(place.panel)}, {height() * layout.bottom / 100}, Qt::Vertical);
     if (dock("scene")->isWanted()) resizeDocks({dock("scene"), dock("pipeline")}, {42, 58}, Qt::Vertical);
     shareHeights();
     m_actions->showLayout(m_layout);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Work and time, and speed against error: times algorithms on the view that is shown, lists the runs, takes one apart stage by
+// stage, and draws them as a chart whose points load a run.
+//
+// Layout     wide: runs, stages and chart side by side; narrow: one below the other, scrolled
+// Runs       belong to the Measurer, view by view; the panel shows those of the view in the window
+#pragma once
+
+#include <optional>
+
+#include "ui/charts/speed_error_points.h"
+#include "ui/panels/measure/measurer.h"
+#include "ui/panels/panel.h"
+
+class QBoxLayout;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTableView;
+
+namespace zscope::ui {
+
+class CountersModel;
+class RunsModel;
+class SortedRuns;
+class SpeedErrorChart;
+class StagesModel;
+
+class MeasurePanel final : public Panel {
+    Q_OBJECT
+
+public:
+    enum class What { This, Presets, Switches };
+
+    explicit MeasurePanel(Session& session, QWidget* parent = nullptr);
+    ~MeasurePanel() override;
+
+    void present(const Snapshot& shown, Changes what) override;
+
+    Measurer& measurer() { return m_measurer; }
+    /// The runs of this view: JSON, or CSV if the name ends so. The trouble as a sentence, or nothing.
+    std::optional<QString> saveTo(const QString& file) const;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* makeControls();
+    QWidget* makeRuns();
+    QWidget* makeDetails();
+    QWidget* makeChart();
+    void     connectAll();
+    void     say();
+    void     fitColumns();
+
+    void start();
+    void askWhere();
+    void showProgress();
+    void showRuns();     // of the view in the window
+    void showRun();      // the selected one, taken apart
+    void showChart();
+    void showLoaded();   // which run is what the window draws
+    void select(std::size_t run);
+    void load(std::size_t run);
+    void arrange();
+
+    std::optional<std::size_t> selected() const;  // of the model's runs
+    std::optional<std::size_t> pointOf(std::size_t run) const;
+
+    Measurer                    m_measurer;
+    std::optional<MeasuredView> m_view;
+    std::vector<std::size_t>    m_runOfPoint;
+    bool                        m_isWide = false, m_isArranged = false;
+
+    RunsModel*             m_runs;
+    SortedRuns*            m_sorted;
+    StagesModel*           m_stages;
+    CountersModel*         m_counters;
+    SpeedErrorChart*       m_chart;
+    QTableView *           m_runTable, *m_stageTable, *m_counterTable;
+    QComboBox *            m_what, *m_measure;
+    QSpinBox*              m_frames;
+    QCheckBox*             m_checks;
+    QPushButton *          m_start, *m_stop, *m_save;
+    QProgressBar*          m_progress;
+    QLabel *               m_doing, *m_hint, *m_about, *m_said;
+    QWidget*               m_body;
+    QBoxLayout *           m_columns, *m_controls;
+    QString                m_trouble;
+};
+
+}  // namespace zscope::ui
