@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include "app/cli/options.h"
+#include "ui/report/report.h"
 #include "ui/session/course.h"
 #include "ui/view/frame_view.h"
 #include "ui/window/main_window.h"
@@ -27,6 +28,7 @@ struct Options {
     bool                      resetSettings = false;
     std::string               settings;    // a file; empty: the user's own
     std::string               screenshot;  // a file; empty: none
+    std::string               report, folder;  // a record, and where its report goes
     std::string               grain;
     std::string               language;
     std::string               lessons;     // a folder; empty: the one of the settings
@@ -53,6 +55,9 @@ void declare(CLI::App& parser, Options& options)
     parser.add_option("--lesson", options.lesson, "Begin with this lesson: its file's name, or its number in the list")->type_name("NAME")->group("Lessons");
     parser.add_option("--page", options.page, "Page of the lesson to begin with, from 1")->type_name("N")->group("Lessons")->check(CLI::PositiveNumber);
     parser.add_option("--settings", options.settings, "Keep settings in this file instead")->type_name("FILE")->group("Window");
+    parser.add_option("--report", options.report, "Write the charts and the page of a benchmark's record, and quit; needs no display")
+        ->type_name("RECORD.json")->group("Report");
+    parser.add_option("-o", options.folder, "The folder of the report")->type_name("FOLDER")->group("Report");
     parser.add_option("--screenshot", options.screenshot,
                       "Save a picture of the whole window once the scene is drawn, and quit; for course notes and tests")
         ->type_name("FILE.png")->group("Window");
@@ -99,6 +104,21 @@ void screenshotWhenIdle(zscope::ui::MainWindow& window, zscope::ui::Session& ses
     poll->start(50);
 }
 
+Exit report(const Options& options, char** argv)
+{
+    if (options.report.empty()) return complain(Exit::Usage, "-o names the folder of a report: say of which record with --report");
+    if (options.folder.empty()) return complain(Exit::Usage, "--report wants a folder: -o FOLDER");
+    if (!options.scene.empty() || !options.session.empty()) return complain(Exit::Usage, "a report is made from a record alone: leave SCENE and --session out");
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    int          qtArgc = 1;
+    QApplication application(qtArgc, argv);
+    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    const auto written = zscope::ui::writeReport(options.report, options.folder);
+    if (!written) return complain(zscope::cli::exitOf(written.error().kind), written.error().text());
+    std::printf("%s\n", written->c_str());
+    return Exit::Done;
+}
+
 Exit run(int argc, char** argv)
 {
     Options  options;
@@ -113,6 +133,7 @@ Exit run(int argc, char** argv)
         return complain(Exit::Usage, error.what());
     }
     if (!options.scene.empty() && !options.session.empty()) return complain(Exit::Usage, "a session names its own scene: give one of SCENE and --session");
+    if (!options.report.empty() || !options.folder.empty()) return report(options, argv);
     const auto view = options.view.read();
     if (!view) return complain(zscope::cli::exitOf(view.error().kind), view.error().text());
     const auto how = options.how.read();

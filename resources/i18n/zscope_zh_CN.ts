@@ -620,6 +620,85 @@
     </message>
 </context>
 <context>
+    <name>Report</name>
+    <message>
+        <source>, %1 threads</source>
+        <translation>，%1 线程</translation>
+    </message>
+    <message>
+        <source>ms, median frame</source>
+        <translation>毫秒，中位帧</translation>
+    </message>
+    <message>
+        <source>Where the time goes</source>
+        <translation>时间花在哪里</translation>
+    </message>
+    <message>
+        <source>%1: grows like n to the %2</source>
+        <translation>%1：按 n 的 %2 次方增长</translation>
+    </message>
+    <message>
+        <source>times as long as %1</source>
+        <translation>相对 %1 的倍数</translation>
+    </message>
+    <message>
+        <source>Below the line: faster than %1</source>
+        <translation>线以下：比 %1 快</translation>
+    </message>
+    <message>
+        <source>How the time grows</source>
+        <translation>时间如何增长</translation>
+    </message>
+    <message>
+        <source>Speed against error: %1</source>
+        <translation>速度与误差：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2 cores. ZScope %3, compiler %4. %5 of %6 cases. Experiment %7.</source>
+        <translation>%1，%2 核。ZScope %3，编译器 %4。共 %6 个案例，已测 %5 个。实验 %7。</translation>
+    </message>
+    <message>
+        <source>Every picture was compared with the brute-force reference before it was timed. Times are medians; ratios are medians over rounds in which the algorithms were timed in turn, with the interval that holds the true ratio in 19 of 20 experiments as far as the rounds allow. The time of a wrong picture is struck out.</source>
+        <translation>每幅图像在计时之前都与穷举参考逐像素比较。时间为中位数；比值为各轮的中位数，各轮中算法轮流计时，区间在轮数允许的范围内于 20 次实验中有 19 次包含真实比值。图像有错的时间以删除线标出。</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>algorithm</source>
+        <translation>算法</translation>
+    </message>
+    <message>
+        <source>threads</source>
+        <translation>线程</translation>
+    </message>
+    <message>
+        <source>wrong pixels</source>
+        <translation>错误像素</translation>
+    </message>
+    <message>
+        <source>median ms</source>
+        <translation>中位数（毫秒）</translation>
+    </message>
+    <message>
+        <source>quartiles</source>
+        <translation>四分位数</translation>
+    </message>
+    <message>
+        <source>interval</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>未检查</translation>
+    </message>
+    <message>
+        <source>%1, wrong</source>
+        <translation>%1，有错</translation>
+    </message>
+</context>
+<context>
     <name>SavePicture</name>
     <message>
         <source>%1 is there already; it was left as it is.</source>
