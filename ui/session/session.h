@@ -173,7 +173,7 @@ private:
     template <class Answer>
     void deliver(Answer answer)
     {
-        QMetaObject::invokeMethod(this, std::move(answer), Qt::QueuedConnection);
+        m_worker->deliver(std::move(answer));
     }
 
     DrawSettings                 m_settings;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <QCoreApplication>
+#include <QEvent>
+
 namespace zscope::ui {
 
 Worker::Worker(QObject* parent) : QObject(parent)
@@ -67,7 +70,33 @@ void Worker::sayIdle()
         m_isBusy = false;
         emit idle();
     };
-    QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    queue(tell);
+}
+
+void Worker::deliver(std::function<void()> answer)
+{
+    const std::lock_guard lock(m_mutex);
+    queue(std::move(answer));
+}
+
+void Worker::queue(std::function<void()> answer)
+{
+    m_answers.push_back(std::move(answer));
+    QCoreApplication::postEvent(this, new QEvent(QEvent::User));
+}
+
+bool Worker::event(QEvent* event)
+{
+    if (event->type() != QEvent::User) return QObject::event(event);
+    std::function<void()> answer;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_answers.empty()) return true;
+        answer = std::move(m_answers.front());
+        m_answers.pop_front();
+    }
+    answer();
+    return true;
 }
 
 void Worker::losePatience()

@@ -15,6 +15,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -39,6 +40,9 @@ public:
     ~Worker() override;
 
     void post(Slot slot, Job job);
+    /// From a job: has `answer` run in the thread that the worker lives in, in the order of the calls, unless the worker is gone by
+    /// then. It passes under the mutex, so that whoever looks for races sees which thread had it when; Qt's queue does not show.
+    void deliver(std::function<void()> answer);
     /// Forgets what waits and asks what runs to stop.
     void cancel();
 
@@ -49,13 +53,17 @@ signals:
     /// Nothing runs or waits any more. Emitted in the thread the worker lives in.
     void idle();
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     static constexpr int         kMostAllowance = 32;
     static constexpr std::size_t kSlots = 7;
 
     void run();
     void losePatience();
-    void sayIdle();  // with the mutex held
+    void sayIdle();  // with the mutex held, like the next
+    void queue(std::function<void()> answer);
 
     mutable std::mutex                     m_mutex;  // guards everything down to m_cancel
     std::condition_variable                m_wake;
@@ -66,6 +74,7 @@ private:
     int                                    m_allowance = 1;      // times kPatience, for the next to be stopped
     bool                                   m_stop      = false;
     std::uint64_t                          m_posts     = 0;
+    std::deque<std::function<void()>>      m_answers;            // as many as there are events for them
     std::atomic<bool>                      m_cancel{false};
     bool                                   m_isBusy = false;  // of the thread the worker lives in, like the timer
     QTimer                                 m_patience;

@@ -106,16 +106,13 @@ void FaultsPanel::ask()
     request.pipeline    = question.pipeline;
     m_worker->post(Worker::Slot::Draw, [this, request, question](const std::atomic<bool>& cancel) {
         drawFaults(request, cancel, [this, question](FaultPicture picture) {
-            QMetaObject::invokeMethod(
-                this,
-                [this, question, picture = std::move(picture)]() mutable {
-                    if (m_asked != question) return;
-                    const Fault fault = picture.fault;
-                    m_model->add(std::move(picture));
-                    const int row = m_table->currentIndex().row();
-                    if (row >= 0 && faults()[static_cast<std::size_t>(row)].fault == fault) showFault();
-                },
-                Qt::QueuedConnection);
+            m_worker->deliver([this, question, picture = std::move(picture)]() mutable {
+                if (m_asked != question) return;
+                const Fault fault = picture.fault;
+                m_model->add(std::move(picture));
+                const int row = m_table->currentIndex().row();
+                if (row >= 0 && faults()[static_cast<std::size_t>(row)].fault == fault) showFault();
+            });
         });
     });
 }

@@ -92,17 +92,14 @@ void ObserverView::request()
         }
         auto picture = observer->draw(from, boxes, selected, kThreads, &cancel);
         if (!picture || cancel) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, observer, step, from, picture = std::move(picture).value()]() mutable {
-                m_observer     = observer;
-                m_observedStep = step;
-                m_camera       = from;
-                m_picture      = std::move(picture);
-                update();
-                emit drawn();
-            },
-            Qt::QueuedConnection);
+        m_worker->deliver([this, observer, step, from, picture = std::move(picture).value()]() mutable {
+            m_observer     = observer;
+            m_observedStep = step;
+            m_camera       = from;
+            m_picture      = std::move(picture);
+            update();
+            emit drawn();
+        });
     });
 }
 

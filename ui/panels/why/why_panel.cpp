@@ -143,27 +143,24 @@ void WhyPanel::ask()
         Progress progress;
         progress.cancel = &cancel;
         const auto deliver = [this, &question](auto answer, const QString& trouble) {
-            QMetaObject::invokeMethod(
-                this,
-                [this, question, answer, trouble] {
-                    if (m_asked != question) return;
-                    if (!answer) return tell(trouble);
-                    m_model->setPalette(palette());
-                    m_model->present(answer);
-                    m_answerOrHint->setCurrentIndex(0);
-                    m_sentence->setText(said(answer->sentence));
-                    if constexpr (std::is_same_v<decltype(answer), std::shared_ptr<const PixelExplanation>>) {
-                        m_pixelAnswer = answer;
-                        emit summaryChanged(tr("pixel %1, %2 · %3").arg(answer->pixel.x).arg(answer->pixel.y)
-                                                .arg(counted(answer->candidates.size(), tr("1 triangle"), tr("%1 triangles"))));
-                    } else {
-                        m_pixelAnswer.reset();
-                        emit summaryChanged(tr("triangle %1").arg(grouped(answer->triangle.value)));
-                    }
-                    fitColumns();
-                    showRow({});
-                },
-                Qt::QueuedConnection);
+            m_worker->deliver([this, question, answer, trouble] {
+                if (m_asked != question) return;
+                if (!answer) return tell(trouble);
+                m_model->setPalette(palette());
+                m_model->present(answer);
+                m_answerOrHint->setCurrentIndex(0);
+                m_sentence->setText(said(answer->sentence));
+                if constexpr (std::is_same_v<decltype(answer), std::shared_ptr<const PixelExplanation>>) {
+                    m_pixelAnswer = answer;
+                    emit summaryChanged(tr("pixel %1, %2 · %3").arg(answer->pixel.x).arg(answer->pixel.y)
+                                            .arg(counted(answer->candidates.size(), tr("1 triangle"), tr("%1 triangles"))));
+                } else {
+                    m_pixelAnswer.reset();
+                    emit summaryChanged(tr("triangle %1").arg(grouped(answer->triangle.value)));
+                }
+                fitColumns();
+                showRow({});
+            });
         };
         const auto hand = [&](auto made) {
             using Answer = std::remove_cvref_t<decltype(*made)>;
