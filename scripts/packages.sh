@@ -63,3 +63,13 @@ build_preset() {
     rm -f "$log"
     echo "Built in $((SECONDS - started)) s"
 }
+
+# run_tests PRESET [CTEST OPTION...]: what the preset's build holds, or a part of it. No test at all is an error.
+run_tests() {
+    local preset="$1"
+    shift
+    ctest --preset "$preset" --parallel "$(nproc)" "$@"
+}
+
+# Tests that take minutes each under the address sanitizer: many scenes, seeds or presets.
+long_under_sanitizers='OnTheSharedModels|AgreementOnGenerated|InSoups|OnSoups|Faults|Approximations|AgreementInside|HardE|HardF|FalseCulls|ExplainsAThousandPixels'

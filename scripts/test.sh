@@ -1,18 +1,11 @@
 #!/usr/bin/env bash
-# Everything that has to hold before a change goes in, from nothing: installs what is missing, builds, tests.
-# The release build runs every test and comes last; before it the same sources run under sanitizers, with one lane,
-# and without Qt.
+# Everything that has to hold before a change goes in, from nothing: installs what is missing, builds, tests; less than an hour
+# on two cores. The release build runs every test and comes last; before it a part of the same sources runs under sanitizers,
+# with one lane, and without Qt. scripts/sanitize.sh runs the sanitizers over all of it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/packages.sh
 source scripts/packages.sh
-
-# run_tests PRESET [CTEST OPTION...]: what the preset's build holds, or a part of it. No test at all is an error.
-run_tests() {
-    local preset="$1"
-    shift
-    ctest --preset "$preset" --parallel "$(nproc)" "$@"
-}
 
 require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${packages_to_test[@]}" "${packages_to_compare[@]}"
 
@@ -20,20 +13,13 @@ require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${pa
 build_preset tsan threads_test seeded_race
 run_tests tsan -L threads
 
-# The window, closed in the middle of whatever it does: its own code under both. What Qt keeps to the end is no leak of ours.
-for preset in window-tsan window-asan; do
-    build_preset "$preset" closing_test
-    run_tests "$preset" -R '^ui\.closing_test$'
-done
-
-# Memory and undefined behaviour, in the whole core. The large models add time and no new code; the command line's tests
-# start hundreds of processes, each of which would pay for the sanitizer's start.
+# Memory and undefined behaviour, in the core. The longest tests add time and hardly new code.
 build_preset debug-asan-ubsan all
-run_tests debug-asan-ubsan -E OnTheSharedModels -LE cli
+run_tests debug-asan-ubsan -LE cli -E "$long_under_sanitizers"
 
-# One lane only, and no Qt: the same pictures and the same steps.
-build_preset scalar agreement_test replay_test sweep_state_test
-run_tests scalar -R 'Agreement|Replay|SweepState' -E 'NOT_BUILT|OnTheSharedModels'
+# One lane only: the same pictures and the same steps. The window, closed in the middle of whatever it does: its own code.
+build_preset window-asan agreement_test replay_test sweep_state_test closing_test
+run_tests window-asan -R 'Agreement|Replay|SweepState|^ui\.closing_test$' -E 'NOT_BUILT|OnTheSharedModels'
 
 build_preset ci all
 run_tests ci
