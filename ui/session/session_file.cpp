@@ -216,13 +216,22 @@ Breakpoint breakpointOf(Reader& read, const JsonValue& value)
         return breakpoint;
     }
     const auto& [on, what] = members.front();
-    if (on == "line") breakpoint = {.on = Breakpoint::On::Line, .line = static_cast<int>(read.whole(what, on, kMaxPictureSide - 1))};
-    else if (on == "pixel") {
+    if (on == "line") {
+        breakpoint.on   = Breakpoint::On::Line;
+        breakpoint.line = static_cast<int>(read.whole(what, on, kMaxPictureSide - 1));
+    } else if (on == "pixel") {
         const QPoint pixel = pixelOf(read, what, on);
-        breakpoint         = {.on = Breakpoint::On::Pixel, .pixel = {pixel.x(), pixel.y()}};
-    } else if (on == "node") breakpoint = {.on = Breakpoint::On::Node, .node = nodeOf(read, what)};
-    else if (on == "triangle") breakpoint = {.on = Breakpoint::On::Triangle, .triangle = triangleOf(read, what)};
-    else read.unknown(what, "a breakpoint", on);
+        breakpoint.on      = Breakpoint::On::Pixel;
+        breakpoint.pixel   = {pixel.x(), pixel.y()};
+    } else if (on == "node") {
+        breakpoint.on   = Breakpoint::On::Node;
+        breakpoint.node = nodeOf(read, what);
+    } else if (on == "triangle") {
+        breakpoint.on       = Breakpoint::On::Triangle;
+        breakpoint.triangle = triangleOf(read, what);
+    } else {
+        read.unknown(what, "a breakpoint", on);
+    }
     return breakpoint;
 }
 
