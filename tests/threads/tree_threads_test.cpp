@@ -18,7 +18,7 @@ void describe(const Tree& tree, const TreeNode& node, const Mesh& mesh, bool las
     for (std::size_t i = 0; i < children.size() && lastFirst; ++i) tree.open(children[children.size() - 1 - i]);
     words.push_back(static_cast<std::uint64_t>(node.slot));
     for (const std::uint32_t item : tree.ownItems(node)) words.push_back(item);
-    words.push_back(tree.batchesOf(node, mesh).triangles.size());
+    words.push_back(tree.batchesOf(node, mesh).triangleCount());
     for (const TreeNode& child : children) describe(tree, child, mesh, lastFirst, words);
 }
 
