@@ -152,8 +152,10 @@ MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangl
 
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
 {
-    const bool isSorted = wanted == Surfaces::Opaque && mesh.triangles.size() > kBatchTriangles;
-    return makeBatches(mesh, isSorted ? neighboursTogether(mesh) : inLoadOrder(mesh), wanted);
+    MeshBatches loaded = makeBatches(mesh, inLoadOrder(mesh), wanted);
+    if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return loaded;
+    MeshBatches sorted = makeBatches(mesh, neighboursTogether(mesh), wanted);
+    return 4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded);
 }
 
 }  // namespace zscope

@@ -1,5 +1,5 @@
-// Batches hold every opaque triangle of a mesh exactly once, with its own corners: a small mesh in load order, a large one by
-// patches of its surface.
+// Batches hold every opaque triangle of a mesh exactly once, with its own corners: in load order, or by patches of
+// the surface where that shares more vertices.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void expectFaithful(const Mesh& mesh)
     std::vector<std::uint32_t> opaque;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
         if (mesh.materialOf(mesh.trianglePolygon[t]).opacity >= 1) opaque.push_back(t);
-    if (mesh.triangles.size() <= kBatchTriangles)
+    if (made.batches.size() < 2)
         ASSERT_TRUE(std::ranges::equal(made.meshTriangles(), opaque));
     else
         ASSERT_TRUE(std::ranges::is_permutation(made.meshTriangles(), opaque));
@@ -94,28 +94,47 @@ TEST(Batches, TransparentTrianglesStayInLoadOrder)
     EXPECT_TRUE(std::ranges::is_sorted(made.meshTriangles()));
 }
 
-/// A flat sheet of 64 by 64 small triangles, loaded in no order.
-Mesh shuffledSheet()
+/// A flat sheet of 64 by 64 squares with shared corners, loaded row by row or in no order.
+Mesh sheet(bool isShuffled)
 {
-    Mesh                       mesh = anyMesh(12, 3 * 4096, 4096, false, false);
-    std::vector<std::uint32_t> place(4096);
+    Mesh                       mesh = anyMesh(12, 65 * 65, 2 * 4096, false, false);
+    std::vector<std::uint32_t> place(2 * 4096);
     std::iota(place.begin(), place.end(), 0u);
-    std::ranges::shuffle(place, std::mt19937_64(12));
-    for (std::uint32_t t = 0; t < 4096; ++t) {
-        mesh.triangles[t] = {3 * t, 3 * t + 1, 3 * t + 2};
-        const double x = place[t] % 64, y = place[t] / 64;
-        for (std::uint32_t i = 0; i < 3; ++i) mesh.positions[3 * t + i] = {x + 0.5 * (i == 1), y + 0.5 * (i == 2), 0};
+    if (isShuffled) std::ranges::shuffle(place, std::mt19937_64(12));
+    for (std::uint32_t v = 0; v < 65 * 65; ++v) mesh.positions[v] = {static_cast<double>(v % 65), static_cast<double>(v / 65), 0};
+    for (std::uint32_t t = 0; t < place.size(); ++t) {
+        const std::uint32_t square = place[t] / 2, corner = square / 64 * 65 + square % 64;
+        if (place[t] % 2 == 0)
+            mesh.triangles[t] = {corner, corner + 1, corner + 66};
+        else
+            mesh.triangles[t] = {corner, corner + 66, corner + 65};
     }
     return mesh;
 }
 
-TEST(Batches, ALargeMeshIsCutIntoPatches)
+TEST(Batches, AMeshInNoOrderIsCutIntoPatches)
 {
-    const MeshBatches made = makeBatches(shuffledSheet());
+    const MeshBatches made = makeBatches(sheet(true));
     double            area = 0;
     for (const Batch& batch : made.batches) area += (batch.bounds.max.x - batch.bounds.min.x) * (batch.bounds.max.y - batch.bounds.min.y);
-    EXPECT_GE(made.batches.size(), 4096 * 3 / kBatchVertices);
     EXPECT_LE(area, 3 * 64.0 * 64.0);  // in load order each of them would reach over the whole sheet
+    EXPECT_LE(made.vertexCount(), 2 * 65u * 65u);
+    EXPECT_FALSE(std::ranges::is_sorted(made.meshTriangles()));
+}
+
+TEST(Batches, LoadOrderIsKeptWhereItSharesVerticesAsWell)
+{
+    EXPECT_TRUE(std::ranges::is_sorted(makeBatches(sheet(false)).meshTriangles()));
+    Mesh loose = sheet(true);  // no vertex is shared: no order saves any
+    for (std::uint32_t t = 0; t < loose.triangles.size(); ++t) {
+        std::array<std::uint32_t, 3> own{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            own[i] = static_cast<std::uint32_t>(loose.positions.size());
+            loose.positions.push_back(loose.positions[loose.triangles[t][i]]);
+        }
+        loose.triangles[t] = own;
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(makeBatches(loose).meshTriangles()));
 }
 
 TEST(Batches, AMeshWithNothingOpaqueHasNone)
