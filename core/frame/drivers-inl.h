@@ -76,7 +76,7 @@ private:
     {
         using Fragments = decltype(fragmentsOf(ScreenTriangle{}));
         // A large triangle may hide the next one; of small ones all are asked first, so that they can be drawn together.
-        const bool     asksInTurn = occlusion.asksTriangles && triangles.areLarge();
+        const bool     asksInTurn = occlusion.asksTriangles && triangles.hasLarge();
         DrawnTriangles all;
         if (occlusion.asksTriangles && !asksInTurn)
             for (std::size_t i = 0; i < triangles.count; ++i) dropIfHidden(triangles, i, all);

@@ -80,6 +80,13 @@ struct TriangleList {
         for (std::size_t i = 0; i < count; ++i) pixels += std::int64_t{x1[i] - x0[i]} * (y1[i] - y0[i]);
         return pixels >= kLarge * static_cast<std::int64_t>(count);
     }
+    /// True if one of them has a box of kLarge pixels or more.
+    bool hasLarge() const
+    {
+        for (std::size_t i = 0; i < count; ++i)
+            if (std::int64_t{x1[i] - x0[i]} * (y1[i] - y0[i]) >= kLarge) return true;
+        return false;
+    }
     /// `scratch` is used to put them together.
     template <class IsBefore>
     void sort(std::vector<ScreenTriangle>& scratch, const IsBefore& isBefore)

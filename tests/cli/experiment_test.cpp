@@ -61,7 +61,8 @@ TEST_F(Cli, ShardsUnderGnuParallelJoinToWhatOneRunWrites)
 TEST_F(Cli, AnInterruptedExperimentLeavesARecordAndGoesOn)
 {
     std::string endless = kSmall;
-    endless.replace(endless.find("\"frames\":2,\"rounds\":1"), 21, "\"frames\":90000,\"rounds\":1");
+    const std::string quick = "\"size\":\"20x20\",\"frames\":2";
+    endless.replace(endless.find(quick), quick.size(), "\"size\":\"1280x960\",\"frames\":90000");
     const std::string file = write("e.json", endless);
     EXPECT_EQ(run({"bench", "--experiment", file, "--shard", "1/3", "--json", path("r.json")}).status, 0);
     const Json begun = timeless(path("r.json"));
