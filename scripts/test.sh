@@ -13,13 +13,18 @@ require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${pa
 build_preset tsan threads_test seeded_race
 run_tests tsan -L threads
 
-# Memory and undefined behaviour, in the core. The longest tests add time and hardly new code.
-build_preset debug-asan-ubsan all
-run_tests debug-asan-ubsan -LE cli -E "$long_under_sanitizers"
+# Memory and undefined behaviour, in the core: every part, the hard cases, the steps. What only adds scenes and seeds takes long.
+sanitized=(
+    io_test scene_test core_polygons core_obj core_geometry core_frame_parts core_hierarchy renderer_test experiment_test obj_mutation_test
+    hard_a_test hard_b_test hard_c_test hard_d_test hard_g_test cutout_test relief_test moment_test transparency_test
+    replay_test sweep_state_test structure_steps_test pixel_changes_test
+)
+build_preset debug-asan-ubsan "${sanitized[@]}"
+run_tests debug-asan-ubsan -E "NOT_BUILT|$long_under_sanitizers"
 
-# One lane only: the same pictures and the same steps. The window, closed in the middle of whatever it does: its own code.
-build_preset window-asan agreement_test replay_test sweep_state_test closing_test
-run_tests window-asan -R 'Agreement|Replay|SweepState|^ui\.closing_test$' -E 'NOT_BUILT|OnTheSharedModels'
+# One lane only, and no Qt: the same pictures and the same steps.
+build_preset scalar agreement_test replay_test sweep_state_test
+run_tests scalar -R 'Agreement|Replay|SweepState' -E 'NOT_BUILT|OnTheSharedModels'
 
 build_preset ci all
 run_tests ci
