@@ -60,6 +60,13 @@ PixelBox Pyramid::tilesUnder(const PixelBox& box) const
             ((box.y1 - 1 - m_firstRow) >> kTileLevel) + 1};
 }
 
+void Pyramid::restore(const Pyramid& kept)
+{
+    const VisibilityBuffer* visible = m_visible;
+    *this                           = kept;
+    m_visible                       = visible;
+}
+
 void Pyramid::allTouched()
 {
     for (Level& level : m_levels) std::ranges::fill(level.stale.values(), std::uint8_t{1});

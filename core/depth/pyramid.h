@@ -90,6 +90,9 @@ public:
     /// Whether it is complete() and of a picture of this shape; if so, `visible` is the picture that is being drawn now.
     bool continues(const VisibilityBuffer& visible, int firstRow, int endRow);
 
+    /// Becomes what `kept` was, over the picture that this one was reset over: one of the same shape.
+    void restore(const Pyramid& kept);
+
     /// True if nothing at depth `nearest` or farther, inside `box` (not empty, inside the region), could win a pixel.
     bool hides(const PixelBox& box, float nearest) { return ask(box, nearest).hidden; }
     PyramidQuery ask(const PixelBox& box, float nearest) { return ask(box, nearest, WholeBox{}, Untold{}); }

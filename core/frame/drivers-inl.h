@@ -344,13 +344,10 @@ private:
     }
 };
 
-template <class Resolve, class Rules, class Probe>
-void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, Resolve resolve, StageClock& clock,
-               const Rules& rules, const Probe& probe)
+template <class Rules, class Probe>
+void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
+                   const Probe& probe)
 {
-    beginPicture<Rules, Probe>(stripe);
-    clock.lap(Stage::Clear);
-    probe(StageStarted{Stage::Setup});
     scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width());
     const EnterEdges<Rules> enter{stripe, scratch.edges, clock, rules};
     if (drawsFaces(pipeline))
@@ -358,7 +355,17 @@ void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& sc
     else
         visitAsSubmitted(stripe, scratch, clock, enter, rules, probe);
     scratch.edges.fillBuckets();
-    probe(EdgeTableReady{scratch.edges});
+}
+
+template <class Resolve, class Rules, class Probe>
+void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, Resolve resolve, StageClock& clock,
+               const Rules& rules, const Probe& probe)
+{
+    beginPicture<Rules, Probe>(stripe);
+    clock.lap(Stage::Clear);
+    probe(StageStarted{Stage::Setup});
+    if (!probe.isOnTheWay()) fillEdgeTable(pipeline, stripe, scratch, clock, rules, probe);  // otherwise it is still full
+    if (!probe.leavesOut(Checkpoint::EdgeTable)) probe(EdgeTableReady{scratch.edges});
     clock.lap(Stage::Setup);
     probe(StageFinished{Stage::Setup});
 

@@ -41,9 +41,9 @@ inline void shadeWhole(const DrawRequest& request, Frame& frame)
 inline void drawUnobserved(const DrawRequest& request, const Stripe& whole, StripeScratch& scratch, StageClock& clock)
 {
     if (request.pipeline.usesExactRules())
-        return kernelsOf(Simd::Scalar).drawStripe(request.pipeline, whole, scratch, clock);
+        return kernelsOf(resolved(Simd::Auto)).drawStripe(request.pipeline, whole, scratch, clock);
     const ChosenRules rules(request.pipeline.approximation, request.pipeline.fault, request.camera);
-    drawStripeByRulesOf(Simd::Scalar)(request.pipeline, rules, whole, scratch, clock);
+    drawStripeByRulesOf(resolved(Simd::Auto))(request.pipeline, rules, whole, scratch, clock);
 }
 
 /// `frame` and `scratch` stay as the run left them, finished or not.

@@ -31,6 +31,11 @@ public:
 
     /// Nothing before the edge table was ready.
     std::optional<SweepState> state() const;
+    std::size_t bytes() const
+    {
+        return (m_active.capacity() + m_entered.capacity() + m_left.capacity()) * sizeof(ActiveEdge) +
+               m_polygons.capacity() * sizeof(TriangleId) + m_spans.capacity() * sizeof(SpanRow);
+    }
 
 private:
     void beginLineIfOver();
@@ -110,6 +115,8 @@ public:
 
     /// Nothing if neither a node nor the pyramid has been met. The levels are those of a picture of the given size.
     std::optional<HierarchyState> state(int width, int height, bool hasPyramid) const;
+    /// Roughly: a row of the map costs what a row of the list costs.
+    std::size_t bytes() const { return 2 * m_state.nodes.capacity() * sizeof(NodeRow); }
 
 private:
     /// The row of a node, new (and waiting) if it was not known.
@@ -134,6 +141,8 @@ public:
     void observe(const PixelTested& e) { ++m_tests.at(e.x, e.y); }
 
     Grid<std::uint32_t> take() { return std::move(m_tests); }
+    const Grid<std::uint32_t>& tests() const { return m_tests; }
+    std::size_t         bytes() const { return m_tests.values().size_bytes(); }
 
 private:
     Grid<std::uint32_t> m_tests;

@@ -4,10 +4,12 @@
 #include "core/lesson/replay.h"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 #include <utility>
 
 #include "core/frame/serial_run-inl.h"
+#include "core/lesson/checkpoints.h"
 #include "core/lesson/recorders.h"
 #include "core/lesson/sentences.h"
 
@@ -27,39 +29,26 @@ std::vector<Grid<float>> cellsOf(const Pyramid& pyramid)
     return cells;
 }
 
-/// Notes at which step of a grain each stage begins.
+/// A stage begins; so many steps of each grain have happened.
+struct StageBegin {
+    Stage       stage;
+    StepCounter before;
+};
+
+/// Notes where the stages begin; hears every event after the counter of steps.
 class StageRecorder {
 public:
-    explicit StageRecorder(Grain grain) : m_grain(grain) {}
+    explicit StageRecorder(const StepCounter& steps) : m_steps(steps) {}
 
-    void observe(const StageStarted& e)
-    {
-        dropEmpty();
-        m_stages.push_back({e.stage, m_seen});
-    }
-    template <isStep Event>
-    void observe(const Event&)
-    {
-        if (Event::grain <= m_grain) ++m_seen;
-    }
+    void observe(const StageStarted& e) { m_begun.push_back({e.stage, m_steps}); }
 
-    std::vector<StageMark> take()
-    {
-        dropEmpty();
-        return std::move(m_stages);
-    }
+    std::vector<StageBegin> take() { return std::move(m_begun); }
 
 private:
-    void dropEmpty()
-    {
-        if (!m_stages.empty() && m_stages.back().first == m_seen) m_stages.pop_back();
-    }
-
-    Grain                  m_grain;
-    std::uint64_t          m_seen = 0;
-    std::vector<StageMark> m_stages;
+    const StepCounter&      m_steps;
+    std::vector<StageBegin> m_begun;
 };
-static_assert(observes<StageRecorder, StageStarted> && observes<StageRecorder, FrameFinished>);
+static_assert(observes<StageRecorder, StageStarted>);
 
 std::optional<Error> cannotStep(const DrawRequest& request, Grain grain)
 {
@@ -71,18 +60,6 @@ std::optional<Error> cannotStep(const DrawRequest& request, Grain grain)
                                      "'; its grains are " + words};
 }
 
-/// Runs until `probe` stops it; tells whether it did.
-template <class Probe>
-bool runUntilStopped(const DrawRequest& request, Frame& frame, StripeScratch& scratch, const Probe& probe)
-{
-    try {
-        HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch, probe);
-        return false;
-    } catch (const RunStopped&) {
-        return true;
-    }
-}
-
 Error noSuchStep(Grain grain, StepIndex step, std::uint64_t count)
 {
     return {Trouble::Usage, "there is no step " + std::to_string(step.value) + ": the last of grain '" +
@@ -91,25 +68,105 @@ Error noSuchStep(Grain grain, StepIndex step, std::uint64_t count)
 Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to step through this frame"}; }
 Error wasCancelled() { return {Trouble::Cancelled, "stepping was cancelled"}; }
 
+bool isSweep(Scan scan) { return scan == Scan::SweepZLine || scan == Scan::SweepIntervals || scan == Scan::SweepPolygons; }
+
+/// One run with everything that listens to it. It stays where it is: its parts know each other.
+struct Run {
+    /// Up to a step; given no memory of its own, it works in `shared` memory.
+    Run(const DrawRequest& request, Grain grain, std::uint64_t step, StripeScratch* shared = nullptr)
+        : recorders(request.camera.width, request.camera.height),
+          stages(recorders.steps),
+          stop(grain, step),
+          scratch(shared ? *shared : own),
+          keeper({recorders, frame, scratch, stop, grain}, isSweep(repeatable(request).pipeline.scan))
+    {
+        scratch.pyramid = {};  // what coherence would take over
+        scratch.memory  = {};
+    }
+    Run(const Run&)            = delete;
+    Run& operator=(const Run&) = delete;
+
+    void perform(const DrawRequest& request)
+    {
+        try {
+            HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch,
+                                             Listening(keeper, recorders.steps, recorders.sweep, recorders.interval, recorders.hierarchy,
+                                                       recorders.triangle, recorders.pixel, recorders.tests, recorders.moment, stages, stop));
+        } catch (const RunStopped&) {
+        }
+    }
+
+    RunRecorders     recorders;
+    StageRecorder    stages;
+    StopAt           stop;
+    Frame            frame;
+    StripeScratch    own;
+    StripeScratch&   scratch;
+    CheckpointKeeper keeper;
+};
+
 }  // namespace
 
-Replay::Replay(DrawRequest request) : m_request(std::move(request)) {}
+/// What the run from end to end found, what it left to those that begin at its checkpoints, and the last of those.
+struct Replay::Survey {
+    StepCounter             steps;  // of the whole run
+    std::vector<StageBegin> stages;
+    Checkpoints             checkpoints;
+    StripeScratch           scratch;  // with the edge table that the checkpoints go on with
+    std::unique_ptr<Run>    latest;   // stopped after a step
+
+    /// Whether `latest` stands right after this step.
+    bool standsAt(Grain grain, StepIndex step) const
+    {
+        return latest && latest->stop.lastGrain() <= grain && latest->recorders.steps.seen(grain) == step.value + 1;
+    }
+};
+
+Replay::Replay(DrawRequest request, CheckpointSpacing spacing) : m_request(std::move(request)), m_spacing(spacing) {}
+Replay::Replay(Replay&&) noexcept            = default;
+Replay& Replay::operator=(Replay&&) noexcept = default;
+Replay::~Replay()                            = default;
+
+bool Replay::isCancelled() const { return m_request.cancel && m_request.cancel->load(); }
+
+std::optional<Error> Replay::survey(Grain grain)
+{
+    if (const auto error = cannotStep(m_request, grain)) return error;
+    if (m_survey) return std::nullopt;
+    if (const auto plan = planFrame(m_request); !plan) return plan.error();
+    auto survey = std::make_unique<Survey>();
+    Run  run(m_request, Grain::Frame, StopAt::kNever, &survey->scratch);
+    run.keeper.keepIn(survey->checkpoints, m_spacing.events, m_spacing.bytes);
+    run.perform(m_request);
+    if (isCancelled()) return wasCancelled();
+    survey->steps  = run.recorders.steps;
+    survey->stages = run.stages.take();
+    m_survey       = std::move(survey);
+    return std::nullopt;
+}
+
+std::optional<Error> Replay::runTo(Grain grain, StepIndex step)
+{
+    if (auto error = survey(grain)) return error;
+    if (const std::uint64_t count = m_survey->steps.seen(grain); step.value >= count) return noSuchStep(grain, step, count);
+    if (m_survey->standsAt(grain, step)) return std::nullopt;
+
+    const KeptState* from = m_survey->checkpoints.lastBefore(grain, step.value);
+    m_survey->latest.reset();
+    auto run = std::make_unique<Run>(m_request, grain, step.value, from ? &m_survey->scratch : nullptr);
+    if (from) run->keeper.beginAt(*from, m_survey->checkpoints);
+    run->perform(m_request);
+    if (isCancelled()) return wasCancelled();
+    if (run->frame.colour.height() == 0) HWY_STATIC_DISPATCH(shadeWhole)(m_request, run->frame);
+    m_survey->latest = std::move(run);
+    return std::nullopt;
+}
 
 Result<std::uint64_t> Replay::count(Grain grain)
 {
-    std::optional<Length>& known = m_lengths[static_cast<std::size_t>(grain)];
-    if (known) return known->steps;
-    if (const auto plan = planFrame(m_request); !plan) return plan.error();
-    if (const auto error = cannotStep(m_request, grain)) return *error;
     try {
-        Frame         frame;
-        StripeScratch scratch;
-        StopAt        steps(grain);
-        StageRecorder stages(grain);
-        runUntilStopped(m_request, frame, scratch, Listening(stages, steps));
-        if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
-        known = Length{steps.seen(), stages.take()};
-        return known->steps;
+        if (const auto error = survey(grain)) return *error;
+        return m_survey->steps.seen(grain);
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     }
@@ -117,24 +174,25 @@ Result<std::uint64_t> Replay::count(Grain grain)
 
 Result<std::vector<StageMark>> Replay::stages(Grain grain)
 {
-    if (const auto steps = count(grain); !steps) return steps.error();
-    return m_lengths[static_cast<std::size_t>(grain)]->stages;
+    const Result<std::uint64_t> count = this->count(grain);
+    if (!count) return count.error();
+    std::vector<StageMark> marks;
+    for (std::size_t i = 0; i < m_survey->stages.size(); ++i) {
+        const std::uint64_t first = m_survey->stages[i].before.seen(grain);
+        const std::uint64_t end   = i + 1 < m_survey->stages.size() ? m_survey->stages[i + 1].before.seen(grain) : *count;
+        if (first < end) marks.push_back({m_survey->stages[i].stage, first});
+    }
+    return marks;
 }
+
+std::size_t Replay::checkpoints() const { return m_survey->checkpoints.kept.size(); }
 
 Result<std::uint64_t> Replay::eventsBy(Grain other, Grain grain, StepIndex step)
 {
-    const Result<std::uint64_t> steps = count(grain);
-    if (!steps) return steps.error();
-    if (step.value >= *steps) return noSuchStep(grain, step, *steps);
-    if (const auto error = cannotStep(m_request, other)) return *error;
     try {
-        Frame         frame;
-        StripeScratch scratch;
-        StopAt        heard(other);
-        StopAt        stop(grain, step.value);
-        runUntilStopped(m_request, frame, scratch, Listening(heard, stop));
-        if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
-        return heard.seen();
+        if (const auto error = runTo(grain, step)) return *error;
+        if (const auto error = cannotStep(m_request, other)) return *error;
+        return m_survey->latest->recorders.steps.seen(other);
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     }
@@ -142,43 +200,33 @@ Result<std::uint64_t> Replay::eventsBy(Grain other, Grain grain, StepIndex step)
 
 Result<StepState> Replay::at(Grain grain, StepIndex step)
 {
-    const Result<std::uint64_t> steps = count(grain);
-    if (!steps) return steps.error();
-    if (step.value >= *steps) return noSuchStep(grain, step, *steps);
     try {
-        StepState        state;
-        StripeScratch    scratch;
-        SweepRecorder    sweep;
-        TriangleRecorder triangle;
-        PixelRecorder    pixel;
-        IntervalRecorder interval;
-        HierarchyRecorder hierarchy;
-        MomentRecorder   moment;
-        TestCounter      tests(m_request.camera.width, m_request.camera.height);
-        StopAt           stop(grain, step.value);
-        runUntilStopped(m_request, state.frame, scratch, Listening(sweep, interval, hierarchy, triangle, pixel, tests, moment, stop));
-        if (m_request.cancel && m_request.cancel->load()) return wasCancelled();
-        if (state.frame.colour.height() == 0) HWY_STATIC_DISPATCH(shadeWhole)(m_request, state.frame);
+        if (const auto error = runTo(grain, step)) return *error;
+        const Run&           run       = *m_survey->latest;
+        const RunRecorders&  recorders = run.recorders;
+        const MomentRecorder moment    = recorders.moment;
+        const Pipeline       pipeline  = repeatable(m_request).pipeline;
 
+        StepState state;
+        state.frame     = run.frame;
         state.algorithm = nameOf(m_request.pipeline);
         state.grain     = grain;
         state.step      = step;
-        state.count     = *steps;
-        state.event     = stop.lastGrain();
+        state.count     = m_survey->steps.seen(grain);
+        state.event     = run.stop.lastGrain();
         state.stage     = moment.stage();
-        state.sweep     = sweep.state();
-        const Pipeline pipeline = repeatable(m_request).pipeline;
+        state.sweep     = recorders.sweep.state();
         const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
-        state.hierarchy = hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
+        state.hierarchy = recorders.hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
         if (state.hierarchy && pipeline.order != Order::Submitted)
             state.hierarchy->tree = pipeline.order == Order::Octree ? TreeKind::Octree : TreeKind::Bvh;
-        if (state.hierarchy && hasCells) state.hierarchy->cells = cellsOf(scratch.pyramid);
-        state.tests     = tests.take();
-        state.triangle  = triangle.state();
-        state.span      = pixel.span();
-        state.interval  = interval.state();
-        if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = pixel.pixel();
-        if (moment.moment() == MomentRecorder::Moment::TileOver) state.tile = pixel.tile();
+        if (state.hierarchy && hasCells) state.hierarchy->cells = cellsOf(run.scratch.pyramid);
+        state.tests     = recorders.tests.tests();
+        state.triangle  = recorders.triangle.state();
+        state.span      = recorders.pixel.span();
+        state.interval  = recorders.interval.state();
+        if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = recorders.pixel.pixel();
+        if (moment.moment() == MomentRecorder::Moment::TileOver) state.tile = recorders.pixel.tile();
         state.blend     = moment.blend();
         state.sentence  = sentenceFor(state, pipeline, moment.moment(), m_request.scene->scene().triangleCount());
         if (m_request.pipeline.chooser == Chooser::Measured)

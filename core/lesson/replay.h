@@ -1,14 +1,16 @@
-// Stepping forwards and backwards: the state after step k is made by running the algorithm again from an empty
-// frame and stopping right after event k. Nothing is logged, so nothing can drift from what is drawn.
+// Stepping forwards and backwards: the state after step k is made by running the algorithm again and stopping right
+// after event k. Nothing that happened is logged, so nothing can drift from what is drawn.
 //
 // Steps      counted from 0 within a grain; state K is the state right after event K of the grain or a coarser one;
 //            K = count - 1 is the finished picture
 // Promise    the state at K is the same however K was reached; the picture at count - 1 is the one draw() makes
-// Cost       one serial one-lane run up to the event
+// Cost       the first question of all: one serial one-lane run, which counts the steps of every grain and keeps copies of the
+//            structures at checkpoints. Then a run from the last checkpoint before the event (core/lesson/checkpoints.h)
+// Memory     at most CheckpointSpacing::bytes of copies, and the edge table of sweep methods
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,31 +33,45 @@ struct StageMark {
     friend bool operator==(const StageMark&, const StageMark&) = default;
 };
 
+/// How far apart the checkpoints of a run are kept.
+struct CheckpointSpacing {
+    std::uint64_t events = 1'000'000;               // heard by the recorders: 20 to 60 ms of a run
+    std::size_t   bytes  = std::size_t{192} << 20;  // of all of them; where they are more, the checkpoints are farther apart
+};
+
 class Replay {
 public:
-    explicit Replay(DrawRequest request);
+    explicit Replay(DrawRequest request, CheckpointSpacing spacing = {});
+    Replay(Replay&&) noexcept;
+    Replay& operator=(Replay&&) noexcept;
+    ~Replay();
 
     const DrawRequest& request() const { return m_request; }
 
-    /// Number of steps at a grain; counted once. Errors: Usage if the algorithm has no such grain, Cancelled.
+    /// Number of steps at a grain. Errors: Usage if the algorithm has no such grain, Limit, Cancelled.
     Result<std::uint64_t> count(Grain grain);
-    /// In the order of the run; found with the number of steps. A stage without a step of this grain is left out. Errors as
-    /// count().
+    /// In the order of the run. A stage without a step of this grain is left out. Errors as count().
     Result<std::vector<StageMark>> stages(Grain grain);
     /// Errors: Usage (no such grain, step beyond the last), Limit, Cancelled.
     Result<StepState> at(Grain grain, StepIndex step);
+    /// Those that the first question has left; it must have been answered.
+    std::size_t checkpoints() const;
     /// How many events of grain `other` or a coarser one have happened in the state at (grain, step): the way from a
     /// step of one grain to the same moment in another. Errors as at().
     Result<std::uint64_t> eventsBy(Grain other, Grain grain, StepIndex step);
 
 private:
-    struct Length {
-        std::uint64_t          steps = 0;
-        std::vector<StageMark> stages;
-    };
+    struct Survey;
 
-    DrawRequest                                       m_request;
-    std::array<std::optional<Length>, kGrains.size()> m_lengths{};
+    /// Makes sure of m_survey. Errors as count().
+    std::optional<Error> survey(Grain grain);
+    /// Makes sure that its last run stands at this step. Errors as at().
+    std::optional<Error> runTo(Grain grain, StepIndex step);
+    bool                 isCancelled() const;
+
+    DrawRequest             m_request;
+    CheckpointSpacing       m_spacing;
+    std::unique_ptr<Survey> m_survey;  // nullptr: the run has not been seen from end to end
 };
 
 }  // namespace zscope

@@ -4,6 +4,8 @@
 // Steps      as Replay counts them: those of a grain and of all coarser ones
 #pragma once
 
+#include <numeric>
+
 #include "core/lesson/explanation.h"
 #include "core/probe/probe.h"
 
@@ -17,6 +19,12 @@ public:
         ++m_events[static_cast<std::size_t>(Event::grain)];
     }
 
+    /// How many steps of a grain there have been.
+    std::uint64_t seen(Grain grain) const
+    {
+        const auto end = m_events.begin() + static_cast<std::ptrdiff_t>(grain) + 1;
+        return std::accumulate(m_events.begin(), end, std::uint64_t{0});
+    }
     /// Of an event that is no step, or of what has just happened between two: the next step shows it.
     Moment next() const { return moment(kGrains.size()); }
     /// Of an event that is being heard right now: it is a step of its own grain and of finer ones.

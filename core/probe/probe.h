@@ -6,9 +6,14 @@
 //              with a `grain` is a step; one without is only a fact for recorders and counters
 // Stopping     StopAt throws RunStopped right after event k: the run unwinds, and the recorders and buffers, left as
 //              they are, are the state after step k. Only serial drivers run with a probe that stops
+// Checkpoints  places where a run can begin again from copies of its structures: what else it knows there follows from its
+//              inputs and from the decisions it took before. A recorder may send it ahead to one; on the way nothing is told,
+//              nothing drawn, and decisions are looked up
 #pragma once
 
+#include <concepts>
 #include <cstdint>
+#include <optional>
 #include <tuple>
 
 #include "core/probe/grain.h"
@@ -21,8 +26,28 @@ concept observes = requires(Recorder recorder, const Event& event) { recorder.ob
 template <class Event>
 concept isStep = requires { { Event::grain } -> std::convertible_to<Grain>; };
 
+enum class Checkpoint {
+    Batch,      // before the vertices of a batch are transformed
+    EdgeTable,  // every bucket of the edge table is filled
+    Line,       // before a line is swept
+};
+
+template <class Recorder>
+concept sendsAhead = requires(Recorder recorder, Checkpoint at) {
+    { recorder.isOnTheWay() } -> std::same_as<bool>;
+    { recorder.passesBy(at) } -> std::same_as<bool>;
+};
+
 struct NoProbe {
     static constexpr bool listens = false;
+
+    static constexpr bool isOnTheWay() { return false; }
+    static constexpr bool leavesOut(Checkpoint) { return false; }
+    template <class Decision>
+    static constexpr std::optional<Decision> decided()
+    {
+        return std::nullopt;
+    }
 
     template <class Event>
     constexpr void operator()(const Event&) const noexcept
@@ -49,6 +74,8 @@ public:
     }
 
     std::uint64_t seen() const { return m_seen; }
+    /// So many of them have happened before the run began.
+    void          beginAfter(std::uint64_t seen) { m_seen = seen; }
     Grain         lastGrain() const { return m_lastGrain; }
 
 private:
@@ -58,18 +85,41 @@ private:
     Grain         m_lastGrain = Grain::Frame;
 };
 
-/// Tells each event to every recorder that observes it, in the order given; put StopAt last.
-template <class... Recorders>
+/// Tells each event to every recorder that observes it, in the order given; put StopAt last. At most the first recorder sends
+/// the run ahead.
+template <class First, class... Others>
 class Listening {
 public:
     static constexpr bool listens = true;
 
-    explicit Listening(Recorders&... recorders) : m_recorders(recorders...) {}
+    explicit Listening(First& first, Others&... others) : m_recorders(first, others...) {}
 
     template <class Event>
     void operator()(const Event& event) const
     {
+        if (isOnTheWay()) return;
         std::apply([&event](auto&... recorder) { (tell(recorder, event), ...); }, m_recorders);
+    }
+
+    /// The run is ahead of what is drawn: it has not reached the checkpoint at which it begins.
+    bool isOnTheWay() const
+    {
+        if constexpr (sendsAhead<First>) return std::get<0>(m_recorders).isOnTheWay();
+        return false;
+    }
+    /// The run stands at a checkpoint; true if what follows it, up to the next, was done before.
+    bool leavesOut([[maybe_unused]] Checkpoint at) const
+    {
+        if constexpr (sendsAhead<First>) return std::get<0>(m_recorders).passesBy(at);
+        return false;
+    }
+    /// On the way: what was decided here. Otherwise nothing.
+    template <class Decision>
+    std::optional<Decision> decided() const
+    {
+        if constexpr (sendsAhead<First>)
+            if (isOnTheWay()) return std::get<0>(m_recorders).lookUp(Decision{});
+        return std::nullopt;
     }
 
 private:
@@ -79,7 +129,7 @@ private:
         if constexpr (observes<Recorder, Event>) recorder.observe(event);
     }
 
-    std::tuple<Recorders&...> m_recorders;
+    std::tuple<First&, Others&...> m_recorders;
 };
 
 }  // namespace zscope

@@ -13,6 +13,7 @@
 #endif
 
 #include "core/base/progress.h"
+#include "core/probe/probe.h"
 #include "core/sweep/active_edges.h"
 #include "core/sweep/line_zbuffer-inl.h"
 
@@ -26,6 +27,7 @@ void sweep(const EdgeTable& edges, ActiveEdges& active, ActivePolygons& polygons
     active.clear();
     polygons.clear(edges.parts().size());
     for (int y = edges.firstLine(); y < edges.endLine() && !progress.cancelled(); ++y) {
+        if (probe.leavesOut(Checkpoint::Line)) continue;
         active.advanceTo(y, edges, polygons, rules, probe);
         active.admit(y, edges, polygons, rules, probe);
         probe(ScanlineReady{y, active.view(), polygons});

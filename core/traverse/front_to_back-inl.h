@@ -139,6 +139,7 @@ private:
         m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size() - batches.triangleCount())});
         for (const Batch& batch : batches.batches) {
             if (m_stripe.progress.cancelled()) break;
+            if (m_probe.leavesOut(Checkpoint::Batch)) continue;
             m_clock.lap(Stage::Cull);
             setUpBatch(BatchPlace{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]}, placed.instance, m_stripe,
                        m_scratch, m_clock, m_rules, m_probe);
@@ -170,6 +171,7 @@ private:
 
     Verdict judge(const PlacedTree& placed, const TreeNode& node)
     {
+        if (const std::optional<Verdict> before = m_probe.template decided<Verdict>()) return *before;
         if (placed.volume.misses(node.bounds)) return tell(placed, node, Verdict::Outside, nullptr);
         const double smallest = m_rules.smallestNode();
         if (!m_occlusion.asksNodes && smallest == 0) return tell(placed, node, Verdict::Entered, nullptr);

@@ -13,6 +13,7 @@
 #include "core/geometry/set_up.h"
 #include "core/geometry/stripe_volume.h"
 #include "core/geometry/transform-inl.h"
+#include "core/probe/probe.h"
 #include "core/traverse/stripe.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -59,7 +60,7 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
             clock.lap(Stage::Cull);
             if (outside)
                 probe(BatchOutside{InstanceId{i}, mesh.batches[b].triangleCount});
-            else
+            else if (!probe.leavesOut(Checkpoint::Batch))
                 visit(InstanceId{i}, b, toWorld);
         }
     }

@@ -134,6 +134,74 @@ TEST(Replay, AStepIsTheSameWhetherReachedForwardsBackwardsOrAtRandom)
     });
 }
 
+/// The same steps with and without checkpoints to begin at.
+void expectTheSameFromCheckpoints(const DrawRequest& request, std::uint64_t& kept)
+{
+    for (const Grain grain : grainsOf(request.pipeline)) {
+        SCOPED_TRACE(std::string(wordOf(grain)));
+        Replay fromCheckpoints(request, {.events = 12}), fromTheStart(request, {.events = ~std::uint64_t{0}, .bytes = 0});
+        const std::uint64_t count = *fromTheStart.count(grain);
+        ASSERT_EQ(*fromCheckpoints.count(grain), count);
+        ASSERT_EQ(*fromCheckpoints.stages(grain), *fromTheStart.stages(grain));
+        ASSERT_EQ(fromTheStart.checkpoints(), 0u);
+        kept += fromCheckpoints.checkpoints();
+        std::mt19937_64            random(count);
+        std::vector<std::uint64_t> steps{count - 1, 0};
+        for (int i = 0; i < 16; ++i) steps.push_back(random() % count);
+        for (const std::uint64_t step : steps) {
+            const StepState straight = stateAt(fromTheStart, grain, step);
+            EXPECT_TRUE(areIdentical(stateAt(fromCheckpoints, grain, step), straight)) << "step " << step;
+            EXPECT_EQ(contentsOf(stateAt(fromCheckpoints, grain, step)), contentsOf(straight)) << "step " << step << ", asked again";
+        }
+    }
+}
+
+TEST(Replay, AStepIsTheSameFromACheckpointAsFromTheStart)
+{
+    std::vector<SeenScene> scenes = smallScenes();
+    scenes.push_back(builtinScene("city?blocks=1", 48, 32));
+    scenes.push_back(builtinScene("city?blocks=1&seed=3", 40, 30));
+    for (const Preset& preset : presets()) {
+        std::uint64_t kept = 0;
+        for (const SeenScene& seen : scenes) {
+            SCOPED_TRACE(seen.what + ", " + std::string(preset.name));
+            expectTheSameFromCheckpoints(seen.request(preset.pipeline), kept);
+        }
+        EXPECT_GT(kept, 0u) << preset.name;
+    }
+}
+
+TEST(Replay, AStepOfAFaultOrAnApproximationIsTheSameFromACheckpoint)
+{
+    const SeenScene seen = builtinScene("city?blocks=1&seed=3", 40, 30);
+    for (const char* name : {"zbuffer", "scanline", "interval-polygon", "hzb-octree", "two-pass"}) {
+        DrawRequest request = seen.request(findPreset(name)->pipeline);
+        std::uint64_t kept = 0;
+        request.pipeline.approximation.snap = SnapBits::Four;
+        SCOPED_TRACE(name);
+        expectTheSameFromCheckpoints(request, kept);
+        EXPECT_GT(kept, 0u);
+    }
+}
+
+TEST(Replay, CheckpointsThatDoNotFitAreKeptFartherApart)
+{
+    const SeenScene   seen    = builtinScene("city?blocks=1&seed=3", 40, 30);
+    const DrawRequest request = seen.request(findPreset("zbuffer")->pipeline);
+    Replay            many(request, {.events = 12}), few(request, {.events = 12, .bytes = 200'000}), none(request, {.events = 12, .bytes = 1});
+    const auto        count = *many.count(Grain::Pixel);
+    ASSERT_EQ(*few.count(Grain::Pixel), count);
+    ASSERT_EQ(*none.count(Grain::Pixel), count);
+    EXPECT_GT(many.checkpoints(), few.checkpoints());
+    EXPECT_GT(few.checkpoints(), 0u);
+    EXPECT_EQ(none.checkpoints(), 0u);
+    for (const std::uint64_t step : {count / 3, count - 2}) {
+        const StepState state = stateAt(many, Grain::Pixel, step);
+        EXPECT_TRUE(areIdentical(stateAt(few, Grain::Pixel, step), state));
+        EXPECT_TRUE(areIdentical(stateAt(none, Grain::Pixel, step), state));
+    }
+}
+
 TEST(Replay, EveryPixelThatIsBlendedIsAStepThatSaysHowManySurfacesItHas)
 {
     const SeenScene   seen    = cubesOfGlass(23, 17);
