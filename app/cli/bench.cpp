@@ -21,11 +21,12 @@ namespace {
 struct BenchOptions {
     std::vector<std::string>   scenes;
     ViewOptions                view;
-    std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, frames, memoryLimit, json, csv;
+    std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, frames, memoryLimit, path, sample, json, csv;
     bool                       noVerify = false, noShade = false, noCount = false, peers = false;
 };
 
 constexpr std::int64_t kMaxFrames     = 1'000'000;
+constexpr std::int64_t kMaxSamples    = 100'000'000;
 constexpr std::size_t  kWarningsShown = 0;  // 'info' is the place for them; here they would part the table
 
 /// The suite that was asked for, or nullptr.
@@ -95,7 +96,7 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
 Result<Exit> benchExperiment(const BenchOptions& options, const ViewWords& words, Session& session)
 {
     const bool saysMore = !options.scenes.empty() || !words.given.empty() || words.faceCulling || options.suite || options.algorithms || options.threads ||
-                          options.simd || options.frames || options.peers || options.noVerify || options.noShade || options.noCount;
+                          options.simd || options.frames || options.path || options.sample || options.peers || options.noVerify || options.noShade || options.noCount;
     if (saysMore) return Error{Trouble::Usage, "an experiment says which scenes are drawn how: only --shard, --memory-limit, --json and --csv go with it"};
     ExperimentOptions experiment{.file = *options.experiment, .json = options.json, .csv = options.csv};
     if (options.shard) {
@@ -111,6 +112,28 @@ Result<Exit> benchExperiment(const BenchOptions& options, const ViewWords& words
     return runExperiment(experiment, session);
 }
 
+/// The path that was asked for, if any: it says where the camera is, so little else may.
+Result<std::optional<NamedPath>> pathOf(const BenchOptions& options, const ViewWords& words)
+{
+    if (!options.path && options.sample) return Error{Trouble::Usage, "--sample goes with --path: of one view every pixel is checked"};
+    if (!options.path) return std::optional<NamedPath>();
+    for (const std::string& option : words.given)
+        if (option != "--size") return Error{Trouble::Usage, fmt::format("--path says where the camera is: only --size and --cull go with it, not {}", option)};
+    if (options.peers) return Error{Trouble::Usage, "--peers are timed on one view, not along a path"};
+    if (options.sample && options.noVerify) return Error{Trouble::Usage, "--sample says how much is checked, and --no-verify that nothing is"};
+    auto path = cameraPathOf(*options.path);
+    if (!path) return path.error();
+    return std::optional(*std::move(path));
+}
+
+Result<std::optional<std::uint64_t>> samplesOf(const BenchOptions& options)
+{
+    if (!options.sample) return std::optional<std::uint64_t>();
+    const auto samples = wholeNumber(*options.sample, "--sample", 1, kMaxSamples);
+    if (!samples) return samples.error();
+    return std::optional(static_cast<std::uint64_t>(*samples));
+}
+
 Result<Exit> benchScenes(const BenchOptions& options, Session& session)
 {
     const Result<ViewWords> words = options.view.read();
@@ -121,6 +144,13 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
     if (!suite) return suite.error();
     Result<BenchRequest> request = requestOf(options, *suite, session);
     if (!request) return request.error();
+
+    const auto path = pathOf(options, *words);
+    if (!path) return path.error();
+    const auto samples = samplesOf(options);
+    if (!samples) return samples.error();
+    // As many passes as the timed frames need.
+    if (*path) request->rounds = (request->frames + (*path)->path.frameCount() - 1) / (*path)->path.frameCount();
 
     if (options.peers) {
         if (const auto there = checkPeers(); !there) return there.error();
@@ -140,7 +170,7 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
         request->scene       = *scene;
         request->camera      = view->camera;
         request->faceCulling = view->faceCulling;
-        Result<std::vector<BenchRow>> measured = bench(*request);
+        Result<std::vector<BenchRow>> measured = *path ? alongPath(*request, **path, *samples) : bench(*request);
         if (!measured) return measured.error();
         if (options.peers) {
             Result<std::vector<BenchRow>> others = benchPeers(*request);
@@ -157,6 +187,7 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
     if (options.json)
         if (const auto done = writeFile(*options.json, benchToJson(rows)); !done) return done.error();
     session.print(options.peers ? peerTablesOf(rows) : *suite ? suiteTableOf(rows) : benchTableOf(rows));
+    if (*path) session.print("\n" + seriesTableOf(rows));
     const auto isWrong = [](const BenchRow& row) { return !isPeer(row) && row.wrongPixels.value_or(0) != 0; };
     return std::ranges::any_of(rows, isWrong) ? Exit::CheckFailed : Exit::Done;
 }
@@ -179,6 +210,8 @@ Command addBench(CLI::App& parent)
     option("--threads", options->threads, "N[,N...]", "Thread counts (default: one per core, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
+    option("--path", options->path, "FILE.json", "Move the camera from key frame to key frame, as often as the timed frames need (docs/experiments.md)");
+    option("--sample", options->sample, "N", "With --path: check N random pixels of every frame instead of all");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
     parser->add_flag("--peers", options->peers, "Time Embree and llvmpipe too, on the same triangles and camera");
     parser->add_flag("--no-shade", options->noShade, "Time ids and depth alone, without shading");

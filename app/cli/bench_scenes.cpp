@@ -4,6 +4,7 @@
 
 #include "app/cli/project_file.h"
 #include "core/io/read_file.h"
+#include "core/measure/experiment.h"
 
 namespace zscope::cli {
 namespace {
@@ -89,6 +90,18 @@ Result<std::vector<BenchScene>> benchScenesOf(const std::vector<std::string>& sa
         scenes.push_back(*std::move(resolved));
     }
     return scenes;
+}
+
+Result<NamedPath> cameraPathOf(const std::string& file)
+{
+    const auto found = findProjectFile(file);
+    if (!found) return Error{Trouble::Input, "this camera path was not found, neither here nor above the program", file};
+    const Result<std::string> text = readRegularFile(*found, kMaxPathFile);
+    if (!text) return text.error();
+    Result<CameraPath> path = cameraPathFromJson(*text, *found);
+    if (!path) return path.error();
+    const std::string digest = digestOfText(cameraPathToJson(*path));
+    return NamedPath{*std::move(path), file, digest};
 }
 
 }  // namespace zscope::cli

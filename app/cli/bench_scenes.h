@@ -9,6 +9,7 @@
 #include "app/cli/options.h"
 #include "core/base/result.h"
 #include "core/measure/suites.h"
+#include "core/scene/camera_path.h"
 
 namespace zscope::cli {
 
@@ -32,5 +33,13 @@ struct BenchScene {
 Result<BenchScene> benchSceneOf(const SuiteScene& scene, std::optional<FaceCulling> faceCulling);
 /// Scenes that were said replace those of the suite; suite may be nullptr. Errors: Input when a file of the project is missing.
 Result<std::vector<BenchScene>> benchScenesOf(const std::vector<std::string>& said, const Suite* suite);
+
+struct NamedPath {
+    CameraPath  path;
+    std::string file;    // as it was said
+    std::string digest;  // of what it says, however it is laid out
+};
+/// A file of key frames, found as camera files of the project are. Errors: Input.
+Result<NamedPath> cameraPathOf(const std::string& file);
 
 }  // namespace zscope::cli

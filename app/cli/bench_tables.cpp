@@ -114,4 +114,31 @@ std::string experimentTableOf(std::span<const BenchRow> rows, std::string_view b
     return table.text();
 }
 
+std::string seriesTableOf(std::span<const BenchRow> rows)
+{
+    Table table({{"scene", Table::Align::Left}, {"algorithm", Table::Align::Left}, {"threads"}, {"frames"}, {"slowest ms"}, {"wrong frames"}, {"worst frame"},
+                 {"after cuts"}, {"drawn by", Table::Align::Left}});
+    for (const BenchRow& row : rows) {
+        if (!row.series) continue;
+        const Series& series  = *row.series;
+        const auto    slowest = std::ranges::max_element(series.frames, {}, &SeriesFrame::ms);
+        const auto    wrong   = std::ranges::count_if(series.frames, [](const SeriesFrame& frame) { return frame.wrongPixels.value_or(0) > 0; });
+        std::vector<std::string> lags;
+        for (const Lag& lag : series.lags) lags.push_back(lag.frames ? std::to_string(*lag.frames) : "all");
+        std::vector<std::pair<std::string, int>> chosen;
+        for (const SeriesFrame& frame : series.frames) {
+            if (frame.chosen.empty()) continue;
+            const auto known = std::ranges::find(chosen, frame.chosen, &std::pair<std::string, int>::first);
+            if (known == chosen.end()) chosen.emplace_back(frame.chosen, 1);
+            else ++known->second;
+        }
+        std::vector<std::string> drawn;
+        for (const auto& [name, count] : chosen) drawn.push_back(fmt::format("{} {}", count, name));
+        table.row({row.scene, row.algorithm, std::to_string(row.threads), std::to_string(series.frames.size()), ms(slowest->ms),
+                   row.wrongPixels ? std::to_string(wrong) : "", row.wrongPixels ? fmt::format("{:.2f} %", 100 * worstShare(series)) : "",
+                   fmt::format("{}", fmt::join(lags, ", ")), fmt::format("{}", fmt::join(drawn, ", "))});
+    }
+    return table.text();
+}
+
 }  // namespace zscope::cli

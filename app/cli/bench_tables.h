@@ -26,4 +26,8 @@ std::string suiteTableOf(std::span<const BenchRow> rows);
 /// no times.
 std::string experimentTableOf(std::span<const BenchRow> rows, std::string_view baseline);
 
+/// One line per run along a camera path: the slowest frame, how many frames were wrong and the worst of them, how many wrong frames
+/// followed each cut, and by what the frames were drawn where that was chosen.
+std::string seriesTableOf(std::span<const BenchRow> rows);
+
 }  // namespace zscope::cli

@@ -8,9 +8,12 @@
 #include "app/cli/bench_scenes.h"
 #include "app/cli/bench_tables.h"
 #include "app/cli/options.h"
+#include "app/cli/peers/peer_rows.h"
+#include "app/cli/peers/peer_tables.h"
 #include "app/cli/words.h"
 #include "core/io/file_writer.h"
 #include "core/io/read_file.h"
+#include "core/measure/path_bench.h"
 #include "core/measure/record.h"
 
 namespace zscope::cli {
@@ -27,6 +30,7 @@ struct PreparedPart {
     std::vector<BenchAlgorithm> algorithms;
     std::vector<BenchScene>     scenes;  // as those of the part
     ViewWords                   view;
+    std::optional<NamedPath>    path;
 };
 
 std::optional<Error> whyNotThere(const BenchScene& scene)
@@ -60,6 +64,13 @@ Result<PreparedPart> prepare(const ExperimentPart& part, const std::string& file
         if (auto why = whyNotThere(*named)) return at(file, from.line, std::move(*why));
         prepared.scenes.push_back(*std::move(named));
     }
+    if (part.peers)
+        if (const auto there = checkPeers(); !there) return at(file, part.line, there.error());
+    if (!part.path.empty()) {
+        auto path = cameraPathOf(part.path);
+        if (!path) return path.error();
+        prepared.path = *std::move(path);
+    }
     if (part.hasSize) {
         prepared.view.given          = {"--size"};
         prepared.view.request.width  = part.width;
@@ -67,6 +78,17 @@ Result<PreparedPart> prepare(const ExperimentPart& part, const std::string& file
     }
     return prepared;
 }
+
+}  // namespace
+
+Result<std::vector<BenchRow>> alongPath(const BenchRequest& request, const NamedPath& path, std::optional<std::uint64_t> samples)
+{
+    const auto cameras = camerasOf(path.path, request.scene->bounds, request.camera.width, request.camera.height);
+    if (!cameras) return Error{Trouble::Input, cameras.error().sentence, path.file};
+    return benchPath(request, {.cameras = *cameras, .cuts = path.path.cuts(), .samples = samples});
+}
+
+namespace {
 
 class ExperimentRun {
 public:
@@ -119,29 +141,40 @@ private:
         LoadTimes  load;
         const auto scene = cli::loadScene(named.word, m_session, m_options.memoryLimit, 0, &load);
         if (!scene) return scene.error().kind == Trouble::Usage ? at(m_options.file, each.scene->line, scene.error()) : scene.error();
+        const std::string pathDigest = prepared.path ? prepared.path->digest : std::string();
         if (const RecordCase* known = m_record.find(each.index)) {
-            if (known->sceneDigest == (*scene)->digest) return Done{};
-            return Error{Trouble::Input,
-                         fmt::format("this record was made with another scene '{}': its digest was {} and is {}; name another file", known->scene,
-                                     known->sceneDigest, (*scene)->digest),
-                         m_options.json.value_or("")};
+            if (known->sceneDigest != (*scene)->digest)
+                return Error{Trouble::Input,
+                             fmt::format("this record was made with another scene '{}': its digest was {} and is {}; name another file", known->scene,
+                                         known->sceneDigest, (*scene)->digest),
+                             m_options.json.value_or("")};
+            if (known->pathDigest != pathDigest)
+                return Error{Trouble::Input, fmt::format("this record was made along another camera path than '{}': name another file", each.part->path),
+                             m_options.json.value_or("")};
+            return Done{};
         }
         if (named.isStandIn) m_session.note(fmt::format("'{}' stands in for a model that is not here: {}", named.word, named.title));
         const auto view = named.viewOf(**scene, prepared.view);
         if (!view) return view.error();
 
-        const auto rows = bench({.scene       = *scene,
-                                 .camera      = view->camera,
-                                 .faceCulling = view->faceCulling,
-                                 .algorithms  = prepared.algorithms,
-                                 .threads     = each.part->threads,
-                                 .frames      = each.part->frames,
-                                 .rounds      = each.part->rounds,
-                                 .pictures    = each.part->shade ? BenchPictures::Shaded : BenchPictures::Unshaded,
-                                 .memoryLimit = m_options.memoryLimit,
-                                 .load        = load,
-                                 .progress    = m_session.progress()});
+        const BenchRequest request{.scene       = *scene,
+                                   .camera      = view->camera,
+                                   .faceCulling = view->faceCulling,
+                                   .algorithms  = prepared.algorithms,
+                                   .threads     = each.part->threads,
+                                   .frames      = each.part->frames,
+                                   .rounds      = each.part->rounds,
+                                   .pictures    = picturesOf(*each.part),
+                                   .memoryLimit = m_options.memoryLimit,
+                                   .load        = load,
+                                   .progress    = m_session.progress()};
+        auto rows = prepared.path ? alongPath(request, *prepared.path, each.part->samples) : bench(request);
         if (!rows) return rows.error();
+        if (each.part->peers) {
+            auto others = benchPeers(request);
+            if (!others) return others.error();
+            std::ranges::move(*others, std::back_inserter(*rows));
+        }
         m_record.add({.index       = each.index,
                       .part        = each.part->title,
                       .x           = each.part->x,
@@ -150,8 +183,15 @@ private:
                       .place       = each.scene->x.value_or(static_cast<double>(number) + 1),
                       .width       = view->camera.width,
                       .height      = view->camera.height,
+                      .pathDigest  = pathDigest,
                       .rows        = benchToJson(*rows)});
         return m_options.json ? writeFile(*m_options.json, recordToJson(m_record)) : Result<Done>(Done{});
+    }
+
+    static BenchPictures picturesOf(const ExperimentPart& part)
+    {
+        if (!part.shade && part.peers) return BenchPictures::Both;  // each peer draws one of the two
+        return part.shade.value_or(true) ? BenchPictures::Shaded : BenchPictures::Unshaded;
     }
 
     Result<Exit> tell()
@@ -166,13 +206,20 @@ private:
                 if (!read) return read.error();
                 std::ranges::move(*read, std::back_inserter(rows));
             }
-            text += fmt::format("\n{}\n{}", part.english, experimentTableOf(rows, m_experiment.baseline));
+            text += fmt::format("\n{}\n{}", part.english, tableOf(rows));
             std::ranges::move(rows, std::back_inserter(all));
         }
         m_session.print(text);
         if (m_options.csv)
             if (const auto written = writeFile(*m_options.csv, benchToCsv(all)); !written) return written.error();
         return std::ranges::any_of(all, &BenchRow::isBroken) ? Exit::CheckFailed : Exit::Done;
+    }
+
+    std::string tableOf(std::span<const BenchRow> rows) const
+    {
+        if (std::ranges::any_of(rows, isPeer)) return peerTablesOf(rows);
+        const std::string table = experimentTableOf(rows, m_experiment.baseline);
+        return std::ranges::any_of(rows, [](const BenchRow& row) { return row.series.has_value(); }) ? table + "\n" + seriesTableOf(rows) : table;
     }
 
     const ExperimentOptions&  m_options;

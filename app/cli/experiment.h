@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/bench_scenes.h"
 #include "app/cli/session.h"
 #include "core/base/result.h"
+#include "core/measure/bench.h"
 
 namespace zscope::cli {
 
@@ -24,6 +26,9 @@ struct ExperimentOptions {
     std::uint64_t              memoryLimit = 0;   // bytes; 0: the default
     std::optional<std::string> json, csv = {};    // the record, which is gone on with if it is there; a view of it
 };
+
+/// `request` along the path, in pictures as large as its camera says. Errors: as benchPath(); Input where the path does not fit the scene.
+Result<std::vector<BenchRow>> alongPath(const BenchRequest& request, const NamedPath& path, std::optional<std::uint64_t> samples);
 
 /// CheckFailed: a picture was wrong that its algorithm says is not.
 Result<Exit> runExperiment(const ExperimentOptions& options, Session& session);

@@ -8,53 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/stopwatch.h"
+#include "core/measure/bench_summary.h"
 #include "core/measure/face_figures.h"
 #include "core/measure/reference.h"
+#include "core/measure/series_json.h"
 
 namespace zscope {
 namespace {
-
-std::uint64_t differingPixels(const Picture& reference, const Picture& test)
-{
-    const auto ids = reference.ids.values(), testIds = test.ids.values();
-    const auto depth = reference.depth.values(), testDepth = test.depth.values();
-
-    std::uint64_t differing = 0;
-    for (std::size_t i = 0; i < ids.size(); ++i)
-        differing += ids[i] != testIds[i]
-                     || std::bit_cast<std::uint32_t>(depth[i]) != std::bit_cast<std::uint32_t>(testDepth[i]);
-    return differing;
-}
-
-/// Fills the timing part of a row from the timed frames.
-void summarise(std::vector<FrameReport> reports, BenchRow& row)
-{
-    std::ranges::sort(reports, {}, &FrameReport::frameMs);
-    const auto at = [&reports](double p) -> const FrameReport& { return reports[quantileRank(reports.size(), p)]; };
-    row.bestMs    = reports.front().frameMs;
-    row.q1Ms      = at(0.25).frameMs;
-    row.medianMs  = at(0.5).frameMs;
-    row.q3Ms      = at(0.75).frameMs;
-    for (const StageTime& stage : at(0.5).stages) row.stageMs[static_cast<std::size_t>(stage.stage)] = stage.ms;
-    for (const NamedCount& part : at(0.5).bytes) row.bytes += part.value;
-
-    std::vector<double> times(reports.size());
-    for (std::size_t stage = 0; stage < kStages.size(); ++stage) {
-        std::ranges::transform(reports, times.begin(), [stage](const FrameReport& report) { return report.stages[stage].ms; });
-        std::ranges::sort(times);
-        const auto quantile = [&times](double p) { return times[quantileRank(times.size(), p)]; };
-        row.stageQuartiles[stage] = {quantile(0.25), quantile(0.5), quantile(0.75)};
-    }
-}
-
-/// What compare() would find, if every pixel is known to be the same.
-ErrorFigures figuresOfEqual(const Picture& reference)
-{
-    ErrorFigures figures;
-    figures.pixels  = reference.ids.values().size();
-    figures.covered = static_cast<std::uint64_t>(std::ranges::count_if(reference.ids.values(), [](std::int64_t id) { return id >= 0; }));
-    return figures;
-}
 
 /// One bench: the scene made ready, the truth about it, and the objects every run uses again.
 class Bench {
@@ -73,10 +33,8 @@ public:
             if (!picture) return picture.error();
             m_reference = *std::move(picture);
         }
-        std::vector<Run>  runs;
-        std::vector<bool> shades;
-        if (m_request.pictures != BenchPictures::Unshaded) shades.push_back(true);
-        if (m_request.pictures != BenchPictures::Shaded) shades.push_back(false);
+        std::vector<Run>        runs;
+        const std::vector<bool> shades = shadingsOf(m_request.pictures);
         const std::size_t count = m_request.algorithms.size() * m_request.threads.size() * m_request.simd.size() * shades.size();
         for (const BenchAlgorithm& algorithm : m_request.algorithms) {
             std::vector<NamedCount> counters;
@@ -126,15 +84,7 @@ private:
 
     DrawRequest drawRequest(const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade) const
     {
-        return {.scene       = m_scene,
-                .camera      = m_request.camera,
-                .faceCulling = m_request.faceCulling,
-                .pipeline    = algorithm.pipeline,
-                .threads     = threads,
-                .simd        = simd,
-                .shade       = shade,
-                .memoryLimit = m_request.memoryLimit,
-                .cancel      = m_request.progress.cancel};
+        return drawRequestOf(m_request, m_scene, algorithm, threads, simd, shade);
     }
 
     /// Draws and judges the first picture, and warms up.
@@ -367,6 +317,7 @@ std::string benchToJson(std::span<const BenchRow> rows)
                         {"stages", std::move(stages)},
                         {"stage_quartiles", std::move(quartiles)},
                         {"round_ms", row.roundMs},
+                        {"series", row.series ? toJson(*row.series) : Json(nullptr)},
                         {"counters", std::move(counters)}});
     }
     return list.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -27,6 +27,7 @@
 #include "core/base/stages.h"
 #include "core/frame/renderer.h"
 #include "core/measure/error_figures.h"
+#include "core/measure/series.h"
 #include "core/measure/suites.h"
 #include "core/scene/load.h"
 #include "core/scene/scene.h"
@@ -95,6 +96,7 @@ struct BenchRow {
     std::array<StageQuartiles, kStages.size()> stageQuartiles{};  // of each stage by itself
     std::vector<NamedCount>                    counters;          // the work behind the times
     std::vector<double>                        roundMs;           // the median frame of each round
+    std::optional<Series>                      series;            // along a camera path: frame by frame
 
     /// It promised the reference's picture and drew another: its time is no result.
     bool isBroken() const { return claim != Claim::Approximate && wrongPixels.value_or(0) != 0; }

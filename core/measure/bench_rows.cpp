@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/measure/series_json.h"
+
 namespace zscope {
 namespace {
 
@@ -53,7 +55,7 @@ BenchRow rowOf(const Json& json)
     row.claim = valueOf(json.at("claim"), std::array{Claim::Exact, Claim::ExactByFace, Claim::Approximate});
     if (const Json& chosen = json.at("chosen"); chosen.is_string()) chosen.get_to(row.chosen);
     json.at("threads").get_to(row.threads);
-    row.simd = valueOf(json.at("simd"), std::array{Simd::Scalar, Simd::Sse4, Simd::Avx2, Simd::Avx512});
+    row.simd = valueOf(json.at("simd"), std::array{Simd::Auto, Simd::Scalar, Simd::Sse4, Simd::Avx2, Simd::Avx512});
     json.at("shaded").get_to(row.shaded);
     json.at("pixels").get_to(row.pixels);
     if (const Json& wrong = json.at("wrong_pixels"); !wrong.is_null()) row.wrongPixels = wrong.get<std::uint64_t>();
@@ -77,6 +79,7 @@ BenchRow rowOf(const Json& json)
     }
     for (const auto& [name, value] : json.at("counters").items()) row.counters.push_back({name, value.get<std::uint64_t>()});
     json.at("round_ms").get_to(row.roundMs);
+    if (json.contains("series") && !json.at("series").is_null()) row.series = seriesOf(json.at("series"));  // older records have none
     return row;
 }
 

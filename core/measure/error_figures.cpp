@@ -114,6 +114,41 @@ ErrorFigures compare(std::span<const PixelPair> pixels, std::span<const std::int
     return figures;
 }
 
+ErrorFigures together(std::span<const ErrorFigures> pictures)
+{
+    ErrorFigures all;
+    double       same = 0, other = 0, exact = 0, sameSquares = 0, otherSquares = 0;
+    for (const ErrorFigures& each : pictures) {
+        all.pixels += each.pixels;
+        all.covered += each.covered;
+        all.holes += each.holes;
+        all.spills += each.spills;
+        all.nearTies += each.nearTies;
+        all.realWrongSurface += each.realWrongSurface;
+        all.depthBitsDiffer += each.depthBitsDiffer;
+        all.lostTriangles += each.lostTriangles;
+        all.falseCulls += each.falseCulls;
+        all.p99DepthSteps = std::max(all.p99DepthSteps, each.p99DepthSteps);
+        all.maxDepthSteps = std::max(all.maxDepthSteps, each.maxDepthSteps);
+        const auto keepLargest = [](RelativeDistance& to, const RelativeDistance& from) {
+            to.p99 = std::max(to.p99, from.p99);
+            to.max = std::max(to.max, from.max);
+        };
+        keepLargest(all.distanceOnSameSurface, each.distanceOnSameSurface);
+        keepLargest(all.distanceOnWrongSurface, each.distanceOnWrongSurface);
+        const auto onSame = static_cast<double>(each.covered - each.holes - each.wrongSurface()), onOther = static_cast<double>(each.wrongSurface());
+        same += onSame;
+        other += onOther;
+        exact += each.exactShare * onSame;
+        sameSquares += each.distanceOnSameSurface.rms * each.distanceOnSameSurface.rms * onSame;
+        if (onOther > 0) otherSquares += each.distanceOnWrongSurface.rms * each.distanceOnWrongSurface.rms * onOther;
+    }
+    if (same > 0) all.exactShare = exact / same;
+    if (same > 0) all.distanceOnSameSurface.rms = std::sqrt(sameSquares / same);
+    if (other > 0) all.distanceOnWrongSurface.rms = std::sqrt(otherSquares / other);
+    return all;
+}
+
 ErrorFigures compare(const Picture& reference, const Picture& test)
 {
     assert(reference.ids.width() == test.ids.width() && reference.ids.height() == test.ids.height());

@@ -56,6 +56,10 @@ struct ErrorFigures {
 /// float32 steps between two depths (0 and up).
 std::uint32_t stepsBetween(float a, float b);
 
+/// Of several pictures as if they were one: counts add up, shares and root mean squares weigh by pixels, largest values stay. What
+/// is larger than 99 % of the pixels of all is not known from those of each: the largest of these stands for it.
+ErrorFigures together(std::span<const ErrorFigures> pictures);
+
 /// Both pictures must have the same size.
 ErrorFigures compare(const Picture& reference, const Picture& test);
 

@@ -14,14 +14,7 @@ namespace {
 constexpr int kMaxSide    = 1 << 16;
 constexpr int kMaxFrames  = 100'000;
 constexpr int kMaxThreads = 1024;
-
-/// Fowler, Noll and Vo's hash of 64 bits: says whether two files ask for the same, not that nobody forged one.
-std::string digestOfText(std::string_view text)
-{
-    std::uint64_t hash = 0xCBF2'9CE4'8422'2325ull;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100'0000'01B3ull;
-    return fmt::format("{:016x}", hash);
-}
+constexpr int kMaxSamples = 100'000'000;
 
 class ExperimentReader {
 public:
@@ -46,7 +39,9 @@ private:
         std::string all = experiment.baseline;
         for (const ExperimentPart& part : experiment.parts) {
             all += fmt::format("\n{}|{}x{}|{}|{}|{}|{}|{}|", fmt::join(part.algorithms, ","), part.width, part.height, part.hasSize,
-                               part.faceCulling ? static_cast<int>(*part.faceCulling) : -1, part.frames, part.rounds, part.shade);
+                               part.faceCulling ? static_cast<int>(*part.faceCulling) : -1, part.frames, part.rounds, part.shade.value_or(true));
+            if (!part.path.empty()) all += fmt::format("path {} {}|", part.path, part.samples.value_or(0));
+            if (part.peers) all += fmt::format("peers {}|", part.shade.has_value());
             for (const int threads : part.threads) all += fmt::format("{},", threads);
             for (const ExperimentScene& scene : part.scenes)
                 all += fmt::format("\n {}|{}|{}|{}|{}|{}", scene.word, scene.view, scene.camera, scene.model, scene.modelCamera, scene.x.value_or(-1));
@@ -132,7 +127,7 @@ private:
 
     bool onePart(const JsonValue& value, ExperimentPart& part)
     {
-        if (!knows(value, "a part", {"title", "scenes", "algorithms", "threads", "size", "cull", "frames", "rounds", "shade", "x"})) return false;
+        if (!knows(value, "a part", {"title", "scenes", "algorithms", "threads", "size", "cull", "frames", "rounds", "shade", "x", "path", "sample", "peers"})) return false;
         const auto algorithm = [&](const JsonValue& each) {
             if (!each.text() || each.text()->empty()) return fail(each, "an algorithm is a text");
             part.algorithms.push_back(*each.text());
@@ -141,13 +136,41 @@ private:
         if (!text(value, "title", part.title, true) || !text(value, "x", part.x, false) || !list(value, "algorithms", algorithm)) return false;
         if (!list(value, "scenes", [&](const JsonValue& each) { return oneScene(each, part); })) return false;
         if (!size(value, part) || !culling(value, part) || !threads(value, part)) return false;
+        if (!word(value, "path", part.path) || !truth(value, "shade", part.shade)) return false;
+        std::optional<bool> peers;
+        if (!truth(value, "peers", peers)) return false;
+        part.peers = peers.value_or(false);
+        return part.path.empty() ? frames(value, part) : passes(value, part);
+    }
+
+    /// Of one view.
+    bool frames(const JsonValue& value, ExperimentPart& part)
+    {
+        if (const JsonValue* sample = find(value, "sample")) return fail(*sample, "'sample' goes with a 'path': of one view every pixel is checked");
         if (!number(value, "frames", 1, kMaxFrames, part.frames)) return false;
         part.rounds = std::min(part.rounds, part.frames);
-        if (!number(value, "rounds", 1, part.frames, part.rounds)) return false;
-        if (const JsonValue* shade = find(value, "shade")) {
-            if (!shade->truth()) return fail(*shade, "'shade' is true or false");
-            part.shade = *shade->truth();
-        }
+        return number(value, "rounds", 1, part.frames, part.rounds);
+    }
+
+    /// Along a path.
+    bool passes(const JsonValue& value, ExperimentPart& part)
+    {
+        if (const JsonValue* frames = find(value, "frames")) return fail(*frames, "a part with a 'path' has as many frames as the path: 'rounds' says how often it is flown");
+        if (part.peers) return fail(*find(value, "peers"), "'peers' are timed on one view: a part with a 'path' has none");
+        if (!number(value, "rounds", 1, kMaxFrames, part.rounds)) return false;
+        if (!find(value, "sample")) return true;
+        int samples = 0;
+        if (!number(value, "sample", 1, kMaxSamples, samples)) return false;
+        part.samples = static_cast<std::uint64_t>(samples);
+        return true;
+    }
+
+    bool truth(const JsonValue& object, std::string_view key, std::optional<bool>& to)
+    {
+        const JsonValue* value = find(object, key);
+        if (!value) return true;
+        if (!value->truth()) return fail(*value, fmt::format("'{}' is true or false", key));
+        to = *value->truth();
         return true;
     }
 
@@ -213,6 +236,14 @@ private:
 };
 
 }  // namespace
+
+// Fowler, Noll and Vo's hash of 64 bits.
+std::string digestOfText(std::string_view text)
+{
+    std::uint64_t hash = 0xCBF2'9CE4'8422'2325ull;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100'0000'01B3ull;
+    return fmt::format("{:016x}", hash);
+}
 
 std::size_t Experiment::caseCount() const
 {

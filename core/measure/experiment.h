@@ -2,7 +2,8 @@
 // made again by anyone.
 //
 // File       {"title":T,"question":T,"baseline":ALGORITHM,"parts":[{"title":T,"scenes":[SCENE...],"algorithms":[WORD...],
-//            "threads":[N...],"size":"WxH","cull":"none|back","frames":N,"rounds":N,"shade":bool,"x":T}...]}
+//            "threads":[N...],"size":"WxH","cull":"none|back","frames":N,"rounds":N,"shade":bool,"x":T,
+//            "path":FILE,"sample":N,"peers":bool}...]}
 //            T is a text, or {"en":text,"zh_CN":text}. A SCENE is a word for loadScene(), or {"scene":word,"title":text,
 //            "view":name,"camera":file,"model":file,"model_camera":file,"x":number} as in a Suite. An algorithm is a preset, with
 //            +axis=choice and +fault=name after it for what differs
@@ -14,6 +15,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -49,7 +51,10 @@ struct ExperimentPart {
     std::optional<FaceCulling>   faceCulling = {};
     int                          frames      = 30;  // timed, of every run
     int                          rounds      = 5;   // that these frames are parted in, 1 to frames
-    bool                         shade       = true;
+    std::optional<bool>          shade       = {};   // absent: yes, and where there are peers ids and depth alone too
+    std::string                  path        = {};   // a file of key frames: `rounds` passes along it instead of frames of one view
+    std::optional<std::uint64_t> samples     = {};   // pixels checked of every frame of the path; absent: all
+    bool                         peers       = false;  // other renderers are timed too
     ExperimentText               x           = {};  // what the places of its scenes mean; empty: they are a list
     int                          line        = 0;
 };
@@ -70,6 +75,9 @@ struct ExperimentCase {
     const ExperimentScene* scene = nullptr;
 };
 std::vector<ExperimentCase> casesOf(const Experiment& experiment);
+
+/// 16 hex digits that tell whether two texts are the same, not that nobody forged one.
+std::string digestOfText(std::string_view text);
 
 Result<Experiment> experimentFromJson(const std::string& text, const std::string& file);
 

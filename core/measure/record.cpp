@@ -14,14 +14,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kForm = 1;
 
-std::string processorName()
-{
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
-    return "unknown processor";
-}
-
 Json toJson(const ExperimentText& text) { return {{"en", text.english}, {"zh_CN", text.chinese}}; }
 
 ExperimentText textOf(const Json& json) { return {json.at("en").get<std::string>(), json.at("zh_CN").get<std::string>()}; }
@@ -49,6 +41,7 @@ Record recordOf(const Json& json)
                        .place       = each.at("place").get<double>(),
                        .width       = each.at("width").get<int>(),
                        .height      = each.at("height").get<int>(),
+                       .pathDigest  = each.value("path_digest", std::string()),
                        .rows        = each.at("rows").dump()};
         record.add(std::move(one));
     }
@@ -56,6 +49,14 @@ Record recordOf(const Json& json)
 }
 
 }  // namespace
+
+std::string processorName()
+{
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+    return "unknown processor";
+}
 
 RecordHead recordHeadFor(const Experiment& experiment)
 {
@@ -105,6 +106,7 @@ std::string recordToJson(const Record& record)
                          {"x", toJson(each.x)},
                          {"place", each.place},
                          {"scene_digest", each.sceneDigest},
+                         {"path_digest", each.pathDigest},
                          {"width", each.width},
                          {"height", each.height},
                          {"rows", Json::parse(each.rows)}});
@@ -148,6 +150,8 @@ Result<Record> joined(std::span<const NamedRecord> records)
                 return Error{Trouble::Input,
                              fmt::format("its scene '{}' is not the one of '{}': their digests are {} and {}", each.scene, first, each.sceneDigest, known->sceneDigest),
                              other.file};
+            } else if (known->pathDigest != each.pathDigest) {
+                return Error{Trouble::Input, fmt::format("its camera path for '{}' is not the one of '{}'", each.scene, first), other.file};
             }
         }
     }

@@ -2,10 +2,10 @@
 // joined with those of other machines of the same kind.
 //
 // Form       {"record":1,"experiment":{title, question, baseline, digest},"program":{version, compiler},"machine":{processor,
-//            cores},"case_count":N,"cases":[{"index","part","scene","x","scene_digest","width","height","rows":[...]}...]},
+//            cores},"case_count":N,"cases":[{"index","part","scene","x","scene_digest","path_digest","width","height","rows":[...]}...]},
 //            cases by rising index; rows as benchToJson() writes them
 // Comparable only records of one experiment, program and kind of machine; a case that is in two of them must have been measured
-//            on the same scene
+//            on the same scene, along the same camera path
 // Errors     one sentence that names the file and what differs
 #pragma once
 
@@ -33,6 +33,8 @@ struct RecordHead {
 };
 /// Of the program that runs and the machine it runs on.
 RecordHead recordHeadFor(const Experiment& experiment);
+/// As the system calls it.
+std::string processorName();
 /// A sentence that says what differs; empty: times may be compared.
 std::string whyNotComparable(const RecordHead& a, const RecordHead& b);
 
@@ -42,6 +44,7 @@ struct RecordCase {
     std::string    scene, sceneDigest;
     double         place = 0;     // of the scene on the axis of a growth curve; its number in the part where it has none
     int            width = 0, height = 0;
+    std::string    pathDigest = {};  // of the camera path; empty: one view
     std::string    rows;          // JSON, an array
 };
 

@@ -42,7 +42,9 @@ TEST(Experiment, IsReadAsItIsWritten)
     EXPECT_EQ(one.frames, 6);
     EXPECT_EQ(one.rounds, 3);
     EXPECT_EQ(one.faceCulling, FaceCulling::Back);
-    EXPECT_FALSE(one.shade);
+    EXPECT_EQ(one.shade, false);
+    EXPECT_FALSE(one.peers);
+    EXPECT_TRUE(one.path.empty());
     EXPECT_EQ(one.x.chinese, "count");
     EXPECT_FALSE(experiment.parts[1].hasSize);
     EXPECT_EQ(experiment.parts[1].rounds, 5);
@@ -60,6 +62,20 @@ TEST(Experiment, KeepsItsDigestWhenOnlyItsTitlesChange)
     other.replace(other.find("64x48"), 5, "64x49");
     EXPECT_EQ(experimentOf(text).digest, experimentOf(kTwoParts).digest);
     EXPECT_NE(experimentOf(other).digest, experimentOf(kTwoParts).digest);
+}
+
+TEST(Experiment, APartGoesAlongAPathOrIsTimedWithPeers)
+{
+    const std::string begin = R"({"title":"t","parts":[{"title":"p","algorithms":["zbuffer"],"scenes":["s"],)";
+    const auto path = experimentOf(begin + R"("path":"p.json","sample":100,"rounds":40}]})").parts.front();
+    EXPECT_EQ(path.path, "p.json");
+    EXPECT_EQ(path.samples, 100u);
+    EXPECT_EQ(path.rounds, 40);  // passes, however few frames one view would have
+    const auto peers = experimentOf(begin + R"("peers":true}]})").parts.front();
+    EXPECT_TRUE(peers.peers);
+    EXPECT_FALSE(peers.shade.has_value());
+    EXPECT_NE(experimentOf(begin + R"("path":"p.json"}]})").digest, experimentOf(begin + R"("path":"q.json"}]})").digest);
+    EXPECT_NE(experimentOf(begin + R"("peers":true}]})").digest, experimentOf(begin + R"("peers":false}]})").digest);
 }
 
 TEST(Experiment, ThatIsWrongIsRefusedWithItsLine)
@@ -88,6 +104,10 @@ TEST(Experiment, ThatIsWrongIsRefusedWithItsLine)
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"frames\":4,\n\"rounds\":5}"), 4, "'rounds'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"threads\":[-1]}"), 4, "threads");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"shade\":1}"), 4, "'shade'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"sample\":9}"), 4, "goes with a 'path'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"frames\":9}"), 4, "as many frames as the path");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"peers\":true}"), 4, "one view");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"peers\":1}"), 4, "'peers'");
     refused("{\"title\":\"t\",\n", 2, "");
 }
 
@@ -152,6 +172,12 @@ TEST(Record, JoinsWhatCanBeComparedAndNothingElse)
     const auto        refused = joined(std::vector{a, otherScene});
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence.find("digests are other and c"), std::string::npos) << refused.error().sentence;
+
+    NamedRecord otherPath = otherScene;
+    otherPath.record.cases[0].sceneDigest = "c", otherPath.record.cases[0].pathDigest = "p";
+    const auto otherWay = joined(std::vector{a, otherPath});
+    ASSERT_FALSE(otherWay);
+    EXPECT_NE(otherWay.error().sentence.find("camera path"), std::string::npos) << otherWay.error().sentence;
 
     for (auto change : {+[](RecordHead& head) { head.digest = "0"; }, +[](RecordHead& head) { head.version = "0"; }, +[](RecordHead& head) { head.compiler = "0"; },
                         +[](RecordHead& head) { head.processor = "abacus"; }, +[](RecordHead& head) { ++head.cores; }}) {

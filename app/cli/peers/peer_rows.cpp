@@ -79,6 +79,7 @@ Result<std::vector<BenchRow>> benchPeers(const BenchRequest& request)
             BenchRow   row;
             row.scene       = request.scene->name;
             row.algorithm   = peer.name;
+            row.claim       = Claim::Approximate;  // it never promised our picture
             row.chosen      = run->setting;
             row.threads     = threads;
             row.simd        = Simd::Auto;
