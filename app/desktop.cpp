@@ -171,7 +171,7 @@ Exit run(int argc, char** argv)
     session.setPipeline(how->algorithm().pipeline);
     if (grain) session.setGrain(*grain);
     window.show();
-    if (settings.trouble()) window.messages().tell(*settings.trouble());
+    if (settings.trouble()) window.messages().tell([&settings] { return settings.trouble().value_or(QString()); });
     if (!options.session.empty()) window.openSession(QString::fromLocal8Bit(options.session.c_str()));
     else if (!options.scene.empty())
         window.open(QString::fromLocal8Bit(options.scene.c_str()),

@@ -22,6 +22,23 @@ const Tree& treeOf(const NodeRow& node, const PreparedScene& scene, TreeKind kin
     return node.instance ? trees.mesh(scene.scene().instances[node.instance->value].mesh) : trees.instances();
 }
 
+/// What is in front of the near plane of a line in the world.
+void addLine(const dvec3& from, const dvec3& to, const Camera& camera, std::vector<ScreenLine>& lines)
+{
+    const Projection projection(camera);
+    dvec3            a = projection.toView(from), b = projection.toView(to);
+    if (a.z < camera.near && b.z < camera.near) return;
+    const auto cut = [&](const dvec3& out, const dvec3& in) {
+        dvec3 at = out + (in - out) * ((camera.near - out.z) / (in.z - out.z));
+        at.z     = camera.near;
+        return at;
+    };
+    if (a.z < camera.near) a = cut(a, b);
+    else if (b.z < camera.near) b = cut(b, a);
+    const ScreenCorner start = projection.toScreen(a), end = projection.toScreen(b);
+    lines.push_back({start.x, start.y, end.x, end.y});
+}
+
 /// The deepest known node of one tree that holds the item; -1 if not even the root is known.
 int deepestHolding(std::uint32_t item, const Tree& tree, const std::map<std::string, int>& known)
 {
@@ -60,22 +77,23 @@ std::array<dvec3, 8> cornersOf(const NodeRow& node, const Scene& scene)
 
 std::vector<ScreenLine> outlineOf(const NodeRow& node, const Scene& scene, const Camera& camera)
 {
-    const Projection projection(camera);
-    const auto       corners = cornersOf(node, scene);
+    const auto              corners = cornersOf(node, scene);
     std::vector<ScreenLine> lines;
-    for (const auto& edge : kBoxEdges) {
-        dvec3 a = projection.toView(corners[static_cast<std::size_t>(edge[0])]), b = projection.toView(corners[static_cast<std::size_t>(edge[1])]);
-        if (a.z < camera.near && b.z < camera.near) continue;
-        const auto cut = [&](const dvec3& out, const dvec3& in) {
-            dvec3 at = out + (in - out) * ((camera.near - out.z) / (in.z - out.z));
-            at.z     = camera.near;
-            return at;
-        };
-        if (a.z < camera.near) a = cut(a, b);
-        else if (b.z < camera.near) b = cut(b, a);
-        const ScreenCorner from = projection.toScreen(a), to = projection.toScreen(b);
-        lines.push_back({from.x, from.y, to.x, to.y});
-    }
+    for (const auto& edge : kBoxEdges)
+        addLine(corners[static_cast<std::size_t>(edge[0])], corners[static_cast<std::size_t>(edge[1])], camera, lines);
+    return lines;
+}
+
+std::vector<ScreenLine> outlineOf(TriangleId triangle, const Scene& scene, const Camera& camera)
+{
+    std::vector<ScreenLine> lines;
+    if (triangle.value >= scene.triangleCount()) return lines;
+    const InstanceId id       = scene.instanceOf(triangle);
+    const Instance&  instance = scene.instances[id.value];
+    const Mesh&      mesh     = *scene.meshes[instance.mesh.value];
+    const auto&      corners  = mesh.triangles[triangle.value - scene.firstTriangle[id.value]];
+    for (std::size_t k = 0; k < 3; ++k)
+        addLine(instance.toWorld(mesh.positions[corners[k]]), instance.toWorld(mesh.positions[corners[(k + 1) % 3]]), camera, lines);
     return lines;
 }
 

@@ -32,6 +32,8 @@ struct ScreenLine {
 };
 /// What is in front of the near plane of the box's edges.
 std::vector<ScreenLine> outlineOf(const NodeRow& node, const Scene& scene, const Camera& camera);
+/// The same of the sides of a triangle of the scene; none of an id that the scene does not have.
+std::vector<ScreenLine> outlineOf(TriangleId triangle, const Scene& scene, const Camera& camera);
 
 /// What the box could touch in the picture, as culling sees it (core/cull/node_reach.h).
 struct NodeOnScreen {

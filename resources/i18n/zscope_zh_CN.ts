@@ -375,6 +375,37 @@
     </message>
 </context>
 <context>
+    <name>PictureName</name>
+    <message>
+        <source>The template is empty.</source>
+        <translation>模板是空的。</translation>
+    </message>
+    <message>
+        <source>The template is longer than %1 letters.</source>
+        <translation>模板超过 %1 个字符。</translation>
+    </message>
+    <message>
+        <source>A name that begins with a dot would be hidden.</source>
+        <translation>以点开头的名称会被隐藏。</translation>
+    </message>
+    <message>
+        <source>A file&apos;s name cannot hold “%1”.</source>
+        <translation>文件名不能含有“%1”。</translation>
+    </message>
+    <message>
+        <source>There is no field {%1}.</source>
+        <translation>没有字段 {%1}。</translation>
+    </message>
+    <message>
+        <source>A brace has no counterpart.</source>
+        <translation>花括号不成对。</translation>
+    </message>
+    <message>
+        <source>{n} is missing: without a number one picture would take the place of another.</source>
+        <translation>缺少 {n}：没有编号，图片会互相替换。</translation>
+    </message>
+</context>
+<context>
     <name>Predict</name>
     <message>
         <source>Node %1 of instance %2</source>
@@ -577,49 +608,6 @@
     </message>
 </context>
 <context>
-    <name>Runs</name>
-    <message>
-        <source>%1, 1 thread, %2.</source>
-        <translation>%1，1 个线程，%2。</translation>
-    </message>
-    <message>
-        <source>%1, %2 threads, %3.</source>
-        <translation>%1，%2 个线程，%3。</translation>
-    </message>
-    <message>
-        <source>It chose %1.</source>
-        <translation>它选择了 %1。</translation>
-    </message>
-    <message>
-        <source>Its picture was not checked.</source>
-        <translation>其图像未经检验。</translation>
-    </message>
-    <message>
-        <source>Its picture is WRONG although it promised to be exact: %1. Its time is no result.</source>
-        <translation>其图像有错，尽管它承诺精确：%1。其时间不算结果。</translation>
-    </message>
-    <message>
-        <source>1 pixel differs in triangle or depth</source>
-        <translation>1 个像素的三角形或深度不同</translation>
-    </message>
-    <message>
-        <source>%1 pixels differ in triangle or depth</source>
-        <translation>%1 个像素的三角形或深度不同</translation>
-    </message>
-    <message>
-        <source>Its faces cover exactly what they should.</source>
-        <translation>各面的覆盖恰好正确。</translation>
-    </message>
-    <message>
-        <source>Its picture is the reference&apos;s, to the bit.</source>
-        <translation>其图像与参考图逐位相同。</translation>
-    </message>
-    <message>
-        <source>%1 holes, %2 spills, %3 other surfaces, of them %4 near ties; %5 depths differ, by up to %6 float32 steps.</source>
-        <translation>%1 个空洞，%2 个溢出，%3 个错误表面，其中 %4 个近乎相等；%5 个深度不同，最多相差 %6 个 float32 步。</translation>
-    </message>
-</context>
-<context>
     <name>Report</name>
     <message>
         <source>, %1 threads</source>
@@ -696,6 +684,49 @@
     <message>
         <source>%1, wrong</source>
         <translation>%1，有错</translation>
+    </message>
+</context>
+<context>
+    <name>Runs</name>
+    <message>
+        <source>%1, 1 thread, %2.</source>
+        <translation>%1，1 个线程，%2。</translation>
+    </message>
+    <message>
+        <source>%1, %2 threads, %3.</source>
+        <translation>%1，%2 个线程，%3。</translation>
+    </message>
+    <message>
+        <source>It chose %1.</source>
+        <translation>它选择了 %1。</translation>
+    </message>
+    <message>
+        <source>Its picture was not checked.</source>
+        <translation>其图像未经检验。</translation>
+    </message>
+    <message>
+        <source>Its picture is WRONG although it promised to be exact: %1. Its time is no result.</source>
+        <translation>其图像有错，尽管它承诺精确：%1。其时间不算结果。</translation>
+    </message>
+    <message>
+        <source>1 pixel differs in triangle or depth</source>
+        <translation>1 个像素的三角形或深度不同</translation>
+    </message>
+    <message>
+        <source>%1 pixels differ in triangle or depth</source>
+        <translation>%1 个像素的三角形或深度不同</translation>
+    </message>
+    <message>
+        <source>Its faces cover exactly what they should.</source>
+        <translation>各面的覆盖恰好正确。</translation>
+    </message>
+    <message>
+        <source>Its picture is the reference&apos;s, to the bit.</source>
+        <translation>其图像与参考图逐位相同。</translation>
+    </message>
+    <message>
+        <source>%1 holes, %2 spills, %3 other surfaces, of them %4 near ties; %5 depths differ, by up to %6 float32 steps.</source>
+        <translation>%1 个空洞，%2 个溢出，%3 个错误表面，其中 %4 个近乎相等；%5 个深度不同，最多相差 %6 个 float32 步。</translation>
     </message>
 </context>
 <context>
@@ -1453,6 +1484,14 @@
     <message>
         <source>&amp;Reload lessons</source>
         <translation>重新载入课程(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Names of pictures…</source>
+        <translation>图片名称(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>断点</translation>
     </message>
 </context>
 <context>
@@ -2822,6 +2861,37 @@
     </message>
 </context>
 <context>
+    <name>zscope::ui::PictureNamesDialog</name>
+    <message>
+        <source>Names of pictures</source>
+        <translation>图片名称</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>下一张图片</translation>
+    </message>
+    <message>
+        <source>{scene}  name of the scene
+{algorithm}  preset, or the choices
+{grain}  grain of the steps
+{step}  step, or end
+{n}  the first number that is free</source>
+        <translation>{scene}  场景名称
+{algorithm}  预设，或所选的各项
+{grain}  步骤的粒度
+{step}  步骤编号，或 end
+{n}  第一个可用的编号</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>字段</translation>
+    </message>
+</context>
+<context>
     <name>zscope::ui::PipelinePanel</name>
     <message>
         <source>What ran</source>
@@ -2897,6 +2967,14 @@
     <message>
         <source>Tables (*.csv)</source>
         <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right, %3 skipped</source>
+        <translation>%2 题中答对 %1 题，跳过 %3 题</translation>
+    </message>
+    <message>
+        <source>– Skipped.</source>
+        <translation>– 已跳过。</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,12 @@
 
 #include <unistd.h>
 
+#include <QPushButton>
+
 #include "tests/ui/desk.h"
+#include "ui/panels/measure/measure_panel.h"
+#include "ui/predict/predictions.h"
+#include "ui/session/course.h"
 
 using namespace zscope;
 using namespace zscope::ui;
@@ -46,12 +51,12 @@ ViewRequest smallView(const Scene&)
     return view;
 }
 
-enum class Busy { Loading, Rendering, Playing, Explaining, Comparing, Searching, Gallery, Dragging };
-constexpr std::array kBusy{Busy::Loading,   Busy::Rendering, Busy::Playing, Busy::Explaining,
-                           Busy::Comparing, Busy::Searching, Busy::Gallery, Busy::Dragging};
+enum class Busy { Loading, Rendering, Playing, Explaining, Comparing, Searching, Gallery, Dragging, Lesson, Measuring, Predicting };
+constexpr std::array kBusy{Busy::Loading,   Busy::Rendering, Busy::Playing,  Busy::Explaining, Busy::Comparing, Busy::Searching,
+                           Busy::Gallery,   Busy::Dragging,  Busy::Lesson,   Busy::Measuring,  Busy::Predicting};
 
 /// Sets the window to work; does not wait for it.
-void begin(Desk& desk, Busy what)
+void begin(Desk& desk, Busy what, std::uint32_t chance)
 {
     Session& session = desk.session;
     switch (what) {
@@ -84,7 +89,24 @@ void begin(Desk& desk, Busy what)
     case Busy::Dragging:
         for (std::uint64_t step = 0; step < 40; ++step) session.goToStep(step * 7);
         break;
+    case Busy::Lesson: session.course().open(chance % session.course().lessons().size(), chance / 16 % 4); break;
+    case Busy::Measuring:
+        desk.window.useLayout("profile");
+        for (auto* button : desk.window.dock("measure")->findChildren<QPushButton*>())
+            if (button->text() == "Measure") button->click();
+        break;
+    case Busy::Predicting:
+        for (const Topic topic : kTopics) session.predictions().setOn(topic, true);
+        session.goToStart();
+        if (QTest::qWaitFor([&] { return session.isIdle() && session.position(); }, Desk::kLong)) session.stepBy(1);  // asks about what follows a step that is seen
+        break;
     }
+}
+
+bool isBusy(Desk& desk)
+{
+    return !desk.session.isIdle() || !desk.session.course().isSettled() ||
+           static_cast<MeasurePanel&>(desk.window.dock("measure")->panel()).measurer().isRunning();
 }
 
 }  // namespace
@@ -105,10 +127,10 @@ private slots:
                 desk.window.open("builtin:cubes", smallView);
                 QVERIFY2(QTest::qWaitFor([&] { return desk.session.now().frame != nullptr; }, Desk::kLong), qPrintable(QString("round %1").arg(round)));
             }
-            begin(desk, what);
+            begin(desk, what, static_cast<std::uint32_t>(random()));
             const int wait = static_cast<int>(random() % 12);  // ms: sometimes at once, sometimes in the middle, sometimes at the end
             if (wait > 2) QTest::qWait(wait - 2);
-            busy += !desk.session.isIdle();
+            busy += isBusy(desk);
             desk.window.close();
             QVERIFY(!desk.window.isVisible());
             if (random() % 2) QCoreApplication::processEvents();

@@ -227,6 +227,17 @@ private slots:
             QVERIFY(predictions.open(Topic::Edges));
             predictions.answer(Topic::Edges, i == 0 ? -3 : predictions.open(Topic::Edges)->answer);
         }
+        QVERIFY(forward(desk));
+        QVERIFY(predictions.open(Topic::Edges));
+        QVERIFY(forward(desk));  // passes the question by
+        QVERIFY(predictions.open(Topic::Edges));
+        QCOMPARE(predictions.skippedOf(Topic::Edges), 1);
+        QCOMPARE(predictions.countOf(Topic::Edges), 4);
+        QVERIFY(shownText(*barOf(desk, "active-edges")).contains("2 of 4 right, 1 skipped"));
+        desk.press(Qt::Key_Left);  // going back withdraws the question
+        QVERIFY(desk.settles());
+        QVERIFY(!predictions.isAnyOpen());
+        QCOMPARE(predictions.countOf(Topic::Edges), 4);
         const QString file = desk.folder.filePath("score.csv");
         QVERIFY(!predictions.save(file));
         QFile written(file);
@@ -234,11 +245,12 @@ private slots:
         const QByteArray bytes = written.readAll();
         QVERIFY(bytes.startsWith("\xEF\xBB\xBF"));
         const QStringList lines = QString::fromUtf8(bytes.mid(3)).split("\r\n", Qt::SkipEmptyParts);
-        QCOMPARE(lines.size(), 4);
-        QCOMPARE(lines[0], QString("time,table,scene,algorithm,grain,step,question,answer,right answer,right"));
+        QCOMPARE(lines.size(), 5);
+        QCOMPARE(lines[0], QString("time,table,scene,algorithm,grain,step,question,answer,right answer,right,skipped"));
         QVERIFY(lines[1].contains(",active edges,builtin:cube,scanline,line,15,"));
-        QVERIFY(lines[1].endsWith(",-3,8,0"));
-        QVERIFY(lines[2].endsWith(",1"));
+        QVERIFY(lines[1].endsWith(",-3,8,0,0"));
+        QVERIFY(lines[2].endsWith(",1,0"));
+        QVERIFY(lines[4].endsWith(",0,1"));
         for (const QString& line : lines) {  // as many cells everywhere, commas inside quotes not counted
             int  cells = 1;
             bool quoted = false;
@@ -246,7 +258,7 @@ private slots:
                 if (c == '"') quoted = !quoted;
                 cells += !quoted && c == ',';
             }
-            QCOMPARE(cells, 10);
+            QCOMPARE(cells, 11);
         }
         QVERIFY(predictions.save("/nowhere/at/all.csv"));
     }

@@ -15,6 +15,7 @@
 #include "ui/panels/active_edges/edge_table_model.h"
 #include "ui/panels/active_edges/line_strip.h"
 #include "ui/panels/depth_test/depth_test_panel.h"
+#include "ui/session/picture_name.h"
 #include "ui/session/reproduce.h"
 #include "ui/session/session.h"
 

@@ -116,13 +116,16 @@ void PredictBar::presentScore()
     const int          count = all.countOf(m_topic);
     m_score->setVisible(count > 0);
     m_save->setVisible(count > 0);
-    m_score->setText(tr("%1 of %2 right").arg(all.rightOf(m_topic)).arg(count));
+    const int skipped = all.skippedOf(m_topic);
+    m_score->setText(skipped == 0 ? tr("%1 of %2 right").arg(all.rightOf(m_topic)).arg(count)
+                                  : tr("%1 of %2 right, %3 skipped").arg(all.rightOf(m_topic)).arg(count).arg(skipped));
     const Predicted* last = all.last(m_topic);
     m_verdict->setVisible(last);
     if (!last) return;
     const Theme& theme = themeOf(palette());
     m_verdict->setText(QStringLiteral("<b style='color:%1'>%2</b> %3")
-                           .arg((last->isRight ? theme.entered : theme.error).name(), last->isRight ? tr("✔ Right.") : tr("✘ Not right."),
+                           .arg((last->isRight ? theme.entered : last->given ? theme.error : theme.softText).name(),
+                                last->isRight ? tr("✔ Right.") : last->given ? tr("✘ Not right.") : tr("– Skipped."),
                                 truthText(last->riddle).toHtmlEscaped()));
 }
 

@@ -7,6 +7,7 @@
 #include <QSaveFile>
 
 #include "ui/session/session.h"
+#include "ui/text/phrase_book.h"
 
 namespace zscope::ui {
 namespace {
@@ -20,6 +21,11 @@ bool isSameMoment(const ShownStep& a, const ShownStep& b)
 bool followsDirectly(const ShownStep& before, const ShownStep& after)
 {
     return before.generation == after.generation && before.state.grain == after.state.grain && after.state.step.value == before.state.step.value + 1;
+}
+
+bool isLater(const ShownStep& before, const ShownStep& after)
+{
+    return before.generation == after.generation && before.state.grain == after.state.grain && after.state.step.value > before.state.step.value;
 }
 
 /// A cell of the table. What a spreadsheet would take for a formula is marked as text.
@@ -68,11 +74,15 @@ void Predictions::hear()
     if (before && now && isSameMoment(*before, *now)) return;  // only painted anew
     bool asks = false;
     for (const Topic topic : kTopics) {
+        const bool isSkipped = at(topic).riddle && before && now && isLater(*before, *now);
+        if (isSkipped) keep(topic, *before, {});
         at(topic) = {};
+        if (isSkipped) at(topic).last = m_all.size() - 1;
         if (!isOn(topic) || !before || !now || !followsDirectly(*before, *now)) continue;
         if (auto riddle = riddleOf(topic, *before, *now, m_session.now().scene->scene())) {
-            at(topic) = {.riddle = std::move(riddle), .before = before, .last = {}};
-            asks      = true;
+            at(topic).riddle = std::move(riddle);
+            at(topic).before = before;
+            asks             = true;
         }
     }
     if (asks) m_session.player().setPlaying(false);
@@ -102,14 +112,19 @@ std::optional<Snapshot> Predictions::before(const Snapshot& now) const
     return {};
 }
 
+void Predictions::keep(Topic topic, const ShownStep& step, std::optional<double> given)
+{
+    const Riddle& riddle = *at(topic).riddle;
+    m_all.push_back({.at = QDateTime::currentDateTime(), .topic = topic, .scene = m_session.now().scene->word,
+                     .algorithm = QString::fromStdString(step.state.algorithm), .grain = fromWord(wordOf(step.state.grain)),
+                     .step = step.state.step.value + 1, .riddle = riddle, .given = given, .isRight = given && riddle.accepts(*given)});
+}
+
 void Predictions::answer(Topic topic, double given)
 {
     State& state = at(topic);
     if (!state.riddle) return;
-    const ShownStep& step = *m_step;
-    m_all.push_back({.at = QDateTime::currentDateTime(), .topic = topic, .scene = m_session.now().scene->word,
-                     .algorithm = QString::fromStdString(step.state.algorithm), .grain = fromWord(wordOf(step.state.grain)),
-                     .step = step.state.step.value + 1, .riddle = *state.riddle, .given = given, .isRight = state.riddle->accepts(given)});
+    keep(topic, *m_step, given);
     state.riddle.reset();
     state.before.reset();
     state.last = m_all.size() - 1;
@@ -124,14 +139,20 @@ int Predictions::rightOf(Topic topic) const
     return static_cast<int>(std::ranges::count_if(m_all, [topic](const Predicted& one) { return one.topic == topic && one.isRight; }));
 }
 
+int Predictions::skippedOf(Topic topic) const
+{
+    return static_cast<int>(std::ranges::count_if(m_all, [topic](const Predicted& one) { return one.topic == topic && !one.given; }));
+}
+
 int Predictions::countOf(Topic topic) const { return static_cast<int>(std::ranges::count(m_all, topic, &Predicted::topic)); }
 
 QByteArray Predictions::table() const
 {
-    QString text = QStringLiteral("time,table,scene,algorithm,grain,step,question,answer,right answer,right\r\n");
+    QString text = QStringLiteral("time,table,scene,algorithm,grain,step,question,answer,right answer,right,skipped\r\n");
     for (const Predicted& one : m_all) {
         const QStringList row{one.at.toString(Qt::ISODate), titleOf(one.topic), one.scene, one.algorithm, one.grain, QString::number(one.step),
-                              askText(one.riddle), answerText(one.riddle, one.given), answerText(one.riddle, one.riddle.answer), one.isRight ? "1" : "0"};
+                              askText(one.riddle), one.given ? answerText(one.riddle, *one.given) : QString(), answerText(one.riddle, one.riddle.answer), one.isRight ? "1" : "0",
+                              one.given ? "0" : "1"};
         for (qsizetype i = 0; i < row.size(); ++i) text += (i > 0 ? QStringLiteral(",") : QString()) + cell(row[i]);
         text += "\r\n";
     }
@@ -142,7 +163,7 @@ std::optional<QString> Predictions::save(const QString& file) const
 {
     QSaveFile out(file);
     if (out.open(QIODevice::WriteOnly) && out.write(table()) >= 0 && out.commit()) return {};
-    return tr("%1 cannot be written: %2").arg(QDir::toNativeSeparators(file), out.errorString());
+    return tr("%1 cannot be written: %2").arg(QDir::toNativeSeparators(file), said(out.errorString().toStdString()));
 }
 
 }  // namespace zscope::ui

@@ -53,8 +53,15 @@ void Course::setFolder(const QString& folder)
 {
     m_folder = folder.isEmpty() ? QString() : QFileInfo(folder).absoluteFilePath();
     reload();
-    if (!m_folder.isEmpty() && !QFileInfo(m_folder).isDir()) emit troubled(tr("%1 is not a folder of lessons").arg(QDir::toNativeSeparators(m_folder)));
-    else if (!m_troubles.isEmpty()) emit troubled(m_troubles.front());
+    if (!m_folder.isEmpty() && !QFileInfo(m_folder).isDir()) emit troubled([folder = m_folder] { return tr("%1 is not a folder of lessons").arg(QDir::toNativeSeparators(folder)); });
+    else if (!m_troubles.empty()) emit troubled([error = m_troubles.front()] { return said(error); });
+}
+
+QStringList Course::troubles() const
+{
+    QStringList sentences;
+    for (const Error& error : m_troubles) sentences << said(error);
+    return sentences;
 }
 
 void Course::readFolder(const QString& folder)
@@ -70,7 +77,7 @@ void Course::readFolder(const QString& folder)
             return parseLesson(file.readAll().toStdString(), path.toStdString());
         }();
         if (lesson) m_lessons.push_back(*std::move(lesson));
-        else m_troubles << text(lesson.error().text());
+        else m_troubles.push_back(lesson.error());
         if (!path.startsWith(':')) m_watcher.addPath(path);
     }
 }
@@ -186,13 +193,13 @@ void Course::runWhenThere()
     m_worker->post(Worker::Slot::Step, [this, page, file = lesson()->file, request = m_session.request(), number = m_number](const std::atomic<bool>& cancel) mutable {
         request.cancel = &cancel;
         auto run       = runPage(page, file, request);
-        QMetaObject::invokeMethod(this, [this, run = std::move(run), number] {
+        m_worker->deliver([this, run = std::move(run), number] {
             if (number != m_number) return;  // another page by now
             if (run) return arrived(*run);
             m_isComing = false;
-            if (run.error().kind != Trouble::Cancelled) emit troubled(said(run.error().text()));
+            if (run.error().kind != Trouble::Cancelled) emit troubled([error = run.error()] { return said(error); });
             emit changed();
-        }, Qt::QueuedConnection);
+        });
     });
 }
 

@@ -7,6 +7,7 @@
 // Threads    to be used from one thread; the page's run happens on a worker of its own, and the newest page wins
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -48,7 +49,7 @@ public:
     void           reload();
     const std::vector<Lesson>& lessons() const { return m_lessons; }
     /// "file:line: sentence" of each file that could not be read.
-    const QStringList&         troubles() const { return m_troubles; }
+    QStringList                troubles() const;
     /// The place of a lesson by the name of its file, with or without folder and suffix; nothing: there is none.
     std::optional<std::size_t> find(const QString& name) const;
 
@@ -90,7 +91,8 @@ signals:
     void panelWanted(const QString& word);
     /// The list of lessons is to be seen, and to have the focus.
     void listWanted();
-    void troubled(const QString& sentence);
+    /// The sentence in the language of the moment.
+    void troubled(const std::function<QString()>& say);
 
 private:
     struct Place {
@@ -109,7 +111,7 @@ private:
     Session&               m_session;
     QString                m_folder;
     std::vector<Lesson>    m_lessons;
-    QStringList            m_troubles;
+    std::vector<Error>     m_troubles;
     std::optional<Place>   m_place;
     std::optional<PageRun> m_run;       // of m_place
     std::uint64_t          m_number  = 0;      // of the page that was asked for last

@@ -77,20 +77,6 @@ QString commandLineOf(const QStringList& words)
     return quoted.join(' ');
 }
 
-QString freePictureName(const Snapshot& shown, const QString& folder)
-{
-    static const QRegularExpression unfit("[^\\w.-]+", QRegularExpression::UseUnicodePropertiesOption);
-    QString scene = shown.scene ? shown.scene->title : QString("picture");
-    if (shown.scene && scene.endsWith(".obj", Qt::CaseInsensitive)) scene.chop(4);
-    scene.replace(unfit, "-");
-    QString algorithm = QString::fromStdString(nameOf(shown.pipeline));
-    algorithm.replace(unfit, "-");
-    for (int n = 1;; ++n) {
-        const QString name = QString("%1_%2_%3").arg(scene, algorithm).arg(n);
-        if (!QFileInfo::exists(QDir(folder).filePath(name + ".png"))) return name;
-    }
-}
-
 std::optional<QString> savePicture(const QImage& image, const QString& file, const Snapshot& shown,
                                    const DrawSettings& settings, bool replace)
 {
@@ -106,7 +92,7 @@ std::optional<QString> savePicture(const QImage& image, const QString& file, con
     const GridView<const std::uint32_t> pixels{reinterpret_cast<const std::uint32_t*>(opaque.constBits()), opaque.width(),
                                                opaque.height(), static_cast<std::size_t>(opaque.bytesPerLine()) / 4};
     const auto written = writePng(file.toStdString(), pixels, texts);
-    if (!written) return said(written.error().text());
+    if (!written) return said(written.error());
     return {};
 }
 

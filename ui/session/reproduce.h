@@ -11,9 +11,6 @@ QStringList commandOf(const Snapshot& shown, const DrawSettings& settings);
 /// The same as one line that a shell takes apart again.
 QString commandLineOf(const QStringList& words);
 
-/// "{scene}_{algorithm}_{n}" with the smallest n from 1 that names no file of the folder yet; without a suffix.
-QString freePictureName(const Snapshot& shown, const QString& folder);
-
 /// Writes a PNG with the command, the version and the scene's digest in text chunks. An existing file is replaced
 /// only if `replace`; the file is complete or absent. Returns the trouble as a sentence, or nothing.
 std::optional<QString> savePicture(const QImage& image, const QString& file, const Snapshot& shown,

@@ -453,7 +453,7 @@ void Session::stepMade(const std::shared_ptr<const ShownStep>& step, std::uint64
 void Session::troubled(const Error& error)
 {
     if (error.kind == Trouble::Cancelled) return;
-    emit failed(said(error.text()));
+    emit failed(said(error), [error] { return said(error); });
 }
 
 void Session::setBusy(const QString& what, double progress)

@@ -140,7 +140,8 @@ public:
 signals:
     void changed(zscope::ui::Changes what);
     /// One sentence a person can act on, with file and line where they are known.
-    void failed(const QString& sentence);
+    /// `again` says it in the language of the moment, where it can be said anew.
+    void failed(const QString& sentence, const std::function<QString()>& again = {});
     /// What came of a search, and the like: good to know for a moment.
     void noticed(const QString& sentence);
 

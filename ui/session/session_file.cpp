@@ -24,7 +24,8 @@ struct OverEntry {
 };
 constexpr std::array kOver{OverEntry{"line", &Layers::line},       OverEntry{"edges", &Layers::edges},     OverEntry{"ghost", &Layers::ghost},
                            OverEntry{"triangle", &Layers::triangle}, OverEntry{"query", &Layers::query},   OverEntry{"boxes", &Layers::boxes},
-                           OverEntry{"pyramid", &Layers::pyramid}, OverEntry{"grid", &Layers::grid},       OverEntry{"magnifier", &Layers::magnifier}};
+                           OverEntry{"pyramid", &Layers::pyramid}, OverEntry{"grid", &Layers::grid},       OverEntry{"marks", &Layers::marks},
+                           OverEntry{"magnifier", &Layers::magnifier}};
 constexpr std::array<std::string_view, 4> kShows{"a", "b", "wipe", "difference"};         // by CompareShow
 constexpr std::array<std::string_view, 4> kLinks{"step", "line", "stage", "pixel"};       // by Link
 constexpr std::array<std::string_view, 4> kBreaks{"line", "pixel", "node", "triangle"};   // by Breakpoint::On

@@ -81,6 +81,7 @@ struct Layers {
     bool boxes    = false; // of the hierarchy's nodes, by verdict
     bool pyramid  = false; // the cells of the chosen level, with their values
     bool grid     = true;  // pixel grid and numbers in large pixels
+    bool marks    = true;  // breakpoints
     bool magnifier = true;
 
     friend bool operator==(const Layers&, const Layers&) = default;

@@ -33,6 +33,14 @@ bool isValue(const QString& text) { return std::ranges::none_of(text, [](QChar c
 
 QString said(std::string_view english) { return QCoreApplication::translate(kContext, std::string(english).c_str()); }
 
+QString said(const Error& error)
+{
+    const QString sentence = said(error.sentence);
+    if (error.file.empty()) return sentence;
+    const QString file = QString::fromStdString(error.file);
+    return error.line > 0 ? QStringLiteral("%1:%2: %3").arg(file).arg(error.line).arg(sentence) : QStringLiteral("%1: %2").arg(file, sentence);
+}
+
 PhraseBook::PhraseBook(const QString& file, QObject* parent) : QTranslator(parent)
 {
     QFile book(file);
@@ -40,6 +48,20 @@ PhraseBook::PhraseBook(const QString& file, QObject* parent) : QTranslator(paren
     Q_ASSERT(isOpen);
     const QJsonObject phrases = QJsonDocument::fromJson(book.readAll()).object();
     for (auto phrase = phrases.begin(); phrase != phrases.end(); ++phrase) add(phrase.key(), phrase.value().toString());
+    // What takes any text comes first if much of it is given, and else last.
+    std::ranges::stable_sort(m_phrases, std::less(), [](const Phrase& phrase) { return phrase.rank(); });
+}
+
+qsizetype PhraseBook::Phrase::rank() const
+{
+    constexpr qsizetype kMany = 16;
+    qsizetype letters = 0;
+    bool      takesAny = false;
+    for (const Piece& piece : pieces) {
+        letters += piece.literal.size();
+        takesAny = takesAny || piece.placeholder.isUpper();
+    }
+    return takesAny ? kMany - letters : 0;
 }
 
 void PhraseBook::add(const QString& english, const QString& translation)
@@ -113,12 +135,14 @@ bool PhraseBook::matches(const Phrase& phrase, std::size_t piece, const QString&
     }
     const bool    isLast = piece + 1 == phrase.pieces.size();
     const QString next   = isLast ? QString() : phrase.pieces[piece + 1].literal;
-    qsizetype     end    = isLast ? text.size() : text.indexOf(next, at + 1);
-    for (; end > at; end = isLast ? -1 : text.indexOf(next, end + 1)) {
+    const bool    isAny  = now.placeholder.isUpper();
+    const auto    least  = at + (isAny ? 0 : 1);  // any text may be none
+    qsizetype     end    = isLast ? text.size() : text.indexOf(next, least);
+    for (; end >= least; end = isLast ? -1 : text.indexOf(next, end + 1)) {
         const QString part = text.mid(at, end - at);
         if (now.placeholder.isDigit() && !isValue(part)) return false;  // a longer one holds a blank too
         const QString value = now.placeholder.isLower() ? this->phrase(part) : part;
-        if (value.isNull() || !matches(phrase, piece + 1, text, end, values)) continue;
+        if ((value.isNull() && !isAny) || !matches(phrase, piece + 1, text, end, values)) continue;
         values.insert(now.placeholder, value);
         return true;
     }

@@ -18,10 +18,14 @@
 #include <QString>
 #include <QTranslator>
 
+#include "core/base/result.h"
+
 namespace zscope::ui {
 
 /// What core says, in the language of the window: titles, words, sentences.
 QString said(std::string_view english);
+/// With file and line before it, where they are known.
+QString said(const Error& error);
 
 class PhraseBook final : public QTranslator {
     Q_OBJECT
@@ -43,6 +47,10 @@ private:
     struct Phrase {
         std::vector<Piece> pieces;  // no two placeholders side by side
         QString            translation;
+
+        /// Where it stands among the others, smaller first: 0 without a placeholder for any text; with one, the more of the
+        /// text is given, the smaller.
+        qsizetype rank() const;
     };
     using Values = QHash<QChar, QString>;
 

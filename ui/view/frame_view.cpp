@@ -52,7 +52,7 @@ void FrameView::present(const Snapshot& now, Changes what)
     m_shown           = before ? *before : now;
     if (what & (Change::Picture | Change::Scene | Change::Layers | Change::Compare)) showPicture();
     if (what & Change::Compare) update();
-    if (what & (Change::Picture | Change::Selection | Change::Scene | Change::Layers)) {
+    if (what & (Change::Picture | Change::Selection | Change::Scene | Change::Layers | Change::Marks)) {
         m_overlay = overlayOf(m_shown, m_shown.layers);
         placeMagnifier();
         m_range->present(m_shown);

@@ -57,17 +57,42 @@ void addPyramid(Overlay& overlay, const Snapshot& shown, const Layers& layers)
     }
 }
 
-/// The lines of a node's box, those that no part of the picture can show left out.
-std::vector<QLineF> linesOf(const NodeRow& node, const Snapshot& shown, const QSize& picture)
+/// The lines of a node's box or of a triangle, those that no part of the picture can show left out.
+template <class What>
+std::vector<QLineF> linesOf(const What& what, const Snapshot& shown, const QSize& picture)
 {
     std::vector<QLineF> lines;
     const QRectF        seen(-1, -1, picture.width() + 2, picture.height() + 2);
-    for (const ScreenLine& line : outlineOf(node, shown.scene->scene(), shown.pictureCamera())) {
+    for (const ScreenLine& line : outlineOf(what, shown.scene->scene(), shown.pictureCamera())) {
         const bool misses = (line.x0 < seen.left() && line.x1 < seen.left()) || (line.x0 > seen.right() && line.x1 > seen.right()) ||
                             (line.y0 < seen.top() && line.y1 < seen.top()) || (line.y0 > seen.bottom() && line.y1 > seen.bottom());
         if (!misses) lines.emplace_back(line.x0, line.y0, line.x1, line.y1);
     }
     return lines;
+}
+
+void addMarks(Overlay& overlay, const Snapshot& shown)
+{
+    if (!shown.scene) return;
+    const QRect inside(QPoint(0, 0), overlay.picture);
+    const auto  addOutline = [&](std::vector<QLineF> lines) {
+        if (!lines.empty()) overlay.marks.outlines.push_back(std::move(lines));
+    };
+    for (const Breakpoint& at : shown.marks.breakpoints) {
+        switch (at.on) {
+        case Breakpoint::On::Line:
+            if (at.line >= 0 && at.line < inside.height()) overlay.marks.lines.push_back(at.line);
+            break;
+        case Breakpoint::On::Pixel:
+            if (const QPoint pixel(at.pixel.x, at.pixel.y); inside.contains(pixel)) overlay.marks.pixels.push_back(pixel);
+            break;
+        case Breakpoint::On::Node:
+            if (const HierarchyState* hierarchy = shown.hierarchy())
+                if (const int id = rowOf(hierarchy->nodes, at.node); id >= 0) addOutline(linesOf(hierarchy->nodes[static_cast<std::size_t>(id)], shown, overlay.picture));
+            break;
+        case Breakpoint::On::Triangle: addOutline(linesOf(at.triangle, shown, overlay.picture)); break;
+        }
+    }
 }
 
 void addBoxes(Overlay& overlay, const Snapshot& shown, const Layers& layers)
@@ -120,6 +145,7 @@ Overlay overlayOf(const Snapshot& shown, const Layers& layers)
     overlay.pick = shown.picked;
     if (const VisibilityBuffer* visible = shown.visible()) overlay.picture = {visible->width(), visible->height()};
     const ShownStep* step = shown.stepOfPicture();
+    if (layers.marks) addMarks(overlay, shown);
     if (step) addBoxes(overlay, shown, layers);
     if (step && layers.pyramid && !shown.showsStep) addPyramid(overlay, shown, {.query = false, .pyramid = true});
     if (!step || !shown.showsStep) return overlay;  // the finished picture is shown as it is
@@ -238,6 +264,51 @@ void paintBoxes(QPainter& painter, const Overlay& overlay, const ViewTransform& 
     painter.restore();
 }
 
+/// Breakpoints: a dot beside what is marked, as in the table of marks, on a dotted outline; light around dark, for any picture.
+void paintMarks(QPainter& painter, const OverlayMarks& marks, const QSize& picture, const ViewTransform& view, double scale)
+{
+    const QColor dark(24, 24, 24), light(Qt::white);
+    const QRectF whole = view.toView(QRectF(QPointF(0, 0), QSizeF(picture)));
+    const double wide  = 4.5 * scale;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, true);
+    const auto dotted = [&](const auto& draw) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(light, 3 * scale));
+        draw();
+        painter.setPen(QPen(dark, 1.5 * scale, Qt::DotLine));
+        draw();
+    };
+    const auto dot = [&](const QPointF& at) {
+        painter.setPen(QPen(light, 1.5 * scale));
+        painter.setBrush(dark);
+        painter.drawEllipse(at, wide, wide);
+    };
+    for (const int line : marks.lines) {
+        const double y = view.toView(QRectF(0, line, 1, 1)).center().y();
+        dotted([&] { painter.drawLine(QPointF(whole.left(), y), QPointF(whole.right(), y)); });
+        dot(QPointF(std::max(whole.left(), 0.0) + 2 * wide, y));  // where it is seen, however far the picture is scrolled
+    }
+    for (const QPoint& pixel : marks.pixels) {
+        const QRectF at = view.toView(QRectF(pixel, QSizeF(1, 1)));
+        const double around = std::max(at.width() * 0.75, 9 * scale);
+        dotted([&] { painter.drawEllipse(at.center(), around, around); });
+        dot(at.center() + QPointF(-around, -around) * 0.75);
+    }
+    painter.setClipRect(whole);
+    for (const auto& outline : marks.outlines) {
+        std::vector<QLineF> lines;
+        QPointF             middle;
+        for (const QLineF& line : outline) {
+            lines.emplace_back(view.toView(line.p1()), view.toView(line.p2()));
+            middle += lines.back().center() / static_cast<double>(outline.size());
+        }
+        dotted([&] { painter.drawLines(lines.data(), static_cast<int>(lines.size())); });
+        dot(middle);
+    }
+    painter.restore();
+}
+
 }  // namespace
 
 void paintOverlay(QPainter& painter, const Overlay& overlay, const ViewTransform& view, const Theme& theme,
@@ -245,6 +316,7 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, const ViewTransform
 {
     if (overlay.cells) paintCells(painter, overlay, view, scale);
     paintBoxes(painter, overlay, view, theme, scale);
+    if (!overlay.marks.isEmpty()) paintMarks(painter, overlay.marks, overlay.picture, view, scale);
     const auto pen = [scale](const QColor& colour, double width) {
         QPen made(colour, width * scale);
         made.setJoinStyle(Qt::MiterJoin);

@@ -33,6 +33,15 @@ struct OverlayBox {
     enum class Kind { Plain, Now, Selected } kind = Kind::Plain;
 };
 
+/// Breakpoints that have a place in the picture.
+struct OverlayMarks {
+    std::vector<int>                 lines;
+    std::vector<QPoint>              pixels;
+    std::vector<std::vector<QLineF>> outlines;  // of triangles, and of nodes that the visit has come to know
+
+    bool isEmpty() const { return lines.empty() && pixels.empty() && outlines.empty(); }
+};
+
 struct Overlay {
     static constexpr std::size_t kMostBoxes = 400;  // of the hierarchy, the upper ones; beyond that the picture would be nothing else
 
@@ -46,6 +55,8 @@ struct Overlay {
 
     std::vector<OverlayBox>  boxes;      // of the nodes: one entry per verdict, then the one of this step, the selected one last
     std::size_t              boxesShown = 0, boxesWanted = 0;
+
+    OverlayMarks             marks;
 
     // Of the pyramid. The levels outlive the overlay: both are of one step
     std::shared_ptr<const ShownStep> step;     // holds the level

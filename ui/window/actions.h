@@ -29,7 +29,7 @@ namespace zscope::ui {
 /// What an action asks of the window itself.
 struct WindowRequests {
     std::function<void()>                   open, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel,
-                                            resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
+                                            namePictures, resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
     std::function<void(const QString&)>     layout;         // its word
     std::function<void()>                   saveOwnLayout;
     std::function<void(const QString&)>     useOwnLayout, forgetOwnLayout;

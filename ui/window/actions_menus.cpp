@@ -61,6 +61,7 @@ void Actions::makeFileMenu()
         add(menu, "file.save-plain-picture", QT_TR_NOOP("Save picture &without decoration"), key(Qt::CTRL | Qt::Key_F12), m_requests.savePlainPicture));
     m_needScene.push_back(add(menu, "file.save-picture-as", QT_TR_NOOP("Save picture &as…"), QKeySequence::Save, m_requests.savePictureAs));
     m_needScene.push_back(add(menu, "file.copy-picture", QT_TR_NOOP("&Copy picture"), QKeySequence::Copy, m_requests.copyPicture));
+    add(menu, "file.picture-names", QT_TR_NOOP("&Names of pictures…"), QKeySequence(), m_requests.namePictures);
     menu->addSeparator();
     m_needScene.push_back(add(menu, "session.save", QT_TR_NOOP("Save s&ession…"), key(Qt::CTRL | Qt::ALT | Qt::Key_S), m_requests.saveSession));
     menu->addSeparator();
@@ -138,6 +139,7 @@ void Actions::makeLayersMenu(QMenu* view)
     toggle("over.boxes", QT_TR_NOOP("Boxes of the nodes, by verdict"), &Layers::boxes);
     toggle("over.pyramid", QT_TR_NOOP("Cells of the pyramid, with values"), &Layers::pyramid);
     toggle("over.grid", QT_TR_NOOP("Grid and numbers in large pixels"), &Layers::grid);
+    toggle("over.marks", QT_TR_NOOP("Breakpoints"), &Layers::marks);
     toggle("over.magnifier", QT_TR_NOOP("Magnifier"), &Layers::magnifier);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include <utility>
+
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
@@ -68,6 +70,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
                              .savePictureAs    = [this] { savePictureAs(); },
                              .copyPicture      = [this] { copyPicture(); },
                              .goToPixel        = [this] { goToPixel(); },
+                             .namePictures     = [this] { namePictures(); },
                              .resetLayout      = [this] { resetLayout(); },
                              .about            = [this] { showAbout(); },
                              .keys             = [this] { showKeys(); },
@@ -98,14 +101,17 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     connect(m_view, &FrameView::hovered, m_status, &StatusLine::hover);
     connect(&session, &Session::changed, this, &MainWindow::present);
     connect(&session, &Session::noticed, this, [this](const QString& sentence) { m_status->showMessage(sentence, 8000); });
-    connect(&session, &Session::failed, m_messages, &MessageBar::tell);
+    connect(&session, &Session::failed, m_messages, [this](const QString& sentence, const std::function<QString()>& again) {
+        if (again) m_messages->tell(again);
+        else m_messages->tell(sentence);
+    });
     m_held.setSingleShot(true);
     m_held.setInterval(120);  // Shift with another key is not held
     connect(&m_held, &QTimer::timeout, this, [this] { m_session.holdOther(true); });
     qApp->installEventFilter(this);
 
     Course& course = session.course();
-    connect(&course, &Course::troubled, m_messages, &MessageBar::tell);
+    connect(&course, &Course::troubled, m_messages, qOverload<std::function<QString()>>(&MessageBar::tell));
     connect(&course, &Course::panelWanted, this, [this](const QString& word) { showPanel(word); });
     connect(&course, &Course::opened, this, [this] { makeRoomForLesson(); });
     connect(&course, &Course::listWanted, this, [this] { makeRoomForLesson(); });
@@ -207,7 +213,7 @@ void MainWindow::present(Changes what)
     if (what & (Change::Scene | Change::Busy)) m_centre->setCurrentWidget(shown.scene || !shown.busy.isEmpty() ? static_cast<QWidget*>(m_view) : m_start);
     if (what & Change::Selection) showWhy(shown);
     if ((what & Change::Scene) && shown.scene) {
-        m_messages->hide();
+        if (std::exchange(m_sceneShown, shown.scene) != shown.scene) m_messages->hide();  // something went right
         m_sceneName->setText(tr("%1 — %2 triangles").arg(shown.scene->title, grouped(shown.scene->scene().triangleCount())));
         setWindowTitle(tr("%1 — ZScope").arg(shown.scene->title));
         menuBar()->setCornerWidget(m_sceneName);  // lays the corner out again for the longer text

@@ -87,6 +87,7 @@ private:
     void savePicture(bool decorated);
     void savePictureAs();
     void copyPicture();
+    void namePictures();
     void goToPixel();
     void showKeys();
     void changeKeys();
@@ -106,6 +107,7 @@ private:
     QLabel*                 m_sceneName = nullptr;
     QString                 m_layout;  // the word of the one chosen last
     std::optional<QPoint>   m_lastPick;
+    std::shared_ptr<const LoadedScene> m_sceneShown;
     QTimer                  m_held;   // from pressing Shift until it counts as held
     std::vector<PanelDock*> m_docks;  // in the order of panels()
 };

@@ -14,12 +14,14 @@
 #include "core/io/file_writer.h"
 #include "core/io/read_file.h"
 #include "ui/session/course.h"
+#include "ui/session/picture_name.h"
 #include "ui/session/reproduce.h"
 #include "ui/session/session_file.h"
 #include "ui/text/phrase_book.h"
 #include "ui/view/frame_view.h"
 #include "ui/window/actions.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/picture_names_dialog.h"
 #include "ui/window/start_page.h"
 #include "ui/window/status_line.h"
 
@@ -72,7 +74,7 @@ void MainWindow::savePicture(bool decorated)
     const QImage image = m_view->picture(decorated);
     if (image.isNull()) return;
     const QDir    folder(m_settings.pictureFolder());
-    const QString file = folder.filePath(freePictureName(m_session.now(), folder.path()) + ".png");
+    const QString file = folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate()) + ".png");
     if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), false)) m_messages->tell(*trouble);
     else m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
 }
@@ -82,7 +84,7 @@ void MainWindow::savePictureAs()
     const QImage image = m_view->picture(true);
     if (image.isNull()) return;
     const QDir    folder(m_settings.pictureFolder());
-    const QString suggested = folder.filePath(freePictureName(m_session.now(), folder.path()) + ".png");
+    const QString suggested = folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate()) + ".png");
     QString       file      = QFileDialog::getSaveFileName(this, tr("Save the picture"), suggested, tr("PNG pictures (*.png)"));
     if (file.isEmpty()) return;
     const bool asked = file.endsWith(".png", Qt::CaseInsensitive);  // the dialog has asked about this very name
@@ -90,6 +92,12 @@ void MainWindow::savePictureAs()
     if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), asked)) return m_messages->tell(*trouble);
     m_settings.setPictureFolder(QFileInfo(file).absolutePath());
     m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
+}
+
+void MainWindow::namePictures()
+{
+    PictureNamesDialog dialog(m_settings.pictureTemplate(), m_session.now(), m_settings.pictureFolder(), this);
+    if (dialog.exec() == QDialog::Accepted) m_settings.setPictureTemplate(dialog.pattern());
 }
 
 void MainWindow::copyPicture()
@@ -105,9 +113,9 @@ void MainWindow::copyPicture()
 void MainWindow::openSession(const QString& file)
 {
     const auto text = readRegularFile(file.toStdString(), kLargestSession);
-    if (!text) return m_messages->tell(said(text.error().text()));
+    if (!text) return m_messages->tell(text.error());
     const auto session = sessionFromJson(*text, file);
-    if (!session) return m_messages->tell(said(session.error().text()));
+    if (!session) return m_messages->tell(session.error());
     m_settings.addRecentFile(QFileInfo(file).absoluteFilePath());
     m_actions->showRecent(m_settings.recentFiles());
     if (!session->layout.state.isEmpty()) applyLayout(session->layout);
@@ -119,12 +127,12 @@ void MainWindow::saveSession()
     auto session = sessionFileOf(m_session);
     if (!session) return;
     const QDir    folder(m_settings.pictureFolder());
-    const QString suggested = folder.filePath(freePictureName(m_session.now(), folder.path()) + '.' + kSessionSuffix);
+    const QString suggested = folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate(), kSessionSuffix) + '.' + kSessionSuffix);
     QString       file      = QFileDialog::getSaveFileName(this, tr("Save the session"), suggested, tr("ZScope sessions (*.zscope-session)"));
     if (file.isEmpty()) return;
     if (!file.endsWith(QString(".") + kSessionSuffix)) {
         file += QString(".") + kSessionSuffix;
-        if (QFileInfo::exists(file)) return m_messages->tell(tr("%1 is there already; it was left as it is.").arg(file));
+        if (QFileInfo::exists(file)) return m_messages->tell([file] { return tr("%1 is there already; it was left as it is.").arg(file); });
     }
     saveSessionTo(file);
 }
@@ -135,7 +143,7 @@ void MainWindow::saveSessionTo(const QString& file)
     if (!session) return;
     session->layout    = layoutNow();
     const auto written = writeFile(file.toStdString(), sessionToJson(*session, file));
-    if (!written) return m_messages->tell(said(written.error().text()));
+    if (!written) return m_messages->tell(written.error());
     m_settings.addRecentFile(QFileInfo(file).absoluteFilePath());
     m_actions->showRecent(m_settings.recentFiles());
     m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);

@@ -157,7 +157,7 @@ void MainWindow::resetLayout() { useLayout(m_layout); }
 void MainWindow::showPanel(const QString& word)
 {
     PanelDock* wanted = dock(word);
-    if (!wanted) return m_messages->tell(tr("There is no panel “%1”").arg(word));
+    if (!wanted) return m_messages->tell([word] { return tr("There is no panel “%1”").arg(word); });
     wanted->setWanted(true);
     QTimer::singleShot(0, wanted, [this, wanted] {
         wanted->raise();
@@ -213,7 +213,7 @@ void MainWindow::saveOwnLayout()
 void MainWindow::useOwnLayout(const QString& name)
 {
     const auto [state, hidden] = m_settings.ownLayout(name);
-    if (!applyLayout({{}, state, hidden})) m_messages->tell(tr("The layout \u201C%1\u201D does not fit this version of the window.").arg(name));
+    if (!applyLayout({{}, state, hidden})) m_messages->tell([name] { return tr("The layout \u201C%1\u201D does not fit this version of the window.").arg(name); });
 }
 
 void MainWindow::forgetOwnLayout(const QString& name)

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
@@ -32,14 +33,34 @@ MessageBar::MessageBar(QWidget* parent)
     spoken(*this, [this] {
         setAccessibleName(tr("Message"));
         m_close->setAccessibleName(tr("Close the message"));
+        if (sentence().isEmpty()) return;
+        if (m_say) show(m_say());
+        else hide();
     });
+}
+
+void MessageBar::tell(std::function<QString()> say)
+{
+    m_say = std::move(say);
+    show(m_say());
+}
+
+void MessageBar::tell(const Error& error)
+{
+    tell([error] { return said(error); });
 }
 
 void MessageBar::tell(const QString& sentence)
 {
+    m_say = nullptr;
+    show(sentence);
+}
+
+void MessageBar::show(const QString& sentence)
+{
     m_text->setText(sentence);
     setAccessibleDescription(sentence);
-    show();
+    QFrame::show();
 }
 
 QString MessageBar::sentence() const { return isVisibleTo(parentWidget()) ? m_text->text() : QString(); }

@@ -9,6 +9,8 @@
 #include <QStandardPaths>
 #include <QUrl>
 
+#include "ui/session/picture_name.h"
+
 namespace zscope::ui {
 namespace {
 
@@ -37,11 +39,17 @@ Settings::Settings(const QString& file)
 {
     const int line = firstBrokenLine(m_settings.fileName());
     if (line == 0 && m_settings.status() == QSettings::NoError) return;
-    m_trouble = line > 0 ? tr("%1:%2: this is no setting; the window starts with its defaults.").arg(m_settings.fileName()).arg(line)
-                         : tr("%1 cannot be read as settings; the window starts with its defaults.").arg(m_settings.fileName());
+    m_brokenLine = line;
     QFile::remove(m_settings.fileName() + ".broken");
     QFile::copy(m_settings.fileName(), m_settings.fileName() + ".broken");  // what the user wrote is not lost
     m_settings.clear();
+}
+
+std::optional<QString> Settings::trouble() const
+{
+    if (!m_brokenLine) return {};
+    return *m_brokenLine > 0 ? tr("%1:%2: this is no setting; the window starts with its defaults.").arg(m_settings.fileName()).arg(*m_brokenLine)
+                             : tr("%1 cannot be read as settings; the window starts with its defaults.").arg(m_settings.fileName());
 }
 
 void Settings::forget(const QString& file)
@@ -170,6 +178,17 @@ void Settings::keepKeys(const QString& command, const std::optional<QStringList>
 QString Settings::lessonFolder() const { return m_settings.value("files/lessons").toString(); }
 
 void Settings::setLessonFolder(const QString& folder) { m_settings.setValue("files/lessons", folder); }
+
+QString Settings::pictureTemplate() const
+{
+    const QString kept = m_settings.value("files/pictureTemplate").toString();
+    return whyNoPictureTemplate(kept) ? QString(kPictureTemplate) : kept;
+}
+
+void Settings::setPictureTemplate(const QString& pattern)
+{
+    if (!whyNoPictureTemplate(pattern)) m_settings.setValue("files/pictureTemplate", pattern);
+}
 
 QString Settings::pictureFolder() const
 {

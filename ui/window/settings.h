@@ -25,8 +25,8 @@ public:
     /// A file, or the user's own place.
     explicit Settings(const QString& file = {});
 
-    /// What was wrong with the file, with its line; it is left as it is, and nothing of it is used.
-    const std::optional<QString>& trouble() const { return m_trouble; }
+    /// What was wrong with the file, with its line, in the language of the moment; nothing of the file is used, and a copy is kept.
+    std::optional<QString> trouble() const;
 
     /// --reset-settings; of a file, or the user's own.
     static void forget(const QString& file = {});
@@ -68,13 +68,17 @@ public:
     QString lessonFolder() const;
     void    setLessonFolder(const QString& folder);
 
+    /// What saved pictures are called; one that cannot be used counts as the default.
+    QString pictureTemplate() const;
+    void    setPictureTemplate(const QString& pattern);
+
     QString pictureFolder() const;
     void    setPictureFolder(const QString& folder);
 
 private:
     mutable QSettings m_settings;
     bool              m_useLayout = true;
-    std::optional<QString> m_trouble;
+    std::optional<int> m_brokenLine;  // from 1; 0: the file as a whole; nothing: it is sound
 };
 
 }  // namespace zscope::ui

@@ -413,7 +413,7 @@ std::optional<QString> MeasurePanel::saveTo(const QString& file) const
     for (const Run& run : m_runs->runs()) rows.push_back(run.row);
     const bool        isTable = file.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
     const std::string text    = isTable ? benchToCsv(rows) : benchToJson(rows);
-    if (const auto done = writeFile(QFile::encodeName(file).toStdString(), text); !done) return said(done.error().text());
+    if (const auto done = writeFile(QFile::encodeName(file).toStdString(), text); !done) return said(done.error());
     return {};
 }
 

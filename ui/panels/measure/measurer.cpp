@@ -43,7 +43,7 @@ void Measurer::start(const Session& session, std::vector<BenchAlgorithm> algorit
                          .verify      = checks,
                          .memoryLimit = session.settings().memoryLimit};
     m_worker->post(Worker::Slot::Draw, [this, view = *view, number = ++m_request, request = std::move(request)](const std::atomic<bool>& cancel) mutable {
-        const auto deliver = [this](auto answer) { QMetaObject::invokeMethod(this, std::move(answer), Qt::QueuedConnection); };
+        const auto deliver = [this](auto answer) { m_worker->deliver(std::move(answer)); };
         auto        told   = std::chrono::steady_clock::now() - kProgressEvery;
         std::size_t done   = 0;
         request.progress.cancel = &cancel;

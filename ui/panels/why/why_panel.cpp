@@ -166,7 +166,7 @@ void WhyPanel::ask()
             using Answer = std::remove_cvref_t<decltype(*made)>;
             if (cancel) return;
             if (made) deliver(std::make_shared<const Answer>(std::move(made).value()), QString());
-            else deliver(std::shared_ptr<const Answer>(), said(made.error().text()));
+            else deliver(std::shared_ptr<const Answer>(), said(made.error()));
         };
         if (question.triangle) hand(explainTriangle(request, *question.triangle, progress));
         else hand(explainPixel(request, {question.pixel->x(), question.pixel->y()}, progress));
