@@ -115,12 +115,10 @@ Result<Exit> benchExperiment(const BenchOptions& options, const ViewWords& words
 /// The path that was asked for, if any: it says where the camera is, so little else may.
 Result<std::optional<NamedPath>> pathOf(const BenchOptions& options, const ViewWords& words)
 {
-    if (!options.path && options.sample) return Error{Trouble::Usage, "--sample goes with --path: of one view every pixel is checked"};
     if (!options.path) return std::optional<NamedPath>();
     for (const std::string& option : words.given)
         if (option != "--size") return Error{Trouble::Usage, fmt::format("--path says where the camera is: only --size and --cull go with it, not {}", option)};
     if (options.peers) return Error{Trouble::Usage, "--peers are timed on one view, not along a path"};
-    if (options.sample && options.noVerify) return Error{Trouble::Usage, "--sample says how much is checked, and --no-verify that nothing is"};
     auto path = cameraPathOf(*options.path);
     if (!path) return path.error();
     return std::optional(*std::move(path));
@@ -129,6 +127,7 @@ Result<std::optional<NamedPath>> pathOf(const BenchOptions& options, const ViewW
 Result<std::optional<std::uint64_t>> samplesOf(const BenchOptions& options)
 {
     if (!options.sample) return std::optional<std::uint64_t>();
+    if (options.noVerify) return Error{Trouble::Usage, "--sample says how much is checked, and --no-verify that nothing is"};
     const auto samples = wholeNumber(*options.sample, "--sample", 1, kMaxSamples);
     if (!samples) return samples.error();
     return std::optional(static_cast<std::uint64_t>(*samples));
@@ -149,6 +148,7 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
     if (!path) return path.error();
     const auto samples = samplesOf(options);
     if (!samples) return samples.error();
+    request->samples = *samples;
     // As many passes as the timed frames need.
     if (*path) request->rounds = (request->frames + (*path)->path.frameCount() - 1) / (*path)->path.frameCount();
 
@@ -170,7 +170,7 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
         request->scene       = *scene;
         request->camera      = view->camera;
         request->faceCulling = view->faceCulling;
-        Result<std::vector<BenchRow>> measured = *path ? alongPath(*request, **path, *samples) : bench(*request);
+        Result<std::vector<BenchRow>> measured = *path ? alongPath(*request, **path) : bench(*request);
         if (!measured) return measured.error();
         if (options.peers) {
             Result<std::vector<BenchRow>> others = benchPeers(*request);
@@ -211,7 +211,7 @@ Command addBench(CLI::App& parent)
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
     option("--path", options->path, "FILE.json", "Move the camera from key frame to key frame, as often as the timed frames need (docs/experiments.md)");
-    option("--sample", options->sample, "N", "With --path: check N random pixels of every frame instead of all");
+    option("--sample", options->sample, "N", "Check N random pixels of each picture instead of all");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
     parser->add_flag("--peers", options->peers, "Time Embree and llvmpipe too, on the same triangles and camera");
     parser->add_flag("--no-shade", options->noShade, "Time ids and depth alone, without shading");

@@ -1,7 +1,5 @@
 // zscope-cli compare: algorithms side by side on a sheet, and whether their pictures are the same.
 #include <algorithm>
-#include <fstream>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -25,6 +23,8 @@ struct CompareOptions {
 
 constexpr std::int64_t kMaxFrames = 1'000'000;
 
+bool isPdf(const std::string& path) { return path.ends_with(".pdf") || path.ends_with(".PDF"); }
+
 /// Everything of the request that does not depend on the scene.
 Result<CompareRequest> requestOf(const CompareOptions& options, Session& session)
 {
@@ -36,6 +36,7 @@ Result<CompareRequest> requestOf(const CompareOptions& options, Session& session
     if (algorithms->size() < 2) return Error{Trouble::Usage, "--algorithms wants two or more to compare: A,B[,C...]"};
     for (const NamedPipeline& each : *algorithms) request.algorithms.push_back({each.name, each.pipeline, each.claim});
     if (!options.sheet && !options.requireEqual) return Error{Trouble::Usage, "say with -o where the sheet goes, or ask with --require-equal whether the pictures are the same"};
+    if (options.sheet && isPdf(*options.sheet) && !kHasPdf) return Error{Trouble::Usage, "this build writes no PDF, only PNG: Cairo was not found when it was made"};
     if (options.threads) {
         const Result<int> threads = threadsOf(*options.threads);
         if (!threads) return threads.error();
@@ -72,26 +73,9 @@ std::string tableOf(const Comparison& comparison)
     return table.text();
 }
 
-/// The processor by name, as far as the system tells.
-std::string machine(const Comparison& comparison)
-{
-    std::string   processor = "unknown processor";
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name") && line.find(": ") != std::string::npos) {
-            processor = line.substr(line.find(": ") + 2);
-            break;
-        }
-    const FrameReport& report = comparison.algorithms.front().report;
-    return fmt::format("{}, {} cores; {} thread{}, {}; ZScope " ZSCOPE_VERSION, processor, std::thread::hardware_concurrency(), report.threads,
-                       report.threads == 1 ? "" : "s", wordOf(report.simd));
-}
-
 Result<Done> writeSheet(const std::string& path, const Comparison& comparison, const Scene& scene, const Camera& camera, Session& session)
 {
-    const SheetWords words{.scene   = fmt::format("{}   {} triangles   {}x{}", scene.name, grouped(scene.triangleCount()), camera.width, camera.height),
-                           .machine = fmt::format("{}; scene {}", machine(comparison), scene.digest),
-                           .command = session.reproducingCommand()};
+    const SheetWords           words = sheetWordsOf(comparison, scene, camera, session.reproducingCommand());
     std::optional<TextPainter> text;
     if (kHasText) {
         auto opened = TextPainter::open();
@@ -99,6 +83,10 @@ Result<Done> writeSheet(const std::string& path, const Comparison& comparison, c
         text.emplace(std::move(*opened));
     } else {
         session.note("this build was made without FreeType and Fontconfig: the sheet has pictures and bars, but no text");
+    }
+    if (isPdf(path)) {
+        if (!text) return Error{Trouble::Output, "a PDF needs letters, and this build was made without FreeType and Fontconfig", path};
+        return writePdfSheet(path, comparison, scene, words, *text);
     }
     const Grid<std::uint32_t> sheet = composeSheet(comparison, scene, words, text ? &*text : nullptr);
     if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
@@ -144,7 +132,7 @@ Command addCompare(CLI::App& parent)
     option("--frames", options->frames, "N", "Timed frames of each (default 9)");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
     parser->add_flag("--require-equal", options->requireEqual, "Exit with 1 unless all pictures are the same, ids, depth bits and colours; by face where whole faces are drawn");
-    parser->add_option("-o,--output", options->sheet, "The sheet, PNG")->type_name("FILE.png")->group("Output");
+    parser->add_option("-o,--output", options->sheet, "The sheet: PNG, or PDF if the name ends so")->type_name("FILE.png|FILE.pdf")->group("Output");
     return {parser, [options](Session& session) {
                 const Result<Exit> exit = compareOnSheet(*options, session);
                 return exit ? *exit : session.fail(exit.error());

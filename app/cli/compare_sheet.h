@@ -1,23 +1,21 @@
-// The comparison sheet: one column per algorithm with its picture, where it differs, its figures and its stages as bars; above
-// them the scene, the machine and the version, below them the command that makes it again.
+// The comparison sheet as a picture, and as a PDF page whose text can be searched.
 //
-// Text       needs a TextPainter; without one the sheet holds pictures and bars only, and the command says so
+// Text       needs a TextPainter; without one the picture holds pictures and bars only, and the command says so
+// PDF        by Cairo, letters embedded; a build without Cairo has no PDF (kHasPdf)
 #pragma once
 
 #include <string>
 
 #include "app/cli/sheet_text.h"
-#include "core/measure/compare.h"
+#include "core/measure/comparison_sheet.h"
 
 namespace zscope::cli {
 
-struct SheetWords {
-    std::string scene;    // name, triangles, size of the picture
-    std::string machine;  // processor, cores, version
-    std::string command;
-};
-
 /// `text`: nullptr if there is none.
 Grid<std::uint32_t> composeSheet(const Comparison& comparison, const Scene& scene, const SheetWords& words, TextPainter* text);
+
+extern const bool kHasPdf;
+/// Errors: Output.
+Result<Done> writePdfSheet(const std::string& path, const Comparison& comparison, const Scene& scene, const SheetWords& words, TextPainter& text);
 
 }  // namespace zscope::cli

@@ -26,10 +26,13 @@ Error at(const std::string& file, int line, Error error)
 
 /// Algorithms, files and names of scenes of all parts are looked up before anything is measured: a misspelt one must not cost
 /// an hour.
-struct PreparedPart {
-    std::vector<BenchAlgorithm> algorithms;
-    std::vector<BenchScene>     scenes;  // as those of the part
+struct PreparedScene {
+    BenchScene                  scene;
+    std::vector<BenchAlgorithm> algorithms;  // as those of the part, with the scene's choices
     ViewWords                   view;
+};
+struct PreparedPart {
+    std::vector<PreparedScene>  scenes;  // as those of the part
     std::optional<NamedPath>    path;
 };
 
@@ -45,24 +48,45 @@ std::optional<Error> whyNotThere(const BenchScene& scene)
     return Error{Trouble::Input, fmt::format("there is no builtin scene '{}': see 'zscope-cli list scenes'", name)};
 }
 
+/// Those of the part, each with the scene's choices set. They keep their names: the choices belong to the scene.
+Result<std::vector<BenchAlgorithm>> algorithmsFor(const ExperimentScene& scene, const ExperimentPart& part, const std::string& file)
+{
+    std::vector<BenchAlgorithm> algorithms;
+    for (const std::string& word : part.algorithms) {
+        std::string all = word;
+        for (const std::string& choice : scene.choices) all += '+' + choice;
+        const auto named = algorithmsOf(all);
+        if (!named) return at(file, scene.choices.empty() ? part.line : scene.line, named.error());
+        for (const NamedPipeline& each : *named) {
+            if (const auto why = explainInvalid(each.pipeline))
+                return Error{Trouble::Input, fmt::format("'{}' cannot be drawn: {}", all, *why), file, part.line};
+            algorithms.push_back({scene.choices.empty() ? each.name : word, each.pipeline, each.claim});
+        }
+    }
+    return algorithms;
+}
+
+ViewWords viewOf(const ExperimentScene& scene, const ExperimentPart& part)
+{
+    ViewWords view;
+    if (!part.hasSize && scene.width == 0) return view;
+    view.given          = {"--size"};
+    view.request.width  = scene.width > 0 ? scene.width : part.width;
+    view.request.height = scene.width > 0 ? scene.height : part.height;
+    return view;
+}
+
 Result<PreparedPart> prepare(const ExperimentPart& part, const std::string& file)
 {
     PreparedPart prepared;
-    for (const std::string& word : part.algorithms) {
-        auto named = algorithmsOf(word);
-        if (!named) return at(file, part.line, named.error());
-        for (NamedPipeline& each : *named) {
-            if (const auto why = explainInvalid(each.pipeline))
-                return Error{Trouble::Input, fmt::format("'{}' cannot be drawn: {}", word, *why), file, part.line};
-            prepared.algorithms.push_back({std::move(each.name), each.pipeline, each.claim});
-        }
-    }
     for (const ExperimentScene& from : part.scenes) {
+        auto algorithms = algorithmsFor(from, part, file);
+        if (!algorithms) return algorithms.error();
         const SuiteScene scene{.word = from.word, .view = from.view, .title = from.title, .camera = from.camera, .model = from.model, .modelCamera = from.modelCamera};
         auto             named = benchSceneOf(scene, part.faceCulling);
         if (!named) return at(file, from.line, named.error());
         if (auto why = whyNotThere(*named)) return at(file, from.line, std::move(*why));
-        prepared.scenes.push_back(*std::move(named));
+        prepared.scenes.push_back({*std::move(named), *std::move(algorithms), viewOf(from, part)});
     }
     if (part.peers)
         if (const auto there = checkPeers(); !there) return at(file, part.line, there.error());
@@ -71,21 +95,16 @@ Result<PreparedPart> prepare(const ExperimentPart& part, const std::string& file
         if (!path) return path.error();
         prepared.path = *std::move(path);
     }
-    if (part.hasSize) {
-        prepared.view.given          = {"--size"};
-        prepared.view.request.width  = part.width;
-        prepared.view.request.height = part.height;
-    }
     return prepared;
 }
 
 }  // namespace
 
-Result<std::vector<BenchRow>> alongPath(const BenchRequest& request, const NamedPath& path, std::optional<std::uint64_t> samples)
+Result<std::vector<BenchRow>> alongPath(const BenchRequest& request, const NamedPath& path)
 {
     const auto cameras = camerasOf(path.path, request.scene->bounds, request.camera.width, request.camera.height);
     if (!cameras) return Error{Trouble::Input, cameras.error().sentence, path.file};
-    return benchPath(request, {.cameras = *cameras, .cuts = path.path.cuts(), .samples = samples});
+    return benchPath(request, {.cameras = *cameras, .cuts = path.path.cuts()});
 }
 
 namespace {
@@ -136,7 +155,8 @@ private:
         const auto            part = static_cast<std::size_t>(each.part - m_experiment.parts.data());
         const auto            number = static_cast<std::size_t>(each.scene - each.part->scenes.data());
         const PreparedPart&   prepared = m_parts[part];
-        const BenchScene&     named = prepared.scenes[number];
+        const PreparedScene&  asked = prepared.scenes[number];
+        const BenchScene&     named = asked.scene;
 
         LoadTimes  load;
         const auto scene = cli::loadScene(named.word, m_session, m_options.memoryLimit, 0, &load);
@@ -154,21 +174,25 @@ private:
             return Done{};
         }
         if (named.isStandIn) m_session.note(fmt::format("'{}' stands in for a model that is not here: {}", named.word, named.title));
-        const auto view = named.viewOf(**scene, prepared.view);
+        const auto view = named.viewOf(**scene, asked.view);
         if (!view) return view.error();
 
         const BenchRequest request{.scene       = *scene,
                                    .camera      = view->camera,
                                    .faceCulling = view->faceCulling,
-                                   .algorithms  = prepared.algorithms,
+                                   .algorithms  = asked.algorithms,
                                    .threads     = each.part->threads,
                                    .frames      = each.part->frames,
                                    .rounds      = each.part->rounds,
                                    .pictures    = picturesOf(*each.part),
+                                   .samples     = each.part->samples,
                                    .memoryLimit = m_options.memoryLimit,
                                    .load        = load,
                                    .progress    = m_session.progress()};
-        auto rows = prepared.path ? alongPath(request, *prepared.path, each.part->samples) : bench(request);
+        std::vector<Camera> cameras;
+        if (prepared.path)
+            if (const auto along = camerasOf(prepared.path->path, (*scene)->bounds, view->camera.width, view->camera.height)) cameras = *along;
+        auto rows = prepared.path ? alongPath(request, *prepared.path) : bench(request);
         if (!rows) return rows.error();
         if (each.part->peers) {
             auto others = benchPeers(request);
@@ -184,6 +208,9 @@ private:
                       .width       = view->camera.width,
                       .height      = view->camera.height,
                       .pathDigest  = pathDigest,
+                      .word        = named.word,
+                      .camera      = cameras.empty() ? view->camera : cameras.front(),
+                      .faceCulling = view->faceCulling,
                       .rows        = benchToJson(*rows)});
         return m_options.json ? writeFile(*m_options.json, recordToJson(m_record)) : Result<Done>(Done{});
     }

@@ -28,7 +28,7 @@ struct ExperimentOptions {
 };
 
 /// `request` along the path, in pictures as large as its camera says. Errors: as benchPath(); Input where the path does not fit the scene.
-Result<std::vector<BenchRow>> alongPath(const BenchRequest& request, const NamedPath& path, std::optional<std::uint64_t> samples);
+Result<std::vector<BenchRow>> alongPath(const BenchRequest& request, const NamedPath& path);
 
 /// CheckFailed: a picture was wrong that its algorithm says is not.
 Result<Exit> runExperiment(const ExperimentOptions& options, Session& session);

@@ -152,4 +152,21 @@ void TextPainter::draw(GridView<std::uint32_t> picture, int x, int y, std::strin
     });
 }
 
+std::vector<TextPainter::Glyph> TextPainter::glyphs(std::string_view utf8, int size)
+{
+    std::vector<Glyph> all;
+    int                x = 0;
+    for (std::size_t at = 0; at < utf8.size();) {
+        const std::size_t begin     = at;
+        const char32_t    character = nextOf(utf8, at);
+        const FT_Face     face      = m_fonts->faceFor(character);
+        FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size));
+        const FT_UInt index = FT_Get_Char_Index(face, character);
+        if (FT_Load_Glyph(face, index, FT_LOAD_DEFAULT) != 0) continue;
+        all.push_back({face, index, x, utf8.substr(begin, at - begin)});
+        x += static_cast<int>(face->glyph->advance.x >> 6);
+    }
+    return all;
+}
+
 }  // namespace zscope::cli

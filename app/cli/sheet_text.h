@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "core/base/grid.h"
 #include "core/base/result.h"
@@ -28,6 +29,15 @@ public:
     int width(std::string_view utf8, int size);
     /// Draws it from x on; y is the base line. What lies outside the picture is left out. Colour 0xAARRGGBB, taken as opaque.
     void draw(GridView<std::uint32_t> picture, int x, int y, std::string_view utf8, int size, std::uint32_t colour);
+
+    /// One character where draw() would put it.
+    struct Glyph {
+        void*            face  = nullptr;  // FreeType's, alive as long as the painter
+        unsigned long    index = 0;        // in that face
+        int              x     = 0;        // from the beginning of the text, pixels
+        std::string_view bytes = {};       // of the text
+    };
+    std::vector<Glyph> glyphs(std::string_view utf8, int size);
 
 private:
     struct Fonts;

@@ -17,6 +17,8 @@ Result<TextPainter> TextPainter::open()
     return Error{Trouble::Output, "this build draws no text: FreeType or Fontconfig was not found when it was made"};
 }
 
+std::vector<TextPainter::Glyph> TextPainter::glyphs(std::string_view, int) { return {}; }
+
 int  TextPainter::width(std::string_view, int) { return 0; }
 void TextPainter::draw(GridView<std::uint32_t>, int, int, std::string_view, int, std::uint32_t) {}
 

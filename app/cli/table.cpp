@@ -36,11 +36,4 @@ std::string Table::text() const
     return text;
 }
 
-std::string grouped(unsigned long long value)
-{
-    std::string digits = std::to_string(value);
-    for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ' ');
-    return digits;
-}
-
 }  // namespace zscope::cli

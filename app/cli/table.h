@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/grouped.h"
+
 namespace zscope::cli {
 
 class Table {
@@ -23,8 +25,5 @@ private:
     std::vector<Column>                   m_columns;
     std::vector<std::vector<std::string>> m_rows;
 };
-
-/// "12 345 678": digits in groups of three.
-std::string grouped(unsigned long long value);
 
 }  // namespace zscope::cli

@@ -9,8 +9,6 @@
 
 #include "core/base/stopwatch.h"
 #include "core/measure/bench_summary.h"
-#include "core/measure/face_figures.h"
-#include "core/measure/reference.h"
 #include "core/measure/series_json.h"
 
 namespace zscope {
@@ -27,12 +25,8 @@ public:
         m_scene   = std::make_shared<const PreparedScene>(m_request.scene);
         m_buildMs = watch.lap();
 
-        if (m_request.verify) {
-            auto picture =
-                referencePicture(*m_request.scene, m_request.camera, m_request.faceCulling, m_request.progress);
-            if (!picture) return picture.error();
-            m_reference = *std::move(picture);
-        }
+        if (m_request.verify)
+            if (const auto done = m_truth.find(m_request, m_request.camera, 1); !done) return done.error();
         std::vector<Run>        runs;
         const std::vector<bool> shades = shadingsOf(m_request.pictures);
         const std::size_t count = m_request.algorithms.size() * m_request.threads.size() * m_request.simd.size() * shades.size();
@@ -65,13 +59,9 @@ public:
     }
 
 private:
-    struct Judgement {
-        std::uint64_t wrong = 0;
-        ErrorFigures  figures;
-    };
     struct Judged {
-        Picture   picture;
-        Judgement judgement;
+        Picture              picture;
+        ViewTruth::Judgement judgement;
     };
 
     /// One algorithm with one thread count and vector target, and what it keeps from frame to frame.
@@ -105,11 +95,12 @@ private:
         if (!first) return first.error();
         row.threads = first->threads;
         row.simd    = first->simd;
-        if (m_reference) {
+        if (m_request.verify) {
             const auto judgement = judge(algorithm);
             if (!judgement) return judgement.error();
             row.wrongPixels = judgement->wrong;
             row.figures     = judgement->figures;
+            row.samples     = m_request.samples.value_or(0);
         }
         bool isTrial = first->isTrial;
         for (int frame = 0; frame < m_request.warmUp || isTrial; ++frame) {
@@ -159,24 +150,20 @@ private:
     }
 
     /// Of the frame just drawn.
-    Result<Judgement> judge(const BenchAlgorithm& algorithm)
+    Result<ViewTruth::Judgement> judge(const BenchAlgorithm& algorithm)
     {
-        Picture             picture = pictureOf(m_frame.visible);
-        const std::uint64_t differ  = differingPixels(*m_reference, picture);
-        if (!drawsFaces(algorithm.pipeline))
-            return Judgement{differ, differ == 0 ? figuresOfEqual(*m_reference) : compare(*m_reference, picture)};
-        if (m_judged && differingPixels(m_judged->picture, picture) == 0) return m_judged->judgement;
-        const auto figures = compareByFace(*m_request.scene, m_request.camera, m_request.faceCulling, *m_reference, picture, m_request.progress);
-        if (!figures) return figures.error();
-        const Judgement judgement{algorithm.claim == Claim::ExactByFace ? figures->wrongCoverage() : figures->wrongPixels(), *figures};
-        if (!m_judged) m_judged = Judged{std::move(picture), judgement};
+        Picture    picture = pictureOf(m_frame.visible);
+        const bool isDear  = drawsFaces(algorithm.pipeline);
+        if (isDear && m_judged && differingPixels(m_judged->picture, picture) == 0) return m_judged->judgement;
+        auto judgement = m_truth.judge(m_request, algorithm, picture);
+        if (judgement && isDear && !m_judged) m_judged = Judged{std::move(picture), *judgement};
         return judgement;
     }
 
     const BenchRequest&                  m_request;
     std::shared_ptr<const PreparedScene> m_scene;
     double                               m_buildMs = 0;
-    std::optional<Picture>               m_reference;
+    ViewTruth                            m_truth;
     std::optional<Judged>                m_judged;  // the first picture of the algorithm at hand, if it draws faces
     Frame                                m_frame;
 };
@@ -302,6 +289,7 @@ std::string benchToJson(std::span<const BenchRow> rows)
                         {"shaded", row.shaded},
                         {"verified", row.wrongPixels ? Json(*row.wrongPixels == 0) : Json(nullptr)},
                         {"wrong_pixels", row.wrongPixels ? Json(*row.wrongPixels) : Json(nullptr)},
+                        {"samples", row.samples},
                         {"figures", row.figures ? toJson(*row.figures) : Json(nullptr)},
                         {"best_ms", row.bestMs},
                         {"median_ms", row.medianMs},

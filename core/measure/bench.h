@@ -54,6 +54,7 @@ struct BenchRequest {
     int                          rounds      = 1;    // 1 to frames
     BenchPictures                pictures    = BenchPictures::Shaded;
     bool                         verify      = true; // against the brute-force reference
+    std::optional<std::uint64_t> samples     = {};   // random pixels that are verified instead of all
     bool                         count       = true; // the work behind the times
     std::uint64_t                memoryLimit = 0;    // bytes; as DrawRequest
     LoadTimes                    load        = {};   // of the scene, for the rows
@@ -84,6 +85,7 @@ struct BenchRow {
     std::optional<std::uint64_t> wrongPixels;
     /// All figures of the same picture, by face for a method that draws faces; there whenever wrongPixels is.
     std::optional<ErrorFigures> figures;
+    std::uint64_t               samples = 0;  // pixels that were verified, of each frame; 0: all
 
     double        bestMs = 0, medianMs = 0, q1Ms = 0, q3Ms = 0;  // of a frame
     std::uint64_t triangles = 0;                                 // of the scene, instances included

@@ -59,6 +59,7 @@ BenchRow rowOf(const Json& json)
     json.at("shaded").get_to(row.shaded);
     json.at("pixels").get_to(row.pixels);
     if (const Json& wrong = json.at("wrong_pixels"); !wrong.is_null()) row.wrongPixels = wrong.get<std::uint64_t>();
+    row.samples = json.value("samples", std::uint64_t{0});  // older records have none
     if (const Json& figures = json.at("figures"); !figures.is_null()) row.figures = figuresOf(figures, row.pixels);
     json.at("best_ms").get_to(row.bestMs);
     json.at("median_ms").get_to(row.medianMs);

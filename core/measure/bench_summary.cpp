@@ -3,7 +3,22 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/measure/face_figures.h"
+#include "core/measure/verify.h"
+
 namespace zscope {
+namespace {
+
+/// What compare() would find, if every pixel is known to be the same.
+ErrorFigures figuresOfEqual(const Picture& reference)
+{
+    ErrorFigures figures;
+    figures.pixels  = reference.ids.values().size();
+    figures.covered = static_cast<std::uint64_t>(std::ranges::count_if(reference.ids.values(), [](std::int64_t id) { return id >= 0; }));
+    return figures;
+}
+
+}  // namespace
 
 std::uint64_t differingPixels(const Picture& reference, const Picture& test)
 {
@@ -37,14 +52,6 @@ void summarise(std::vector<FrameReport> reports, BenchRow& row)
     }
 }
 
-ErrorFigures figuresOfEqual(const Picture& reference)
-{
-    ErrorFigures figures;
-    figures.pixels  = reference.ids.values().size();
-    figures.covered = static_cast<std::uint64_t>(std::ranges::count_if(reference.ids.values(), [](std::int64_t id) { return id >= 0; }));
-    return figures;
-}
-
 DrawRequest drawRequestOf(const BenchRequest& request, std::shared_ptr<const PreparedScene> scene, const BenchAlgorithm& algorithm, int threads, Simd simd,
                           bool shade)
 {
@@ -63,6 +70,60 @@ std::vector<bool> shadingsOf(BenchPictures pictures)
 {
     if (pictures == BenchPictures::Both) return {true, false};
     return {pictures == BenchPictures::Shaded};
+}
+
+Result<Done> ViewTruth::find(const BenchRequest& request, const Camera& camera, std::uint64_t seed)
+{
+    m_camera    = camera;
+    m_isSampled = request.samples.has_value();
+    if (m_isSampled) {
+        m_points     = randomPixels(camera, *request.samples, seed);
+        auto samples = referenceSamples(*request.scene, camera, request.faceCulling, m_points, request.progress);
+        if (!samples) return samples.error();
+        m_samples = *std::move(samples);
+        return Done{};
+    }
+    auto picture = referencePicture(*request.scene, camera, request.faceCulling, request.progress);
+    if (!picture) return picture.error();
+    m_picture = *std::move(picture);
+    return Done{};
+}
+
+std::uint64_t ViewTruth::differing(const Picture& picture) const
+{
+    if (!m_isSampled) return differingPixels(m_picture, picture);
+    std::uint64_t differing = 0;
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+        const auto [x, y] = m_points[i];
+        differing += !(SampleTruth{picture.ids.at(x, y), picture.depth.at(x, y)} == m_samples[i]);
+    }
+    return differing;
+}
+
+Result<ErrorFigures> ViewTruth::figuresOf(const BenchRequest& request, bool byFace, const Picture& picture, std::uint64_t differing) const
+{
+    const Scene& scene = *request.scene;
+    if (!m_isSampled) {
+        if (byFace) return compareByFace(scene, m_camera, request.faceCulling, m_picture, picture, request.progress);
+        return differing == 0 ? figuresOfEqual(m_picture) : compare(m_picture, picture);
+    }
+    std::vector<PixelPair> pixels;
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+        const auto [x, y] = m_points[i];
+        pixels.push_back({m_samples[i].id, picture.ids.at(x, y), m_samples[i].depth, picture.depth.at(x, y)});
+    }
+    if (byFace) return compareByFace(scene, m_camera, request.faceCulling, std::move(pixels), m_points, picture.ids.values(), request.progress);
+    return compare(pixels, picture.ids.values());
+}
+
+Result<ViewTruth::Judgement> ViewTruth::judge(const BenchRequest& request, const BenchAlgorithm& algorithm, const Picture& picture) const
+{
+    const bool          byFace  = drawsFaces(algorithm.pipeline);
+    const std::uint64_t differ  = differing(picture);
+    const auto          figures = figuresOf(request, byFace, picture, differ);
+    if (!figures) return figures.error();
+    const std::uint64_t wrong = !byFace ? differ : algorithm.claim == Claim::ExactByFace ? figures->wrongCoverage() : figures->wrongPixels();
+    return Judgement{wrong, *figures};
 }
 
 }  // namespace zscope

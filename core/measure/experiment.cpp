@@ -40,11 +40,14 @@ private:
         for (const ExperimentPart& part : experiment.parts) {
             all += fmt::format("\n{}|{}x{}|{}|{}|{}|{}|{}|", fmt::join(part.algorithms, ","), part.width, part.height, part.hasSize,
                                part.faceCulling ? static_cast<int>(*part.faceCulling) : -1, part.frames, part.rounds, part.shade.value_or(true));
-            if (!part.path.empty()) all += fmt::format("path {} {}|", part.path, part.samples.value_or(0));
+            if (!part.path.empty()) all += fmt::format("path {}|", part.path);
+            if (part.samples) all += fmt::format("sample {}|", *part.samples);
             if (part.peers) all += fmt::format("peers {}|", part.shade.has_value());
             for (const int threads : part.threads) all += fmt::format("{},", threads);
             for (const ExperimentScene& scene : part.scenes)
                 all += fmt::format("\n {}|{}|{}|{}|{}|{}", scene.word, scene.view, scene.camera, scene.model, scene.modelCamera, scene.x.value_or(-1));
+            for (const ExperimentScene& scene : part.scenes)
+                if (scene.width > 0 || !scene.choices.empty()) all += fmt::format("\n {} {}x{} {}", scene.word, scene.width, scene.height, fmt::join(scene.choices, ","));
         }
         return digestOfText(all);
     }
@@ -140,13 +143,17 @@ private:
         std::optional<bool> peers;
         if (!truth(value, "peers", peers)) return false;
         part.peers = peers.value_or(false);
+        if (find(value, "sample")) {
+            int samples = 0;
+            if (!number(value, "sample", 1, kMaxSamples, samples)) return false;
+            part.samples = static_cast<std::uint64_t>(samples);
+        }
         return part.path.empty() ? frames(value, part) : passes(value, part);
     }
 
     /// Of one view.
     bool frames(const JsonValue& value, ExperimentPart& part)
     {
-        if (const JsonValue* sample = find(value, "sample")) return fail(*sample, "'sample' goes with a 'path': of one view every pixel is checked");
         if (!number(value, "frames", 1, kMaxFrames, part.frames)) return false;
         part.rounds = std::min(part.rounds, part.frames);
         return number(value, "rounds", 1, part.frames, part.rounds);
@@ -157,12 +164,7 @@ private:
     {
         if (const JsonValue* frames = find(value, "frames")) return fail(*frames, "a part with a 'path' has as many frames as the path: 'rounds' says how often it is flown");
         if (part.peers) return fail(*find(value, "peers"), "'peers' are timed on one view: a part with a 'path' has none");
-        if (!number(value, "rounds", 1, kMaxFrames, part.rounds)) return false;
-        if (!find(value, "sample")) return true;
-        int samples = 0;
-        if (!number(value, "sample", 1, kMaxSamples, samples)) return false;
-        part.samples = static_cast<std::uint64_t>(samples);
-        return true;
+        return number(value, "rounds", 1, kMaxFrames, part.rounds);
     }
 
     bool truth(const JsonValue& object, std::string_view key, std::optional<bool>& to)
@@ -181,7 +183,7 @@ private:
         if (value.text()) {
             scene.word = *value.text();
         } else {
-            if (!knows(value, "a scene", {"scene", "title", "view", "camera", "model", "model_camera", "x"})) return false;
+            if (!knows(value, "a scene", {"scene", "title", "view", "camera", "model", "model_camera", "x", "size", "choices"})) return false;
             const bool isRead = word(value, "scene", scene.word) && word(value, "title", scene.title) && word(value, "view", scene.view) &&
                                 word(value, "camera", scene.camera) && word(value, "model", scene.model) && word(value, "model_camera", scene.modelCamera);
             if (!isRead) return false;
@@ -190,6 +192,13 @@ private:
                 if (!read) return m_error = read.error(), false;
                 scene.x = *read;
             }
+            if (!pair(value, "size", scene.width, scene.height)) return false;
+            const auto choice = [&](const JsonValue& each) {
+                if (!each.text() || each.text()->find('=') == std::string::npos) return fail(each, "a choice is written axis=choice");
+                scene.choices.push_back(*each.text());
+                return true;
+            };
+            if (find(value, "choices") && !list(value, "choices", choice)) return false;
         }
         if (scene.word.empty()) return fail(value, "a scene has no word: a path, or builtin:NAME");
         part.scenes.push_back(std::move(scene));
@@ -198,16 +207,19 @@ private:
 
     bool size(const JsonValue& value, ExperimentPart& part)
     {
+        part.hasSize = find(value, "size") != nullptr;
+        return pair(value, "size", part.width, part.height);
+    }
+
+    /// "WxH", which may be left out.
+    bool pair(const JsonValue& value, std::string_view key, int& width, int& height)
+    {
         std::string said;
-        if (!word(value, "size", said)) return false;
+        if (!word(value, key, said)) return false;
         if (said.empty()) return true;
-        int  read = 0;
         char rest = 0;
-        part.hasSize = true;
-        if (std::sscanf(said.c_str(), "%5dx%5d%n%c", &part.width, &part.height, &read, &rest) == 2 && part.width >= 1 && part.height >= 1 &&
-            part.width <= kMaxSide && part.height <= kMaxSide)
-            return true;
-        return fail(*find(value, "size"), fmt::format("'size' is written WxH, in pixels, not '{}'", said.substr(0, 60)));
+        if (std::sscanf(said.c_str(), "%5dx%5d%c", &width, &height, &rest) == 2 && width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide) return true;
+        return fail(*find(value, key), fmt::format("'{}' is written WxH, in pixels, not '{}'", key, said.substr(0, 60)));
     }
 
     bool culling(const JsonValue& value, ExperimentPart& part)

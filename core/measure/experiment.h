@@ -5,7 +5,8 @@
 //            "threads":[N...],"size":"WxH","cull":"none|back","frames":N,"rounds":N,"shade":bool,"x":T,
 //            "path":FILE,"sample":N,"peers":bool}...]}
 //            T is a text, or {"en":text,"zh_CN":text}. A SCENE is a word for loadScene(), or {"scene":word,"title":text,
-//            "view":name,"camera":file,"model":file,"model_camera":file,"x":number} as in a Suite. An algorithm is a preset, with
+//            "view":name,"camera":file,"model":file,"model_camera":file,"x":number,"size":"WxH","choices":[CHOICE...]} as in a
+//            Suite; choices are set in every algorithm of the part, for this scene. An algorithm is a preset, with
 //            +axis=choice and +fault=name after it for what differs
 // Case       a scene of a part with all of the part's algorithms and thread counts: they are timed in turn, so that their times
 //            may be divided. The unit that is recorded, resumed and given to a shard
@@ -38,6 +39,8 @@ struct ExperimentScene {
     std::string           title, view, camera;  // as in SuiteScene; empty: none
     std::string           model, modelCamera;
     std::optional<double> x = {};               // its place on the axis of a growth curve
+    int                   width = 0, height = 0;  // 0: the part's
+    std::vector<std::string> choices;           // "axis=choice"
     int                   line = 0;             // of the file, for errors about its words
 };
 
@@ -53,7 +56,7 @@ struct ExperimentPart {
     int                          rounds      = 5;   // that these frames are parted in, 1 to frames
     std::optional<bool>          shade       = {};   // absent: yes, and where there are peers ids and depth alone too
     std::string                  path        = {};   // a file of key frames: `rounds` passes along it instead of frames of one view
-    std::optional<std::uint64_t> samples     = {};   // pixels checked of every frame of the path; absent: all
+    std::optional<std::uint64_t> samples     = {};   // pixels that are verified of each picture; absent: all
     bool                         peers       = false;  // other renderers are timed too
     ExperimentText               x           = {};  // what the places of its scenes mean; empty: they are a list
     int                          line        = 0;

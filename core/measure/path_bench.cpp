@@ -7,9 +7,6 @@
 
 #include "core/base/stopwatch.h"
 #include "core/measure/bench_summary.h"
-#include "core/measure/face_figures.h"
-#include "core/measure/reference.h"
-#include "core/measure/verify.h"
 
 namespace zscope {
 namespace {
@@ -84,7 +81,7 @@ private:
         for (std::size_t frame = 0; frame < m_path.cameras.size(); ++frame) {
             tell(frame, "reference");
             if (m_request.verify)
-                if (const auto done = findTruth(frame); !done) return done.error();
+                if (const auto done = m_truth.find(m_request, m_path.cameras[frame], frame + 1); !done) return done.error();
             for (Run& run : m_runs) {
                 const auto report = draw(run, frame);
                 if (!report) return report.error();
@@ -97,60 +94,15 @@ private:
         return Done{};
     }
 
-    Result<Done> findTruth(std::size_t frame)
-    {
-        const Camera& camera = m_path.cameras[frame];
-        if (m_path.samples) {
-            m_points     = randomPixels(camera, *m_path.samples, frame + 1);
-            auto samples = referenceSamples(*m_request.scene, camera, m_request.faceCulling, m_points, m_request.progress);
-            if (!samples) return samples.error();
-            m_samples = *std::move(samples);
-            return Done{};
-        }
-        auto picture = referencePicture(*m_request.scene, camera, m_request.faceCulling, m_request.progress);
-        if (!picture) return picture.error();
-        m_reference = *std::move(picture);
-        return Done{};
-    }
-
-    Result<ErrorFigures> figuresOf(const Run& run, const Picture& picture) const
-    {
-        const Scene& scene  = *m_request.scene;
-        const bool   byFace = drawsFaces(run.algorithm->pipeline);
-        if (!m_path.samples) {
-            if (byFace) return compareByFace(scene, run.draw.camera, m_request.faceCulling, m_reference, picture, m_request.progress);
-            return differingPixels(m_reference, picture) == 0 ? figuresOfEqual(m_reference) : compare(m_reference, picture);
-        }
-        std::vector<PixelPair> pixels;
-        for (std::size_t i = 0; i < m_points.size(); ++i) {
-            const auto [x, y] = m_points[i];
-            pixels.push_back({m_samples[i].id, picture.ids.at(x, y), m_samples[i].depth, picture.depth.at(x, y)});
-        }
-        if (byFace) return compareByFace(scene, run.draw.camera, m_request.faceCulling, std::move(pixels), m_points, picture.ids.values(), m_request.progress);
-        return compare(pixels, picture.ids.values());
-    }
-
-    std::uint64_t differingSamples(const Picture& picture) const
-    {
-        std::uint64_t differing = 0;
-        for (std::size_t i = 0; i < m_points.size(); ++i) {
-            const auto [x, y] = m_points[i];
-            differing += !(SampleTruth{picture.ids.at(x, y), picture.depth.at(x, y)} == m_samples[i]);
-        }
-        return differing;
-    }
-
     /// Of the frame just drawn.
     Result<Done> judge(Run& run, std::size_t frame)
     {
-        const Picture picture = pictureOf(m_frame.visible);
-        const auto    figures = figuresOf(run, picture);
-        if (!figures) return figures.error();
+        const auto judgement = m_truth.judge(m_request, *run.algorithm, pictureOf(m_frame.visible));
+        if (!judgement) return judgement.error();
         SeriesFrame& told = run.series.frames[frame];
-        told.covered      = figures->covered;
-        if (!drawsFaces(run.algorithm->pipeline)) told.wrongPixels = m_path.samples ? differingSamples(picture) : differingPixels(m_reference, picture);
-        else told.wrongPixels = run.row.claim == Claim::ExactByFace ? figures->wrongCoverage() : figures->wrongPixels();
-        run.figures.push_back(*figures);
+        told.covered      = judgement->figures.covered;
+        told.wrongPixels  = judgement->wrong;
+        run.figures.push_back(judgement->figures);
         return Done{};
     }
 
@@ -229,9 +181,9 @@ private:
             for (const StageTime& stage : median.stages) told.stageMs[static_cast<std::size_t>(stage.stage)] = stage.ms;
             told.chosen = run.passes.back()[frame].chosen;
         }
-        series.samples = m_path.samples.value_or(0);
         if (m_request.verify) {
             series.lags         = lagsOf(series.frames, m_path.cuts);
+            run.row.samples     = m_request.samples.value_or(0);
             run.row.figures     = together(run.figures);
             run.row.wrongPixels = 0;
             for (const SeriesFrame& frame : series.frames) *run.row.wrongPixels += *frame.wrongPixels;
@@ -253,11 +205,7 @@ private:
     std::size_t                          m_steps   = 1;  // of the progress: frames verified and timed
     std::vector<Run>                     m_runs;
     Frame                                m_frame;
-
-    // The truth about the frame at hand.
-    Picture                    m_reference;
-    std::vector<PixelPosition> m_points;
-    std::vector<SampleTruth>   m_samples;
+    ViewTruth                            m_truth;  // about the frame at hand
 };
 
 }  // namespace

@@ -9,7 +9,6 @@
 // Memory     one renderer per run, all alive; one reference picture
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/measure/bench.h"
@@ -17,9 +16,8 @@
 namespace zscope {
 
 struct PathRequest {
-    std::vector<Camera>          cameras;       // at least one, all of one size
-    std::vector<int>             cuts    = {};  // rising places in `cameras`
-    std::optional<std::uint64_t> samples = {};  // random pixels of every frame instead of all
+    std::vector<Camera> cameras;       // at least one, all of one size
+    std::vector<int>    cuts = {};  // rising places in `cameras`
 };
 
 /// Of `request` the camera and `frames` are not used; `rounds` are the passes. Errors: as bench().

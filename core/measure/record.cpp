@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/frame/faults.h"
+
 namespace zscope {
 namespace {
 
@@ -43,6 +45,13 @@ Record recordOf(const Json& json)
                        .height      = each.at("height").get<int>(),
                        .pathDigest  = each.value("path_digest", std::string()),
                        .rows        = each.at("rows").dump()};
+        if (each.contains("word")) {  // older records have no view
+            one.word        = each.at("word").get<std::string>();
+            one.faceCulling = each.at("cull") == "back" ? FaceCulling::Back : FaceCulling::None;
+            const auto camera = cameraFromJson(each.at("camera").dump(), "record");
+            if (!camera) throw Json::other_error::create(501, "no camera", &each);
+            one.camera = *camera;
+        }
         record.add(std::move(one));
     }
     return record;
@@ -99,8 +108,8 @@ std::string recordToJson(const Record& record)
 {
     const RecordHead& head  = record.head;
     Json              cases = Json::array();
-    for (const RecordCase& each : record.cases)
-        cases.push_back({{"index", each.index},
+    for (const RecordCase& each : record.cases) {
+        Json one{{"index", each.index},
                          {"part", toJson(each.part)},
                          {"scene", each.scene},
                          {"x", toJson(each.x)},
@@ -109,7 +118,14 @@ std::string recordToJson(const Record& record)
                          {"path_digest", each.pathDigest},
                          {"width", each.width},
                          {"height", each.height},
-                         {"rows", Json::parse(each.rows)}});
+                         {"rows", Json::parse(each.rows)}};
+        if (!each.word.empty()) {
+            one["word"]   = each.word;
+            one["cull"]   = each.faceCulling == FaceCulling::Back ? "back" : "none";
+            one["camera"] = Json::parse(cameraToJson(each.camera));
+        }
+        cases.push_back(std::move(one));
+    }
     const Json all{{"record", kForm},
                    {"experiment", {{"title", toJson(head.title)}, {"question", toJson(head.question)}, {"baseline", head.baseline}, {"digest", head.digest}}},
                    {"program", {{"version", head.version}, {"compiler", head.compiler}}},
@@ -156,6 +172,31 @@ Result<Record> joined(std::span<const NamedRecord> records)
         }
     }
     return all;
+}
+
+std::optional<Pipeline> pipelineNamed(std::string_view name)
+{
+    const Preset* preset = findPreset(name.substr(0, name.find('+')));
+    if (!preset) return std::nullopt;
+    Pipeline pipeline = preset->pipeline;
+    for (std::size_t plus = name.find('+'); plus != std::string_view::npos;) {
+        const std::size_t      next    = name.find('+', plus + 1);
+        const std::string_view setting = name.substr(plus + 1, next == std::string_view::npos ? next : next - plus - 1);
+        const std::size_t      equals  = setting.find('=');
+        if (equals == std::string_view::npos) return std::nullopt;
+        const std::string_view axis = setting.substr(0, equals), choice = setting.substr(equals + 1);
+        if (axis == "fault") {
+            const FaultEntry* fault = findFault(choice);
+            if (!fault) return std::nullopt;
+            pipeline.fault = fault->fault;
+        } else {
+            const Result<Pipeline> with = withChoice(pipeline, axis, choice);
+            if (!with) return std::nullopt;
+            pipeline = *with;
+        }
+        plus = next;
+    }
+    return pipeline;
 }
 
 Result<std::vector<BenchRow>> rowsOf(const RecordCase& measured)

@@ -2,14 +2,15 @@
 // joined with those of other machines of the same kind.
 //
 // Form       {"record":1,"experiment":{title, question, baseline, digest},"program":{version, compiler},"machine":{processor,
-//            cores},"case_count":N,"cases":[{"index","part","scene","x","scene_digest","path_digest","width","height","rows":[...]}...]},
-//            cases by rising index; rows as benchToJson() writes them
+//            cores},"case_count":N,"cases":[{"index","part","scene","x","scene_digest","path_digest","word","camera","cull",
+//            "width","height","rows":[...]}...]}, cases by rising index; rows as benchToJson() writes them
 // Comparable only records of one experiment, program and kind of machine; a case that is in two of them must have been measured
 //            on the same scene, along the same camera path
 // Errors     one sentence that names the file and what differs
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ struct RecordCase {
     double         place = 0;     // of the scene on the axis of a growth curve; its number in the part where it has none
     int            width = 0, height = 0;
     std::string    pathDigest = {};  // of the camera path; empty: one view
+    std::string    word = {};     // that loads the scene; empty: a record of before there was one
+    Camera         camera = {};   // of the view, or of the path's first frame
+    FaceCulling    faceCulling = FaceCulling::None;
     std::string    rows;          // JSON, an array
 };
 
@@ -65,6 +69,9 @@ struct NamedRecord {
 };
 /// All cases of all records, of which there is at least one; a case that two have is taken from the first.
 Result<Record> joined(std::span<const NamedRecord> records);
+
+/// The pipeline that nameOf() called so; nothing if there is none of this name.
+std::optional<Pipeline> pipelineNamed(std::string_view name);
 
 /// Its rows, called by its scene. Error: Input: they are none.
 Result<std::vector<BenchRow>> rowsOf(const RecordCase& measured);

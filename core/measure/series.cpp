@@ -47,8 +47,7 @@ Json toJson(const Series& series)
     for (std::size_t i = 0; i < series.counters.size(); ++i)
         counters[series.counters[i]] = column(series, [i](const SeriesFrame& frame) { return frame.counts[i]; });
     for (const Lag& lag : series.lags) lags.push_back({{"cut", lag.cut}, {"wrong_frames", lag.frames ? Json(*lag.frames) : Json(nullptr)}});
-    return {{"samples", series.samples},
-            {"ms", column(series, [](const SeriesFrame& frame) { return frame.ms; })},
+    return {{"ms", column(series, [](const SeriesFrame& frame) { return frame.ms; })},
             {"covered", column(series, [](const SeriesFrame& frame) { return frame.covered; })},
             {"wrong_pixels", column(series, [](const SeriesFrame& frame) { return frame.wrongPixels ? Json(*frame.wrongPixels) : Json(nullptr); })},
             {"chosen", column(series, [](const SeriesFrame& frame) { return frame.chosen; })},
@@ -60,7 +59,6 @@ Json toJson(const Series& series)
 Series seriesOf(const Json& json)
 {
     Series series;
-    json.at("samples").get_to(series.samples);
     const Json& counters = json.at("counters");
     for (const auto& [name, values] : counters.items()) series.counters.push_back(name);
     for (std::size_t at = 0; at < json.at("ms").size(); ++at) {

@@ -40,7 +40,6 @@ struct Series {
     std::vector<std::string> counters;     // names
     std::vector<SeriesFrame> frames;
     std::vector<Lag>         lags;         // of every cut; empty where nothing was checked
-    std::uint64_t            samples = 0;  // pixels checked of each frame; 0: all
 
     friend bool operator==(const Series&, const Series&) = default;
 };

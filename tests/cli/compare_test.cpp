@@ -1,5 +1,6 @@
 // Algorithms side by side from the command line: exit statuses, the sheet's pixels and its words.
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
 #include <png.h>
@@ -51,6 +52,24 @@ TEST_F(Cli, CompareWritesASheetWithAColumnPerAlgorithmAndTheCommandInside)
     const std::string bytes = contentsOf(path("two.png"));
     EXPECT_NE(bytes.find("zscope-cli compare builtin:cubes"), std::string::npos);
     EXPECT_NE(bytes.find("--algorithms zbuffer,scanline"), std::string::npos);
+}
+
+TEST_F(Cli, ASheetWhoseNameEndsInPdfIsAPageWithTextAndPictures)
+{
+    const Answer answer = run(comparing("builtin:cubes", "zbuffer,scanline", {"-o", path("sheet.pdf")}));
+    if (answer.status == 2 && answer.err.find("writes no PDF") != std::string::npos) GTEST_SKIP() << answer.err;
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const std::string bytes = contentsOf(path("sheet.pdf"));
+    EXPECT_TRUE(bytes.starts_with("%PDF-"));
+    EXPECT_NE(bytes.find("%%EOF"), std::string::npos);
+    std::size_t pictures = 0;
+    for (std::size_t at = bytes.find("/Subtype /Image"); at != std::string::npos; at = bytes.find("/Subtype /Image", at + 1)) ++pictures;
+    EXPECT_EQ(pictures, 3u) << "two pictures and a difference";
+    if (std::system("command -v pdftotext > /dev/null 2>&1") != 0) return;
+    ASSERT_EQ(std::system(("pdftotext -layout '" + path("sheet.pdf") + "' '" + path("sheet.txt") + "'").c_str()), 0);
+    const std::string text = contentsOf(path("sheet.txt"));
+    for (const char* word : {"zbuffer", "scanline", "Reference: same to the bit", "raster", "zscope-cli compare builtin:cubes"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << '\n' << text;
 }
 
 TEST_F(Cli, CompareRefusesToCallDifferentPicturesEqual)

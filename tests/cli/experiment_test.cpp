@@ -79,7 +79,7 @@ TEST_F(Cli, APathThatCannotBeFlownIsRefused)
     };
     refused({"--path", way, "--eye", "1,2,3"}, 2, "--eye");
     refused({"--path", way, "--peers"}, 2, "--peers");
-    refused({"--sample", "9"}, 2, "--path");
+    refused({"--sample", "9", "--no-verify"}, 2, "--sample");
     refused({"--path", way, "--sample", "0"}, 2, "--sample");
     refused({"--path", path("nowhere.json")}, 3, "not found");
     refused({"--path", write("bad.json", "{\"keys\":[\n{\"frame\":1}]}")}, 3, "bad.json:2: error:");
@@ -102,6 +102,25 @@ TEST_F(Cli, AnExperimentAlongAPathGoesOnOnlyAlongTheSamePath)
     const Answer refused = run({"bench", "--experiment", file, "--json", path("r.json")});
     EXPECT_EQ(refused.status, 3);
     EXPECT_NE(refused.err.find("another camera path"), std::string::npos) << refused.err;
+}
+
+TEST_F(Cli, ASceneOfAnExperimentMayHaveASizeAndChoicesOfItsOwn)
+{
+    const std::string file = write("e.json", R"({"title":"t","baseline":"zbuffer-early","parts":[{"title":"p","x":"operations","size":"40x30","frames":2,"sample":50,
+        "algorithms":["zbuffer-early","zbuffer-prepass"],"scenes":[{"scene":"builtin:cubes","x":1},
+        {"scene":"builtin:cubes","size":"20x10","choices":["shading-cost=100-operations"],"x":100}]}]})");
+    ASSERT_EQ(run({"bench", "--experiment", file, "--json", path("r.json")}).status, 0);
+    const Json cases = Json::parse(contentsOf(path("r.json")))["cases"];
+    EXPECT_EQ(cases[0]["width"], 40);
+    EXPECT_EQ(cases[1]["width"], 20);
+    EXPECT_EQ(cases[1]["rows"][1]["pixels"], 200);
+    EXPECT_EQ(cases[1]["rows"][1]["algorithm"], "zbuffer-prepass");  // the choice belongs to the scene
+    EXPECT_EQ(cases[1]["rows"][1]["samples"], 50);
+    std::string wrong = contentsOf(file);
+    wrong.replace(wrong.find("100-operations"), 14, "7-operations");
+    const Answer refused = run({"bench", "--experiment", write("f.json", wrong)});
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_NE(refused.err.find("f.json:3: error:"), std::string::npos) << refused.err;
 }
 
 TEST_F(Cli, PeersOfAnExperimentAreInItsRecordAndStayThereWhenItGoesOn)

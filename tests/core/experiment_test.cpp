@@ -104,7 +104,9 @@ TEST(Experiment, ThatIsWrongIsRefusedWithItsLine)
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"frames\":4,\n\"rounds\":5}"), 4, "'rounds'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"threads\":[-1]}"), 4, "threads");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"shade\":1}"), 4, "'shade'");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"sample\":9}"), 4, "goes with a 'path'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"sample\":0}"), 4, "'sample'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"size\":\"9\"}]}"), 5, "WxH");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"choices\":[\"depth\"]}]}"), 5, "axis=choice");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"frames\":9}"), 4, "as many frames as the path");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"peers\":true}"), 4, "one view");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"peers\":1}"), 4, "'peers'");
@@ -148,6 +150,28 @@ TEST(Record, IsReadBackAsItWasWrittenWhateverTheOrderOfItsCases)
     EXPECT_TRUE(read->find(2));
     EXPECT_FALSE(read->find(1));
     EXPECT_TRUE(whyNotComparable(read->head, record.head).empty());
+}
+
+TEST(Record, KnowsTheViewOfACaseToTheBit)
+{
+    RecordCase one = caseOf(0, "a");
+    one.word = "builtin:cubes", one.camera.eye = {0.1, 0.2, 0.3}, one.camera.width = 4, one.camera.height = 3, one.faceCulling = FaceCulling::Back;
+    const auto read = recordFromJson(recordToJson(recordWith({one})), "r.json");
+    ASSERT_TRUE(read) << read.error().sentence;
+    EXPECT_EQ(read->cases[0].word, "builtin:cubes");
+    EXPECT_EQ(read->cases[0].camera, one.camera);
+    EXPECT_EQ(read->cases[0].faceCulling, FaceCulling::Back);
+}
+
+TEST(Record, NamesOfRunsLeadBackToTheirPipelines)
+{
+    for (const Preset& preset : presets()) EXPECT_EQ(pipelineNamed(preset.name), preset.pipeline) << preset.name;
+    for (const char* name : {"zbuffer+snap=4-bits+near=drop", "hzb-octree+coherence=last-pyramid", "edge-walk+fault=x-truncated"}) {
+        const auto pipeline = pipelineNamed(name);
+        ASSERT_TRUE(pipeline) << name;
+        EXPECT_EQ(nameOf(*pipeline), name);
+    }
+    for (const char* name : {"", "peer:embree", "zbuffer+", "zbuffer+snap=5-bits", "zbuffer+fault=none-such"}) EXPECT_FALSE(pipelineNamed(name)) << name;
 }
 
 TEST(Record, OfAPieceOfAFileOrOfSomethingElseIsRefused)

@@ -37,7 +37,6 @@ TEST(Series, IsReadBackWithItsRow)
     row.simd = Simd::Scalar;
     Series series;
     series.counters = {"nodes_visited", "fragments_tested"};
-    series.samples  = 5;
     series.frames   = {frameWith(2), SeriesFrame{}};
     series.frames[0].ms = 1.5, series.frames[0].stageMs[6] = 0.5, series.frames[0].chosen = "zbuffer", series.frames[0].counts = {1, 2};
     series.frames[1].counts = {3, 4};
@@ -117,12 +116,12 @@ TEST(PathBench, ExactMethodsAreExactInEveryFrameAndTheLastPyramidErrsOnceAfterAC
 TEST(PathBench, SamplesFindTheSameErrorInFewerPixels)
 {
     BenchRequest request = requestOn("builtin:soccer-field?count=60", {"two-pass", "hzb-octree+coherence=last-pyramid"});
-    request.threads      = {1};
-    PathRequest path     = cutTo(request);
-    path.samples         = 1500;
+    request.threads        = {1};
+    request.samples        = 1500;
+    const PathRequest path = cutTo(request);
     const auto rows      = benchPath(request, path);
     ASSERT_TRUE(rows) << rows.error().sentence;
-    EXPECT_EQ(rows->front().series->samples, 1500u);
+    EXPECT_EQ(rows->front().samples, 1500u);
     EXPECT_EQ(rows->front().figures->pixels, 5 * 1500u);
     EXPECT_EQ(rows->front().wrongPixels, 0u);
     EXPECT_GT(rows->back().series->frames[2].wrongPixels, 0u);

@@ -1,0 +1,16 @@
+// Large numbers as people read them.
+#pragma once
+
+#include <string>
+
+namespace zscope {
+
+/// "12 345 678": digits in groups of three.
+inline std::string grouped(unsigned long long value)
+{
+    std::string digits = std::to_string(value);
+    for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ' ');
+    return digits;
+}
+
+}  // namespace zscope
