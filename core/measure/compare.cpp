@@ -14,11 +14,11 @@ namespace zscope {
 namespace {
 
 constexpr std::array kDifferences{  // after Okabe and Ito, so that nobody's eyes confuse them
-    DifferenceEntry{Difference::OnlyFirst, "only the first shows a triangle", 0xFF0072B2u},
-    DifferenceEntry{Difference::OnlySecond, "only the second shows a triangle", 0xFFE69F00u},
-    DifferenceEntry{Difference::OtherSurface, "another triangle", 0xFFD55E00u},
-    DifferenceEntry{Difference::Depth, "the same triangle, another depth", 0xFFCC79A7u},
-    DifferenceEntry{Difference::Colour, "another colour only", 0xFF009E73u},
+    DifferenceEntry{DrawnDifference::OnlyFirst, "only the first shows a triangle", 0xFF0072B2u},
+    DifferenceEntry{DrawnDifference::OnlySecond, "only the second shows a triangle", 0xFFE69F00u},
+    DifferenceEntry{DrawnDifference::OtherSurface, "another triangle", 0xFFD55E00u},
+    DifferenceEntry{DrawnDifference::Depth, "the same triangle, another depth", 0xFFCC79A7u},
+    DifferenceEntry{DrawnDifference::Colour, "another colour only", 0xFF009E73u},
 };
 
 /// Ids as they are compared: of triangles, or of their faces.
@@ -27,15 +27,15 @@ std::int64_t comparedId(std::int64_t id, const Scene& scene, bool byFace)
     return byFace && id >= 0 ? std::int64_t{scene.firstOfFace(TriangleId{static_cast<std::uint32_t>(id)}).value} : id;
 }
 
-Difference differenceAt(const Frame& first, const Frame& second, int x, int y, const Scene& scene, bool byFace)
+DrawnDifference differenceAt(const Frame& first, const Frame& second, int x, int y, const Scene& scene, bool byFace)
 {
     const std::int64_t a = first.visible.idAt(x, y), b = second.visible.idAt(x, y);
-    if ((a < 0) != (b < 0)) return a >= 0 ? Difference::OnlyFirst : Difference::OnlySecond;
-    if (a != b && comparedId(a, scene, byFace) != comparedId(b, scene, byFace)) return Difference::OtherSurface;
-    if (byFace) return Difference::None;
+    if ((a < 0) != (b < 0)) return a >= 0 ? DrawnDifference::OnlyFirst : DrawnDifference::OnlySecond;
+    if (a != b && comparedId(a, scene, byFace) != comparedId(b, scene, byFace)) return DrawnDifference::OtherSurface;
+    if (byFace) return DrawnDifference::None;
     const auto bits = [x, y](const Frame& frame) { return std::bit_cast<std::uint32_t>(frame.visible.depthAt(x, y)); };
-    if (bits(first) != bits(second)) return Difference::Depth;
-    return first.colour.at(x, y) != second.colour.at(x, y) ? Difference::Colour : Difference::None;
+    if (bits(first) != bits(second)) return DrawnDifference::Depth;
+    return first.colour.at(x, y) != second.colour.at(x, y) ? DrawnDifference::Colour : DrawnDifference::None;
 }
 
 /// Grey and light, so that the differences stand out.
@@ -146,7 +146,7 @@ Grid<std::uint32_t> paintDifference(const Frame& first, const Frame& second, con
     Grid<std::uint32_t> picture(first.visible.width(), first.visible.height());
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x) {
-            const Difference found = differenceAt(first, second, x, y, scene, byFace);
+            const DrawnDifference found = differenceAt(first, second, x, y, scene, byFace);
             const auto       entry = std::ranges::find(kDifferences, found, &DifferenceEntry::difference);
             picture.at(x, y)       = entry == kDifferences.end() ? faded(first.colour.at(x, y)) : entry->colour;
         }

@@ -57,9 +57,9 @@ struct Comparison {
 Result<Comparison> compareAlgorithms(const CompareRequest& request);
 
 /// What a pixel of a difference picture says. Two pictures of the same size.
-enum class Difference { None, OnlyFirst, OnlySecond, OtherSurface, Depth, Colour };
+enum class DrawnDifference { None, OnlyFirst, OnlySecond, OtherSurface, Depth, Colour };
 struct DifferenceEntry {
-    Difference       difference;
+    DrawnDifference  difference;
     std::string_view title;
     std::uint32_t    colour;  // 0xAARRGGBB
 };

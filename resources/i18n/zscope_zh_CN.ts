@@ -670,10 +670,6 @@
         <translation>中位数（毫秒）</translation>
     </message>
     <message>
-        <source>quartiles</source>
-        <translation>四分位数</translation>
-    </message>
-    <message>
         <source>interval</source>
         <translation>区间</translation>
     </message>
@@ -684,6 +680,86 @@
     <message>
         <source>%1, wrong</source>
         <translation>%1，有错</translation>
+    </message>
+    <message>
+        <source>best, quartiles</source>
+        <translation>最快，四分位数</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>绘制内容</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>帧数</translation>
+    </message>
+    <message>
+        <source>slowest, ms</source>
+        <translation>最慢，毫秒</translation>
+    </message>
+    <message>
+        <source>wrong frames</source>
+        <translation>错误帧</translation>
+    </message>
+    <message>
+        <source>worst frame, % wrong</source>
+        <translation>最差帧，错误 %</translation>
+    </message>
+    <message>
+        <source>wrong frames after each cut</source>
+        <translation>每次切换后的错误帧</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>%1 differ</source>
+        <translation>%1 处不同</translation>
+    </message>
+    <message>
+        <source>shaded</source>
+        <translation>着色</translation>
+    </message>
+    <message>
+        <source>ids and depth</source>
+        <translation>编号与深度</translation>
+    </message>
+    <message>
+        <source>, ids and depth</source>
+        <translation>，编号与深度</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>切换</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>ms, median of the passes</source>
+        <translation>毫秒，各遍中位数</translation>
+    </message>
+    <message>
+        <source>frames a second</source>
+        <translation>每秒帧数</translation>
+    </message>
+    <message>
+        <source>wrong pixels, % of those covered</source>
+        <translation>错误像素，占被覆盖者的 %</translation>
+    </message>
+    <message>
+        <source>Frame by frame: %1</source>
+        <translation>逐帧：%1</translation>
+    </message>
+    <message>
+        <source>Wrong pixels, frame by frame: %1</source>
+        <translation>逐帧错误像素：%1</translation>
+    </message>
+    <message>
+        <source>Where the time goes: %1</source>
+        <translation>时间花在哪里：%1</translation>
     </message>
 </context>
 <context>
@@ -1492,6 +1568,34 @@
     <message>
         <source>Breakpoints</source>
         <translation>断点</translation>
+    </message>
+    <message>
+        <source>Save a comparison s&amp;heet…</source>
+        <translation>保存对比页(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Open a record…</source>
+        <translation>打开记录(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Add a &amp;key frame to the camera path</source>
+        <translation>向相机路径添加关键帧(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Add a key frame after a &amp;cut</source>
+        <translation>切换镜头后添加关键帧(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save the camera path…</source>
+        <translation>保存相机路径(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the camera path</source>
+        <translation>清除相机路径(&amp;F)</translation>
     </message>
 </context>
 <context>
@@ -2483,6 +2587,42 @@
         <source>There is no panel “%1”</source>
         <translation>没有名为“%1”的面板</translation>
     </message>
+    <message>
+        <source>The camera path is empty</source>
+        <translation>相机路径是空的</translation>
+    </message>
+    <message>
+        <source>Save the comparison sheet</source>
+        <translation>保存对比页</translation>
+    </message>
+    <message>
+        <source>PDF pages (*.pdf);;PNG pictures (*.png)</source>
+        <translation>PDF 页面 (*.pdf);;PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing and timing %1 algorithms for the sheet</source>
+        <translation>正在为对比页绘制并计时 %1 种算法</translation>
+    </message>
+    <message>
+        <source>A camera path has at most %1 frames.</source>
+        <translation>一条相机路径最多有 %1 帧。</translation>
+    </message>
+    <message>
+        <source>Key frame %1 of the camera path, at frame %2</source>
+        <translation>相机路径的第 %1 个关键帧，位于第 %2 帧</translation>
+    </message>
+    <message>
+        <source>The camera path is empty: add key frames first.</source>
+        <translation>相机路径是空的：请先添加关键帧。</translation>
+    </message>
+    <message>
+        <source>Save the camera path</source>
+        <translation>保存相机路径</translation>
+    </message>
+    <message>
+        <source>Camera paths (*.json)</source>
+        <translation>相机路径 (*.json)</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::MarksModel</name>
@@ -2653,10 +2793,6 @@
         <translation>停止；已完成的保留</translation>
     </message>
     <message>
-        <source>Saves the runs of this view as JSON or CSV</source>
-        <translation>把此视图的测量保存为文件</translation>
-    </message>
-    <message>
         <source>How far the runs are</source>
         <translation>测量进度</translation>
     </message>
@@ -2713,12 +2849,56 @@
         <translation>保存此视图的测量</translation>
     </message>
     <message>
-        <source>JSON, everything (*.json);;CSV, the table (*.csv)</source>
-        <translation>JSON，全部内容 (*.json);;CSV，表格 (*.csv)</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Opens a record: what &apos;zscope-cli bench --experiment&apos; measured, or what was saved here. A click on a point loads its run, scene and camera too</source>
+        <translation>打开一份记录：由“zscope-cli bench --experiment”测得，或在此处保存。单击一个点会载入那次运行，连同场景与相机</translation>
+    </message>
+    <message>
+        <source>Whose runs are shown</source>
+        <translation>显示哪些运行</translation>
+    </message>
+    <message>
+        <source>The view in the window, or a case of the record that was opened</source>
+        <translation>窗口中的视图，或所打开记录中的一个案例</translation>
+    </message>
+    <message>
+        <source>Saves the runs as a record, which &apos;zscope --report&apos; reads, or as CSV</source>
+        <translation>把运行保存为记录（可由“zscope --report”读取）或 CSV</translation>
+    </message>
+    <message>
+        <source>%1 is another program: it cannot be loaded here.</source>
+        <translation>%1 是另一个程序，不能在此载入。</translation>
+    </message>
+    <message>
+        <source>%1 has no case that was measured yet.</source>
+        <translation>%1 还没有测量过的案例。</translation>
+    </message>
+    <message>
+        <source>Open a record</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>Records (*.json)</source>
+        <translation>记录 (*.json)</translation>
+    </message>
+    <message>
+        <source>The view in the window</source>
+        <translation>窗口中的视图</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>zh_CN</translation>
+    </message>
+    <message>
+        <source>Records (*.json);;CSV, the table (*.csv)</source>
+        <translation>记录 (*.json);;CSV 表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -3301,6 +3481,25 @@
     <message>
         <source>Searching</source>
         <translation>正在查找</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::SheetMaker</name>
+    <message>
+        <source>Comparison sheet</source>
+        <translation>对比页</translation>
+    </message>
+    <message>
+        <source>Which algorithms stand side by side? The first is what the others are held against.</source>
+        <translation>哪些算法并列？其余的都与第一个比较。</translation>
+    </message>
+    <message>
+        <source>Algorithms of the sheet</source>
+        <translation>对比页的算法</translation>
+    </message>
+    <message>
+        <source>A sheet has 2 to %1 columns</source>
+        <translation>一张对比页有 2 到 %1 栏</translation>
     </message>
 </context>
 <context>

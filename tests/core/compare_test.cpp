@@ -60,8 +60,8 @@ TEST(Compare, AFaultDiffersFromTheFirstAndFromTheReferenceAtTheSamePixels)
     std::uint64_t shown = 0, otherDepth = 0;
     for (const std::uint32_t colour : picture.values())
         for (const DifferenceEntry& entry : differences()) {
-            shown += colour == entry.colour && entry.difference != Difference::Depth && entry.difference != Difference::Colour;
-            otherDepth += colour == entry.colour && entry.difference == Difference::Depth;
+            shown += colour == entry.colour && entry.difference != DrawnDifference::Depth && entry.difference != DrawnDifference::Colour;
+            otherDepth += colour == entry.colour && entry.difference == DrawnDifference::Depth;
         }
     EXPECT_EQ(shown, second.againstFirst.wrongPixels());
     EXPECT_GE(shown + otherDepth, second.againstFirst.depthBitsDiffer) << "another depth of another triangle is shown as the latter";
@@ -80,7 +80,7 @@ TEST(Compare, OtherColoursOfTheSameTrianglesAreADifferenceToo)
     EXPECT_GT(third.coloursDiffer, 0u);
     EXPECT_FALSE(third.isEqualToFirst);
     const Grid<std::uint32_t> picture = paintDifference(comparison->algorithms[0].frame, third.frame, request.scene->scene(), false);
-    const auto colour = std::ranges::find(differences(), Difference::Colour, &DifferenceEntry::difference)->colour;
+    const auto colour = std::ranges::find(differences(), DrawnDifference::Colour, &DifferenceEntry::difference)->colour;
     EXPECT_EQ(static_cast<std::uint64_t>(std::ranges::count(picture.values(), colour)), third.coloursDiffer);
 }
 

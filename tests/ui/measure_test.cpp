@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QHeaderView>
+#include <QSignalSpy>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -20,7 +21,9 @@
 
 #include "tests/ui/desk.h"
 #include "ui/charts/speed_error_chart.h"
+#include "core/scene/camera_path.h"
 #include "ui/panels/measure/measure_panel.h"
+#include "ui/sheet/sheet_maker.h"
 #include "ui/panels/measure/runs_model.h"
 #include "ui/panels/measure/stages_model.h"
 
@@ -354,7 +357,11 @@ private slots:
         QVERIFY(!desk.panel().saveTo(csv));
         QFile file(json);
         QVERIFY(file.open(QIODevice::ReadOnly));
-        const QJsonArray rows = QJsonDocument::fromJson(file.readAll()).array();
+        const QJsonObject record = QJsonDocument::fromJson(file.readAll()).object();
+        QCOMPARE(record["record"].toInt(), 1);
+        QCOMPARE(record["cases"].toArray().size(), 1);
+        QCOMPARE(record["cases"].toArray()[0].toObject()["word"].toString(), QString("builtin:cubes"));
+        const QJsonArray rows = record["cases"].toArray()[0].toObject()["rows"].toArray();
         QCOMPARE(rows.size(), 1);
         QCOMPARE(rows[0].toObject()["algorithm"].toString(), QString("zbuffer"));
         QVERIFY(rows[0].toObject().contains("stage_quartiles"));
@@ -362,6 +369,89 @@ private slots:
         QVERIFY(table.open(QIODevice::ReadOnly));
         QVERIFY(table.readLine().startsWith("scene,algorithm,threads"));
         QVERIFY(desk.panel().saveTo("/no/such/folder/runs.json"));
+    }
+    void aRecordThatIsOpenedShowsItsRunsAndAClickLoadsOneWithItsView()
+    {
+        MeasuringDesk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        QVERIFY(desk.measure(MeasurePanel::What::This));
+        const QString file = desk.folder.filePath("r.json");
+        QVERIFY(!desk.panel().saveTo(file));
+        const Camera seen = desk.session.now().camera;
+        QVERIFY(desk.open("builtin:teapot"));
+        desk.session.setPipeline(findPreset("scanline")->pipeline);
+        QVERIFY(desk.settles());
+        auto* table = desk.runs();
+        QCOMPARE(table->model()->rowCount(), 0);  // nothing has been timed on the teapot
+        QVERIFY(!desk.panel().openRecord(file));
+        QCOMPARE(table->model()->rowCount(), 1);
+        table->setCurrentIndex(table->model()->index(0, 0));
+        emit table->activated(table->currentIndex());
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.now().pipeline, findPreset("zbuffer")->pipeline);
+        QCOMPARE(desk.session.now().scene->word, QString("builtin:cubes"));
+        QVERIFY(desk.session.now().camera == seen);
+        QVERIFY(desk.panel().openRecord(desk.folder.filePath("nowhere.json")));
+        QCOMPARE(table->model()->rowCount(), 1);  // what cannot be opened changes nothing
+    }
+    void aComparisonSheetIsAPageOrAPictureInTheLanguageOfTheWindow()
+    {
+        MeasuringDesk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        desk.session.compareWith(findPreset("scanline")->pipeline);
+        QVERIFY(desk.settles());
+        std::size_t likely = 0;
+        const auto  all    = SheetMaker::choices(desk.session, likely);
+        QCOMPARE(likely, std::size_t{2});  // A and B
+        QCOMPARE(all.size(), presets().size());
+        const std::vector pair{all[0], all[1]};
+        QSignalSpy        made(&desk.window.sheets(), &SheetMaker::made), failed(&desk.window.sheets(), &SheetMaker::failed);
+        for (const char* language : {"english", "chinese"}) {
+            desk.window.findChild<QAction*>(QStringLiteral("language.") + language)->trigger();
+            for (const char* name : {"sheet.pdf", "sheet.png"}) {
+                const QString file = desk.folder.filePath(QString::fromLatin1(language) + name);
+                desk.window.sheets().make(pair, file);
+                QVERIFY(made.wait(60'000));
+                QFile written(file);
+                QVERIFY(written.open(QIODevice::ReadOnly));
+                const QByteArray bytes = written.readAll();
+                if (file.endsWith("pdf")) {
+                    QVERIFY(bytes.startsWith("%PDF-"));
+                } else {
+                    QVERIFY(bytes.contains("zscope-cli compare builtin:cubes"));
+                    QVERIFY(bytes.contains("--algorithms zbuffer,scanline"));
+                    QVERIFY(QImage(file).width() > 2 * 320);
+                }
+            }
+        }
+        QVERIFY(QImage(desk.folder.filePath("englishsheet.png")) != QImage(desk.folder.filePath("chinesesheet.png")));
+        desk.window.sheets().make(pair, "/no/such/folder/sheet.pdf");
+        QVERIFY(failed.wait(60'000));
+    }
+    void keyFramesAreRecordedWithTheMenuAndSavedAsAPath()
+    {
+        MeasuringDesk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        const Camera first = desk.session.now().camera;
+        desk.window.findChild<QAction*>("path.add")->trigger();
+        Camera second = first;
+        second.eye += dvec3(0.5, 0, 0);
+        ViewRequest view;
+        view.width = second.width, view.height = second.height, view.exact = second;
+        desk.session.useView(view);
+        QVERIFY(desk.settles());
+        desk.window.findChild<QAction*>("path.add-cut")->trigger();
+        const QString file = desk.folder.filePath("path.json");
+        QVERIFY(!desk.window.saveCameraPath(file));
+        QFile written(file);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        const auto path = cameraPathFromJson(written.readAll().toStdString(), "path.json");
+        QVERIFY2(path, path ? "" : path.error().sentence.c_str());
+        QCOMPARE(path->keys.size(), std::size_t{2});
+        QCOMPARE(path->cuts(), std::vector<int>{30});
+        QVERIFY(path->keys[1].eye == second.eye);
+        desk.window.findChild<QAction*>("path.forget")->trigger();
+        QVERIFY(desk.window.cameraPath().keys.empty());
     }
     void withoutACheckThereAreRowsAndNoPoints()
     {

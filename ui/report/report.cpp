@@ -78,7 +78,8 @@ table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:13px;
 th,td{padding:3px 8px;text-align:right;border-bottom:1px solid #e6e6ea;white-space:nowrap}th.l,td.l{text-align:left}
 s{color:#b00020}code{background:#f3f3f6;padding:2px 4px}
 section{display:none}#en:checked~section.en,#zh:checked~section.zh{display:block}
-@media print{input,label{display:none}}
+h2,h3{break-after:avoid}img,tr{break-inside:avoid}
+@media print{input,label{display:none}body{max-width:none;margin:0}div.wide{overflow:visible}table{font-size:8px}th,td{padding:2px 3px}td.l{white-space:normal}}
 </style></head><body>
 <input type="radio" name="language" id="en" checked><label for="en" lang="en">English</label>
 <input type="radio" name="language" id="zh"><label for="zh" lang="zh-CN">简体中文</label>
@@ -118,8 +119,8 @@ section{display:none}#en:checked~section.en,#zh:checked~section.zh{display:block
     QString tableOf(const Part& part) const
     {
         const QString baseline = shown(m_record.head.baseline);
-        QString       html     = QStringLiteral("<div class=\"wide\"><table><tr><th class=\"l\">%1</th><th class=\"l\">%2</th><th>%3</th><th>%4</th><th>%5</th><th>%6</th>")
-                           .arg(Report::tr("scene"), Report::tr("algorithm"), Report::tr("threads"), Report::tr("wrong pixels"), Report::tr("median ms"), Report::tr("quartiles"));
+        QString       html     = QStringLiteral("<div class=\"wide\"><table><tr><th class=\"l\">%1</th><th class=\"l\">%2</th><th>%3</th><th class=\"l\">%7</th><th>%4</th><th>%5</th><th>%6</th>")
+                           .arg(Report::tr("scene"), Report::tr("algorithm"), Report::tr("threads"), Report::tr("wrong pixels"), Report::tr("median ms"), Report::tr("best, quartiles"), Report::tr("drawn"));
         if (!baseline.isEmpty()) html += QStringLiteral("<th>/ %1</th><th>%2</th>").arg(baseline, Report::tr("interval"));
         std::vector<Stage> stages;
         for (const Stage stage : kStages)
@@ -130,16 +131,42 @@ section{display:none}#en:checked~section.en,#zh:checked~section.zh{display:block
         html += QStringLiteral("</tr>");
         for (const ReportCase& each : part.cases)
             for (const BenchRow& row : each.rows) html += rowOf(each, row, stages);
+        html += QStringLiteral("</table></div>");
+        const bool moves = std::ranges::any_of(part.cases, [](const ReportCase& each) { return std::ranges::any_of(each.rows, [](const BenchRow& row) { return row.series.has_value(); }); });
+        return moves ? html + seriesTableOf(part) : html;
+    }
+
+    /// Along a camera path: the slowest frame, the wrong ones, and how long a cut is felt.
+    static QString seriesTableOf(const Part& part)
+    {
+        QString html = QStringLiteral("<div class=\"wide\"><table><tr><th class=\"l\">%1</th><th class=\"l\">%2</th><th>%3</th><th>%4</th><th>%5</th><th>%6</th><th>%7</th><th>%8</th></tr>")
+                           .arg(Report::tr("scene"), Report::tr("algorithm"), Report::tr("threads"), Report::tr("frames"), Report::tr("slowest, ms"), Report::tr("wrong frames"),
+                                Report::tr("worst frame, % wrong"), Report::tr("wrong frames after each cut"));
+        for (const ReportCase& each : part.cases)
+            for (const BenchRow& row : each.rows) {
+                if (!row.series) continue;
+                const Series& series  = *row.series;
+                const auto    slowest = std::ranges::max_element(series.frames, {}, &SeriesFrame::ms);
+                const auto    wrong   = std::ranges::count_if(series.frames, [](const SeriesFrame& frame) { return frame.wrongPixels.value_or(0) > 0; });
+                QStringList   lags;
+                for (const Lag& lag : series.lags) lags << (lag.frames ? QString::number(*lag.frames) : Report::tr("all"));
+                html += QStringLiteral("<tr><td class=\"l\">%1</td><td class=\"l\">%2</td><td>%3</td><td>%4</td><td>%5</td><td>%6</td><td>%7</td><td>%8</td></tr>")
+                            .arg(each.scene.toHtmlEscaped(), shown(row.algorithm), QString::number(row.threads), QString::number(series.frames.size()), decimal(slowest->ms, 3),
+                                 row.wrongPixels ? QString::number(wrong) : QString(), row.wrongPixels ? decimal(100 * worstShare(series), 2) : QString(), lags.join(QStringLiteral(", ")));
+            }
         return html + QStringLiteral("</table></div>");
     }
 
+    static bool isPeer(const BenchRow& row) { return row.algorithm.starts_with("peer:"); }
+
     QString rowOf(const ReportCase& each, const BenchRow& row, const std::vector<Stage>& stages) const
     {
-        const QString wrong = !row.wrongPixels ? Report::tr("not checked") : row.isBroken() ? Report::tr("%1, wrong").arg(grouped(*row.wrongPixels)) : grouped(*row.wrongPixels);
+        const QString wrong = isPeer(row) ? Report::tr("%1 differ").arg(grouped(row.wrongPixels.value_or(0))) : !row.wrongPixels ? Report::tr("not checked") : row.isBroken() ? Report::tr("%1, wrong").arg(grouped(*row.wrongPixels)) : grouped(*row.wrongPixels);
         const auto    time  = [&row](const QString& text) { return row.isBroken() ? QStringLiteral("<s>%1</s>").arg(text) : text; };
-        QString html = QStringLiteral("<tr><td class=\"l\">%1</td><td class=\"l\">%2</td><td>%3</td><td>%4</td><td>%5</td><td class=\"soft\">%6</td>")
+        QString html = QStringLiteral("<tr><td class=\"l\">%1</td><td class=\"l\">%2</td><td>%3</td><td class=\"l\">%7</td><td>%4</td><td>%5</td><td class=\"soft\">%6</td>")
                            .arg(each.scene.toHtmlEscaped(), shown(row.algorithm), QString::number(row.threads), wrong, time(decimal(row.medianMs, 3)),
-                                time(QStringLiteral("%1 – %2").arg(decimal(row.q1Ms, 3), decimal(row.q3Ms, 3))));
+                                time(QStringLiteral("%1, %2 – %3").arg(decimal(row.bestMs, 3), decimal(row.q1Ms, 3), decimal(row.q3Ms, 3))),
+                                row.shaded ? Report::tr("shaded") : Report::tr("ids and depth"));
         if (!m_record.head.baseline.empty()) html += ratioOf(each, row);
         for (const Stage stage : stages) html += QStringLiteral("<td class=\"soft\">%1</td>").arg(time(decimal(msOf(row, stage), 3)));
         return html + QStringLiteral("</tr>");

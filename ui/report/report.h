@@ -3,7 +3,8 @@
 // itself; and the charts as PNG files beside it.
 //
 // Charts     per part of an experiment: stages as bars; times along the axis that the part names, with the exponent of their
-//            growth; how many times as long as the baseline along the same axis; speed against error
+//            growth; how many times as long as the baseline along the same axis; along a camera path times with the frame
+//            rate and wrong pixels, frame by frame; speed against error
 // Print      every chart can be read without colour: marks, dashes and fillings differ as well
 // Needs      a QApplication, on the platform "offscreen" too; no window
 // Errors     the record's, or Output

@@ -21,7 +21,9 @@ constexpr double kScale  = 2;   // pixels of the picture per unit
 constexpr int    kBarRow = 24;
 
 
-/// Okabe and Ito's colours, each with a filling, a mark and a dash that tells it apart in print.
+static_assert(kStages.size() <= 10);  // no two stages look alike
+
+/// Okabe and Ito's colours, and grey, each with a filling, a mark and a dash that tells it apart in print.
 struct Look {
     QColor                        colour;
     Qt::BrushStyle                fill;
@@ -30,7 +32,7 @@ struct Look {
 };
 const Look& lookOf(std::size_t i)
 {
-    static const std::array<Look, 8> kLooks{{
+    static const std::array<Look, 10> kLooks{{
         {QColor(0x00, 0x72, 0xB2), Qt::SolidPattern, QCPScatterStyle::ssDisc, Qt::SolidLine},
         {QColor(0xE6, 0x9F, 0x00), Qt::BDiagPattern, QCPScatterStyle::ssSquare, Qt::DashLine},
         {QColor(0x00, 0x9E, 0x73), Qt::Dense4Pattern, QCPScatterStyle::ssTriangle, Qt::DotLine},
@@ -39,6 +41,8 @@ const Look& lookOf(std::size_t i)
         {QColor(0xD5, 0x5E, 0x00), Qt::CrossPattern, QCPScatterStyle::ssPlus, Qt::SolidLine},
         {QColor(0x80, 0x80, 0x80), Qt::HorPattern, QCPScatterStyle::ssStar, Qt::DashLine},
         {QColor(0x00, 0x00, 0x00), Qt::VerPattern, QCPScatterStyle::ssTriangleInverted, Qt::DotLine},
+        {QColor(0xF0, 0xE4, 0x42), Qt::Dense1Pattern, QCPScatterStyle::ssPeace, Qt::DashDotLine},
+        {QColor(0x80, 0x80, 0x80), Qt::NoBrush, QCPScatterStyle::ssCrossSquare, Qt::DashDotDotLine},
     }};
     return kLooks[i % kLooks.size()];
 }
@@ -85,11 +89,25 @@ void putLegendBelow(QCustomPlot& plot, int columns)
     plot.legend->setVisible(true);
 }
 
-QString nameOf(const BenchRow& row)
+bool isPeer(const BenchRow& row) { return row.algorithm.starts_with("peer:"); }
+
+/// What tells the runs of a chart apart. A peer draws one thing only, so nothing more has to be said of it.
+QString nameOf(const BenchRow& row, bool tellsShading)
 {
     QString name = QString::fromStdString(row.algorithm);
     if (row.threads > 1) name += Report::tr(", %1 threads").arg(row.threads);
+    if (tellsShading && !row.shaded && !isPeer(row)) name += Report::tr(", ids and depth");
     return name;
+}
+
+bool mixesShading(std::span<const ReportCase> cases)
+{
+    const auto any = [cases](bool shaded) {
+        return std::ranges::any_of(cases, [shaded](const ReportCase& each) {
+            return std::ranges::any_of(each.rows, [shaded](const BenchRow& row) { return !isPeer(row) && row.shaded == shaded; });
+        });
+    };
+    return any(true) && any(false);
 }
 
 /// The runs that are told apart in a chart, by the order in which they come.
@@ -98,12 +116,13 @@ std::vector<QString> namesIn(std::span<const ReportCase> cases)
     std::vector<QString> names;
     for (const ReportCase& each : cases)
         for (const BenchRow& row : each.rows)
-            if (const QString name = nameOf(row); std::ranges::find(names, name) == names.end()) names.push_back(name);
+            if (const QString name = nameOf(row, mixesShading(cases)); std::ranges::find(names, name) == names.end()) names.push_back(name);
     return names;
 }
 
 ReportChart stageChart(std::span<const ReportCase> cases)
 {
+    const bool  tellsShading = mixesShading(cases);
     QCustomPlot plot;
     dress(plot);
     const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
@@ -115,7 +134,7 @@ ReportChart stageChart(std::span<const ReportCase> cases)
         for (const BenchRow& row : each.rows) {
             if (row.isBroken()) continue;
             const bool isFirst = &row == &each.rows.front();
-            ticker->addTick(place, isFirst && cases.size() > 1 ? each.scene + QStringLiteral(":  ") + nameOf(row) : nameOf(row));
+            ticker->addTick(place, isFirst && cases.size() > 1 ? each.scene + QStringLiteral(":  ") + nameOf(row, tellsShading) : nameOf(row, tellsShading));
             rows.push_back(&row);
             places.push_back(place++);
             longest = std::max(longest, row.medianMs);
@@ -154,13 +173,14 @@ ReportChart growthChart(std::span<const ReportCase> cases, const QString& axis, 
     QCustomPlot plot;
     dress(plot);
     double lowX = 1e300, highX = 0, lowY = 1e300, highY = 0;
-    const std::vector<QString> names = namesIn(cases);
+    const std::vector<QString> names        = namesIn(cases);
+    const bool                 tellsShading = mixesShading(cases);
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::vector<double> x, y;
         for (const ReportCase& each : cases) {
-            const auto row = std::ranges::find_if(each.rows, [&](const BenchRow& r) { return nameOf(r) == names[i]; });
+            const auto row = std::ranges::find_if(each.rows, [&](const BenchRow& r) { return nameOf(r, tellsShading) == names[i]; });
             if (row == each.rows.end() || row->isBroken() || each.place <= 0) continue;
-            const auto base = std::ranges::find_if(each.rows, [&](const BenchRow& r) { return r.algorithm == baseline && r.threads == row->threads; });
+            const auto base = std::ranges::find_if(each.rows, [&](const BenchRow& r) { return r.algorithm == baseline && r.threads == row->threads && r.shaded == row->shaded; });
             if (isRatio && (base == each.rows.end() || base->isBroken())) continue;
             x.push_back(each.place);
             y.push_back(isRatio ? row->medianMs / base->medianMs : row->medianMs);
@@ -200,13 +220,107 @@ ReportChart errorChart(const ReportCase& each, std::size_t number)
 {
     std::vector<SpeedErrorPoint> points;
     for (const BenchRow& row : each.rows)
-        if (row.wrongPixels && row.medianMs > 0)
-            points.push_back({nameOf(row), row.medianMs, row.q1Ms, row.q3Ms, errorOf(row, ErrorMeasure::WrongPixels), markOf(row)});
+        if (row.wrongPixels && row.medianMs > 0 && !isPeer(row))
+            points.push_back({nameOf(row, mixesShading({&each, 1})), row.medianMs, row.q1Ms, row.q3Ms, errorOf(row, ErrorMeasure::WrongPixels), markOf(row)});
     SpeedErrorChart chart;
     chart.setPalette(paletteOf(Appearance::Light, QPalette()));
     chart.resize(kWidth, 460);
     chart.setPoints(std::move(points), ErrorMeasure::WrongPixels);
     return {QStringLiteral("speed-error-%1").arg(number), Report::tr("Speed against error: %1").arg(each.scene), chart.toPixmap(kWidth, 460, kScale).toImage()};
+}
+
+enum class SeriesFigure { Time, Wrong };
+
+/// Frame by frame along a camera path: times with the frame rate at the right, or the share of the picture that is wrong. A line
+/// stands where the camera cuts.
+ReportChart seriesChart(const ReportCase& each, std::size_t number, SeriesFigure figure)
+{
+    const bool  isTime = figure == SeriesFigure::Time;
+    QCustomPlot plot;
+    dress(plot);
+    double low = 1e300, high = 0, frames = 1;
+    int    shown = 0;
+    for (std::size_t i = 0; i < each.rows.size(); ++i) {
+        const BenchRow& row = each.rows[i];
+        if (!row.series || row.isBroken() || (!isTime && row.wrongPixels.value_or(0) == 0)) continue;
+        const std::vector<SeriesFrame>& of = row.series->frames;
+        QVector<double>                 x, y;
+        for (std::size_t frame = 0; frame < of.size(); ++frame) {
+            x.push_back(static_cast<double>(frame));
+            y.push_back(isTime ? of[frame].ms : 100.0 * static_cast<double>(of[frame].wrongPixels.value_or(0)) / static_cast<double>(std::max<std::uint64_t>(of[frame].covered, 1)));
+            if (y.back() > 0) low = std::min(low, y.back());
+            high = std::max(high, y.back());
+        }
+        frames            = std::max(frames, static_cast<double>(of.size()));
+        const Look& look  = lookOf(i);
+        QCPGraph*   graph = plot.addGraph();
+        graph->setData(x, y);
+        graph->setPen(QPen(look.colour, 2, look.dash));
+        QCPScatterStyle mark(look.mark, QPen(look.colour, 1.5), QBrush(Qt::white), 7);
+        graph->setScatterStyle(mark);
+        graph->setScatterSkip(isTime ? 5 : 0);
+        graph->setName(nameOf(row, false));
+        ++shown;
+    }
+    for (const BenchRow& row : each.rows) {
+        if (!row.series || row.series->lags.empty()) continue;
+        for (const Lag& lag : row.series->lags) {
+            auto* cut = new QCPItemStraightLine(&plot);
+            cut->point1->setCoords(lag.cut - 0.5, low);
+            cut->point2->setCoords(lag.cut - 0.5, high * 1.01 + 1e-9);
+            cut->setPen(QPen(Qt::black, 1, Qt::DashLine));
+            auto* word = new QCPItemText(&plot);
+            word->setText(Report::tr("cut"));
+            word->setFont(fontOf(12));
+            word->position->setTypeX(QCPItemPosition::ptPlotCoords);
+            word->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+            word->position->setCoords(lag.cut - 0.2, 0.02);
+            word->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+        }
+        break;  // all rows have been along the same path
+    }
+    plot.xAxis->setLabel(Report::tr("frame"));
+    plot.xAxis->setRange(-1, frames);
+    if (isTime) {
+        makeLogarithmic(*plot.yAxis, low, high);
+        plot.yAxis->setLabel(Report::tr("ms, median of the passes"));
+        plot.yAxis2->setVisible(true);
+        plot.yAxis2->setLabelFont(fontOf(13));
+        plot.yAxis2->setTickLabelFont(fontOf(12));
+        makeLogarithmic(*plot.yAxis2, 1, 10);
+        plot.yAxis2->setRange(1000 / plot.yAxis->range().upper, 1000 / plot.yAxis->range().lower);
+        plot.yAxis2->setRangeReversed(true);
+        plot.yAxis2->setLabel(Report::tr("frames a second"));
+    } else {
+        plot.yAxis->setRange(0, high * 1.08);
+        plot.yAxis->setLabel(Report::tr("wrong pixels, % of those covered"));
+    }
+    const int height = 360 + 24 * ((shown + 2) / 3);
+    putLegendBelow(plot, 3);
+    const QString title = isTime ? Report::tr("Frame by frame: %1") : Report::tr("Wrong pixels, frame by frame: %1");
+    return {QStringLiteral("%1-%2").arg(isTime ? "series" : "lag").arg(number), title.arg(each.scene), plot.toPixmap(kWidth, height, kScale).toImage()};
+}
+
+bool hasTime(const ReportCase& each)
+{
+    return std::ranges::any_of(each.rows, [](const BenchRow& row) { return !row.isBroken() && row.medianMs > 0; });
+}
+
+/// One chart of all scenes, or one of each where that would be longer than a page.
+void addStageCharts(std::span<const ReportCase> cases, std::vector<ReportChart>& charts)
+{
+    constexpr std::size_t kMostBars = 48;
+    std::size_t           bars      = 0;
+    for (const ReportCase& each : cases) bars += each.rows.size();
+    if (std::ranges::none_of(cases, hasTime)) return;
+    if (bars <= kMostBars || cases.size() == 1) return charts.push_back(stageChart(cases));
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (!hasTime(cases[i])) continue;
+        ReportChart chart = stageChart(cases.subspan(i, 1));
+        chart.name        = QStringLiteral("stages-%1").arg(i + 1);
+        chart.title       = Report::tr("Where the time goes: %1").arg(cases[i].scene);
+        charts.push_back(std::move(chart));
+    }
 }
 
 }  // namespace
@@ -226,8 +340,7 @@ double growthExponent(std::span<const double> x, std::span<const double> y)
 std::vector<ReportChart> chartsOf(std::span<const ReportCase> cases, const QString& axis, const std::string& baseline)
 {
     std::vector<ReportChart> charts;
-    if (std::ranges::any_of(cases, [](const ReportCase& each) { return std::ranges::any_of(each.rows, [](const BenchRow& row) { return !row.isBroken() && row.medianMs > 0; }); }))
-        charts.push_back(stageChart(cases));
+    addStageCharts(cases, charts);
     const bool hasAxis = !axis.isEmpty() && cases.size() >= 2;
     if (hasAxis) charts.push_back(growthChart(cases, axis, baseline, false));
     const bool hasBaseline = std::ranges::any_of(cases, [&](const ReportCase& each) { return std::ranges::find(each.rows, baseline, &BenchRow::algorithm) != each.rows.end(); });
@@ -235,7 +348,12 @@ std::vector<ReportChart> chartsOf(std::span<const ReportCase> cases, const QStri
     std::size_t number = 0;
     for (const ReportCase& each : cases) {
         ++number;
-        if (std::ranges::any_of(each.rows, [](const BenchRow& row) { return row.wrongPixels.value_or(0) > 0; })) charts.push_back(errorChart(each, number));
+        if (std::ranges::any_of(each.rows, [](const BenchRow& row) { return row.series.has_value() && !row.isBroken(); })) {
+            charts.push_back(seriesChart(each, number, SeriesFigure::Time));
+            if (std::ranges::any_of(each.rows, [](const BenchRow& row) { return row.series && !row.isBroken() && row.wrongPixels.value_or(0) > 0; }))
+                charts.push_back(seriesChart(each, number, SeriesFigure::Wrong));
+        }
+        if (std::ranges::any_of(each.rows, [](const BenchRow& row) { return !isPeer(row) && row.wrongPixels.value_or(0) > 0; })) charts.push_back(errorChart(each, number));
     }
     return charts;
 }

@@ -44,6 +44,7 @@ Actions::Actions(QMainWindow& window, Session& session, FrameView& view, Setting
     makeAlgorithmMenu();
     makeStepMenu();
     makeCompareMenu();
+    makeMeasureMenu();
     makeLessonsMenu();
     makeLanguageMenu();
     makeHelpMenu();

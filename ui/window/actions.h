@@ -29,7 +29,8 @@ namespace zscope::ui {
 /// What an action asks of the window itself.
 struct WindowRequests {
     std::function<void()>                   open, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel,
-                                            namePictures, resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
+                                            namePictures, saveSheet, openRecord, addKeyFrame, addKeyFrameAfterCut, savePath, forgetPath,
+                                            resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
     std::function<void(const QString&)>     layout;         // its word
     std::function<void()>                   saveOwnLayout;
     std::function<void(const QString&)>     useOwnLayout, forgetOwnLayout;
@@ -88,6 +89,7 @@ private:
     void makeStepMenu();
     void makeBreakpointMenu(QMenu* menu);
     void makeCompareMenu();
+    void makeMeasureMenu();
     void makeLessonsMenu();
     void makeLanguageMenu();
     void makeHelpMenu();

@@ -358,7 +358,20 @@ void Actions::makeCompareMenu()
     show("compare.difference", QT_TR_NOOP("&Difference"), Qt::Key_D, CompareShow::Difference);
     m_needOther.push_back(add(menu, "compare.swap", QT_TR_NOOP("&Swap A and B"), QKeySequence(), [this] { m_session.swapCompared(); }));
     menu->addSeparator();
+    m_needScene.push_back(add(menu, "compare.sheet", QT_TR_NOOP("Save a comparison s&heet…"), key(Qt::CTRL | Qt::SHIFT | Qt::Key_S), m_requests.saveSheet));
+    menu->addSeparator();
     m_needOther.push_back(add(menu, "compare.end", QT_TR_NOOP("&End the comparison"), QKeySequence(), [this] { m_session.compareWith({}); }));
+}
+
+void Actions::makeMeasureMenu()
+{
+    QMenu* menu = addMenu(nullptr, QT_TR_NOOP("&Measure"));
+    add(menu, "measure.open", QT_TR_NOOP("&Open a record…"), QKeySequence(), m_requests.openRecord);
+    menu->addSeparator();
+    m_needScene.push_back(add(menu, "path.add", QT_TR_NOOP("Add a &key frame to the camera path"), key(Qt::CTRL | Qt::Key_K), m_requests.addKeyFrame));
+    m_needScene.push_back(add(menu, "path.add-cut", QT_TR_NOOP("Add a key frame after a &cut"), key(Qt::CTRL | Qt::SHIFT | Qt::Key_K), m_requests.addKeyFrameAfterCut));
+    m_needScene.push_back(add(menu, "path.save", QT_TR_NOOP("&Save the camera path…"), QKeySequence(), m_requests.savePath));
+    m_needScene.push_back(add(menu, "path.forget", QT_TR_NOOP("&Forget the camera path"), QKeySequence(), m_requests.forgetPath));
 }
 
 void Actions::makeLessonsMenu()

@@ -28,6 +28,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/registry.h"
+#include "ui/sheet/sheet_maker.h"
 #include "ui/session/course.h"
 #include "ui/session/reproduce.h"
 #include "ui/text/numbers.h"
@@ -71,6 +72,15 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
                              .copyPicture      = [this] { copyPicture(); },
                              .goToPixel        = [this] { goToPixel(); },
                              .namePictures     = [this] { namePictures(); },
+                             .saveSheet        = [this] { saveSheet(); },
+                             .openRecord       = [this] { openRecord(); },
+                             .addKeyFrame      = [this] { addKeyFrame(false); },
+                             .addKeyFrameAfterCut = [this] { addKeyFrame(true); },
+                             .savePath         = [this] { askWhereToSavePath(); },
+                             .forgetPath       = [this] {
+                                 m_path.keys.clear();
+                                 m_status->showMessage(tr("The camera path is empty"), 4000);
+                             },
                              .resetLayout      = [this] { resetLayout(); },
                              .about            = [this] { showAbout(); },
                              .keys             = [this] { showKeys(); },
@@ -91,6 +101,9 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
                                  speak(language);
                              },
                              .openWord         = [this](const QString& word) { open(word); }});
+    m_sheets = new SheetMaker(session, this);
+    connect(m_sheets, &SheetMaker::made, this, [this](const QString& file) { m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000); });
+    connect(m_sheets, &SheetMaker::failed, this, [this](const QString& sentence) { m_messages->tell(sentence); });
     m_sceneName = new QLabel;
     m_sceneName->setObjectName("soft");
     m_sceneName->setContentsMargins(0, kStep / 2, 2 * kStep, 0);

@@ -9,6 +9,7 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include "core/scene/camera_path.h"
 #include "ui/session/session.h"
 #include "ui/session/session_file.h"
 #include "ui/text/language.h"
@@ -25,6 +26,7 @@ class MessageBar;
 class StartPage;
 struct LayoutEntry;
 class PanelDock;
+class SheetMaker;
 class StatusLine;
 
 class MainWindow final : public QMainWindow {
@@ -53,6 +55,12 @@ public:
     void openSession(const QString& file);
     /// Replaces the file.
     void saveSessionTo(const QString& file);
+
+    /// What the Measure menu recorded, key by key; no key: nothing yet.
+    const CameraPath&      cameraPath() const { return m_path; }
+    /// The trouble as a sentence, or nothing.
+    std::optional<QString> saveCameraPath(const QString& file) const;
+    SheetMaker&            sheets() { return *m_sheets; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -88,6 +96,10 @@ private:
     void savePictureAs();
     void copyPicture();
     void namePictures();
+    void saveSheet();
+    void openRecord();
+    void addKeyFrame(bool afterCut);
+    void askWhereToSavePath();
     void goToPixel();
     void showKeys();
     void changeKeys();
@@ -108,6 +120,8 @@ private:
     QString                 m_layout;  // the word of the one chosen last
     std::optional<QPoint>   m_lastPick;
     std::shared_ptr<const LoadedScene> m_sceneShown;
+    CameraPath              m_path;   // recorded key by key; no key: none yet
+    SheetMaker*             m_sheets = nullptr;
     QTimer                  m_held;   // from pressing Shift until it counts as held
     std::vector<PanelDock*> m_docks;  // in the order of panels()
 };

@@ -19,6 +19,7 @@
 #include <QTableView>
 
 #include "core/io/file_writer.h"
+#include "core/io/read_file.h"
 #include "core/measure/approximate_switches.h"
 #include "ui/charts/speed_error_chart.h"
 #include "ui/panels/measure/runs_model.h"
@@ -89,6 +90,7 @@ MeasurePanel::MeasurePanel(Session& session, QWidget* parent)
     layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     layout->setSpacing(kStep);
     layout->addWidget(makeControls());
+    layout->addWidget(m_cases);
     layout->addWidget(m_hint);
     m_columns = new QBoxLayout(QBoxLayout::TopToBottom, m_body);
     m_columns->setContentsMargins(0, 0, 0, 0);
@@ -118,6 +120,8 @@ QWidget* MeasurePanel::makeControls()
     m_start    = new QPushButton;
     m_stop     = new QPushButton;
     m_save     = new QPushButton;
+    m_open     = new QPushButton;
+    m_cases    = new QComboBox;
     m_progress = new QProgressBar;
     m_doing    = new QLabel;
     for (int i = 0; i < 3; ++i) m_what->addItem(QString(), i);
@@ -129,7 +133,7 @@ QWidget* MeasurePanel::makeControls()
     m_checks->setChecked(true);
     m_checks->setFocusPolicy(Qt::TabFocus);
     m_start->setObjectName("strong");
-    for (QPushButton* button : {m_start, m_stop, m_save}) button->setFocusPolicy(Qt::TabFocus);
+    for (QPushButton* button : {m_start, m_stop, m_save, m_open}) button->setFocusPolicy(Qt::TabFocus);
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
     m_doing->setObjectName("soft");
@@ -147,12 +151,15 @@ QWidget* MeasurePanel::makeControls()
     second->addWidget(m_doing, 2);
     second->addWidget(m_progress, 1);
     second->addWidget(m_save);
+    second->addWidget(m_open);
     auto* controls = new QWidget;
     m_controls     = new QBoxLayout(QBoxLayout::TopToBottom, controls);
     m_controls->setContentsMargins(0, 0, 0, 0);
     m_controls->setSpacing(kStep);
     m_controls->addLayout(first, 2);
     m_controls->addLayout(second, 3);
+    m_cases->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_cases->hide();
     return controls;
 }
 
@@ -219,13 +226,15 @@ void MeasurePanel::connectAll()
     connect(m_start, &QPushButton::clicked, this, &MeasurePanel::start);
     connect(m_stop, &QPushButton::clicked, &m_measurer, &Measurer::stop);
     connect(m_save, &QPushButton::clicked, this, &MeasurePanel::askWhere);
+    connect(m_open, &QPushButton::clicked, this, &MeasurePanel::askForRecord);
+    connect(m_cases, &QComboBox::activated, this, &MeasurePanel::chooseCase);
     connect(&m_measurer, &Measurer::progressed, this, &MeasurePanel::showProgress);
     connect(&m_measurer, &Measurer::ended, this, [this] {
         showProgress();
         showRuns();
     });
     connect(&m_measurer, &Measurer::found, this, [this](const MeasuredView& view) {
-        if (view == m_view) showRuns();
+        if (view == m_view && !m_case) showRuns();
     });
     connect(&m_measurer, &Measurer::failed, this, [this](const QString& sentence) {
         m_trouble = sentence;
@@ -258,9 +267,14 @@ void MeasurePanel::say()
     m_start->setText(tr("Measure"));
     m_stop->setText(tr("Stop"));
     m_save->setText(tr("Save…"));
+    m_open->setText(tr("Open…"));
+    m_open->setToolTip(tr("Opens a record: what 'zscope-cli bench --experiment' measured, or what was saved here. A click on a point loads its run, scene and camera too"));
+    m_cases->setAccessibleName(tr("Whose runs are shown"));
+    m_cases->setToolTip(tr("The view in the window, or a case of the record that was opened"));
+    fillCases();
     m_start->setToolTip(tr("Checks, times and counts what is chosen, in the background; leave the window alone meanwhile, it takes time from the runs"));
     m_stop->setToolTip(tr("Stops; what is finished stays"));
-    m_save->setToolTip(tr("Saves the runs of this view as JSON or CSV"));
+    m_save->setToolTip(tr("Saves the runs as a record, which 'zscope --report' reads, or as CSV"));
     m_progress->setAccessibleName(tr("How far the runs are"));
     m_runTable->setAccessibleName(tr("Runs of this view"));
     m_stageTable->setAccessibleName(tr("Stages of the selected run"));
@@ -316,7 +330,7 @@ void MeasurePanel::showProgress()
 
 void MeasurePanel::showRuns()
 {
-    const std::vector<Run>&    runs = m_measurer.runsOf(m_view);
+    const std::vector<Run>&    runs = shownRuns();
     std::optional<Pipeline>    kept;
     if (const auto run = selected()) kept = m_runs->runs()[*run].pipeline;
     m_runs->setPalette(palette());
@@ -391,6 +405,8 @@ void MeasurePanel::showChart()
 void MeasurePanel::showLoaded()
 {
     std::optional<std::size_t> loaded;
+    const RecordCase* seen = m_case ? &m_record->cases[*m_case] : nullptr;
+    if (seen && m_view != MeasuredView{seen->sceneDigest, seen->camera, seen->faceCulling}) return m_chart->setLoaded({});
     for (std::size_t point = 0; point < m_runOfPoint.size(); ++point)
         if (m_runs->runs()[m_runOfPoint[point]].pipeline == session().now().pipeline) loaded = point;
     m_chart->setLoaded(loaded);
@@ -403,23 +419,131 @@ void MeasurePanel::select(std::size_t run)
     m_runTable->scrollTo(at);
 }
 
-void MeasurePanel::load(std::size_t run) { session().setPipeline(m_runs->runs()[run].pipeline); }
+void MeasurePanel::load(std::size_t run)
+{
+    const Run& chosen = m_runs->runs()[run];
+    if (!pipelineNamed(chosen.row.algorithm)) {
+        m_trouble = tr("%1 is another program: it cannot be loaded here.").arg(QString::fromStdString(chosen.row.algorithm));
+        return showProgress();
+    }
+    session().setPipeline(chosen.pipeline);
+    if (!m_case) return;
+    const RecordCase& seen = m_record->cases[*m_case];
+    if (seen.word.empty() || m_view == MeasuredView{seen.sceneDigest, seen.camera, seen.faceCulling}) return;
+    session().setFaceCulling(seen.faceCulling);
+    session().open(QString::fromStdString(seen.word), [camera = seen.camera, culling = seen.faceCulling](const Scene&) {
+        ViewRequest view;
+        view.width       = camera.width;
+        view.height      = camera.height;
+        view.exact       = camera;
+        view.faceCulling = culling;
+        return view;
+    });
+}
 
 // Files -------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// One case: the view in the window.
+Record recordOf(const Session& session, const MeasuredView& view, const std::vector<BenchRow>& rows)
+{
+    Experiment experiment;
+    experiment.title  = {"Runs of one view", "同一视图的运行"};
+    experiment.digest = digestOfText(view.digest + cameraToJson(view.camera));
+    ExperimentPart part;
+    part.scenes.resize(1);
+    experiment.parts.push_back(part);
+    const LoadedScene& scene = *session.now().scene;
+    Record              record{recordHeadFor(experiment), {}};
+    record.add({.part        = experiment.title,
+                .x           = {},
+                .scene       = scene.title.toStdString(),
+                .sceneDigest = view.digest,
+                .place       = 1,
+                .width       = view.camera.width,
+                .height      = view.camera.height,
+                .word        = scene.word.toStdString(),
+                .camera      = view.camera,
+                .faceCulling = view.faceCulling,
+                .rows        = benchToJson(rows)});
+    return record;
+}
+
+}  // namespace
+
+const std::vector<Run>& MeasurePanel::shownRuns() const { return m_case ? m_recorded : m_measurer.runsOf(m_view); }
 
 std::optional<QString> MeasurePanel::saveTo(const QString& file) const
 {
     std::vector<BenchRow> rows;
     for (const Run& run : m_runs->runs()) rows.push_back(run.row);
-    const bool        isTable = file.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
-    const std::string text    = isTable ? benchToCsv(rows) : benchToJson(rows);
+    const bool  isTable = file.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
+    std::string text;
+    if (isTable) text = benchToCsv(rows);
+    else if (m_case) text = recordToJson(*m_record);
+    else if (m_view && session().now().scene) text = recordToJson(recordOf(session(), *m_view, rows));
     if (const auto done = writeFile(QFile::encodeName(file).toStdString(), text); !done) return said(done.error());
     return {};
 }
 
+std::optional<QString> MeasurePanel::openRecord(const QString& file)
+{
+    const std::string name = QFile::encodeName(file).toStdString();
+    const auto        text = readRegularFile(name, kMaxRecordFile);
+    if (!text) return said(text.error());
+    auto record = recordFromJson(*text, name);
+    if (!record) return said(record.error());
+    if (record->cases.empty()) return tr("%1 has no case that was measured yet.").arg(QDir::toNativeSeparators(file));
+    for (const RecordCase& each : record->cases)
+        if (const auto rows = rowsOf(each); !rows) return said(rows.error());
+    m_record = *std::move(record);
+    fillCases();
+    m_cases->setCurrentIndex(1);
+    chooseCase(1);
+    return {};
+}
+
+void MeasurePanel::askForRecord()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Open a record"), QString(), tr("Records (*.json)"));
+    if (file.isEmpty()) return;
+    m_trouble = openRecord(file).value_or(QString());
+    showProgress();
+}
+
+void MeasurePanel::fillCases()
+{
+    const int at = m_cases->currentIndex();
+    m_cases->clear();
+    m_cases->addItem(tr("The view in the window"));
+    if (m_record)
+        for (const RecordCase& each : m_record->cases) {
+            const std::string& part = tr("en") == QStringLiteral("zh_CN") ? each.part.chinese : each.part.english;  // the language that is spoken
+            m_cases->addItem(QStringLiteral("%1: %2").arg(QString::fromStdString(part), QString::fromStdString(each.scene)));
+        }
+    m_cases->setCurrentIndex(at);
+    m_cases->setVisible(m_record.has_value());
+}
+
+void MeasurePanel::chooseCase(int at)
+{
+    m_case = at > 0 ? std::optional(static_cast<std::size_t>(at - 1)) : std::nullopt;
+    m_recorded.clear();
+    if (m_case) {
+        auto rows = rowsOf(m_record->cases[*m_case]);  // has been read before
+        if (rows)
+            for (BenchRow& row : *rows) {
+                const Pipeline pipeline = pipelineNamed(row.algorithm).value_or(Pipeline{});
+                m_recorded.push_back({pipeline, std::move(row)});
+            }
+    }
+    showRuns();
+}
+
 void MeasurePanel::askWhere()
 {
-    const QString file = QFileDialog::getSaveFileName(this, tr("Save the runs of this view"), QStringLiteral("runs.json"), tr("JSON, everything (*.json);;CSV, the table (*.csv)"));
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save the runs of this view"), QStringLiteral("runs.json"), tr("Records (*.json);;CSV, the table (*.csv)"));
     if (file.isEmpty()) return;
     m_trouble = saveTo(file).value_or(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
     showProgress();

@@ -3,11 +3,13 @@
 // stage, and draws them as a chart whose points load a run.
 //
 // Layout     wide: runs, stages and chart side by side; narrow: one below the other, scrolled
-// Runs       belong to the Measurer, view by view; the panel shows those of the view in the window
+// Runs       belong to the Measurer, view by view; the panel shows those of the view in the window, or of a case of a record that
+//            was opened from a file. To load a run of a record opens its scene from where it was seen
 #pragma once
 
 #include <optional>
 
+#include "core/measure/record.h"
 #include "ui/charts/speed_error_points.h"
 #include "ui/panels/measure/measurer.h"
 #include "ui/panels/panel.h"
@@ -41,8 +43,11 @@ public:
     void present(const Snapshot& shown, Changes what) override;
 
     Measurer& measurer() { return m_measurer; }
-    /// The runs of this view: JSON, or CSV if the name ends so. The trouble as a sentence, or nothing.
+    /// The runs shown: a record (core/measure/record.h), or CSV if the name ends so. The trouble as a sentence, or nothing.
     std::optional<QString> saveTo(const QString& file) const;
+    /// Shows the runs of a record, beginning with its first case. The trouble as a sentence, or nothing.
+    std::optional<QString> openRecord(const QString& file);
+    void                   askForRecord();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -59,6 +64,9 @@ private:
 
     void start();
     void askWhere();
+    void fillCases();
+    void chooseCase(int at);
+    const std::vector<Run>& shownRuns() const;
     void showProgress();
     void showRuns();     // of the view in the window
     void showRun();      // the selected one, taken apart
@@ -72,6 +80,9 @@ private:
     std::optional<std::size_t> pointOf(std::size_t run) const;
 
     Measurer                    m_measurer;
+    std::optional<Record>       m_record;         // opened from a file
+    std::optional<std::size_t>  m_case;           // of it, that is shown; nothing: the view in the window
+    std::vector<Run>            m_recorded;       // of that case
     std::optional<MeasuredView> m_view;
     std::vector<std::size_t>    m_runOfPoint;
     bool                        m_isWide = false, m_isArranged = false;
@@ -82,10 +93,10 @@ private:
     CountersModel*         m_counters;
     SpeedErrorChart*       m_chart;
     QTableView *           m_runTable, *m_stageTable, *m_counterTable;
-    QComboBox *            m_what, *m_measure;
+    QComboBox *            m_what, *m_measure, *m_cases;
     QSpinBox*              m_frames;
     QCheckBox*             m_checks;
-    QPushButton *          m_start, *m_stop, *m_save;
+    QPushButton *          m_start, *m_stop, *m_save, *m_open;
     QProgressBar*          m_progress;
     QLabel *               m_doing, *m_hint, *m_about, *m_said;
     QWidget*               m_body;
