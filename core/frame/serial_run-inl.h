@@ -62,7 +62,7 @@ void runSerially(const DrawRequest& asked, Frame& frame, StripeScratch& scratch,
     StageClock   clock;
     const Stripe whole{*request.scene, projection, request.faceCulling, frame.visible, 0, camera.height,
                        {.report = {}, .cancel = request.cancel}, painter ? &*painter : nullptr};
-    if (request.pipeline.coherence != Coherence::None) drawUnobserved(request, whole, scratch, clock);
+    if (request.pipeline.coherence != Coherence::None && !probe.isOnTheWay()) drawUnobserved(request, whole, scratch, clock);
     if (request.pipeline.usesExactRules())
         drawStripe(request.pipeline, whole, scratch, clock, ExactRules{}, probe);
     else

@@ -23,6 +23,7 @@ void CheckpointKeeper::beginAt(const KeptState& from, const Checkpoints& checkpo
 {
     m_from        = &from;
     m_checkpoints = &checkpoints;
+    m_run.scratch.memory.restore(from.state.memory);
 }
 
 bool CheckpointKeeper::passesBy(Checkpoint at)
@@ -44,7 +45,7 @@ void CheckpointKeeper::keep(std::uint64_t place)
     auto& kept = m_keepsIn->kept;
     auto  now  = std::make_unique<const KeptState>(KeptState{
         place, m_keepsIn->verdicts.size(),
-        {m_run.recorders, m_run.frame.visible, m_run.frame.colour, scratch.pyramid, scratch.active, scratch.polygons}});
+        {m_run.recorders, m_run.frame.visible, m_run.frame.colour, scratch.pyramid, scratch.active, scratch.polygons, scratch.memory}});
     m_bytes += now->state.bytes();
     kept.push_back(std::move(now));
     while (m_bytes > m_mostBytes && !kept.empty()) {

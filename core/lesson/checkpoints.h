@@ -40,16 +40,18 @@ struct RunRecorders {
 
 /// What a run works on, as it stands.
 struct RunState {
-    RunRecorders   recorders;
+    RunRecorders        recorders;
     VisibilityBuffer    visible;
     Grid<std::uint32_t> colour;  // empty unless fragments are shaded as they come
-    Pyramid        pyramid;
-    ActiveEdges    active;
-    ActivePolygons polygons;
+    Pyramid             pyramid;
+    ActiveEdges         active;
+    ActivePolygons      polygons;
+    NodeMemory          memory;
 
     std::size_t bytes() const
     {
-        return recorders.bytes() + visible.bytes() + colour.values().size_bytes() + pyramid.bytes() + active.bytes() + polygons.bytes();
+        return recorders.bytes() + visible.bytes() + colour.values().size_bytes() + pyramid.bytes() + active.bytes() + polygons.bytes() +
+               memory.bytes();
     }
 };
 
@@ -85,7 +87,7 @@ public:
 
     /// Keeps one every `events` events, in at most `bytes`.
     void keepIn(Checkpoints& checkpoints, std::uint64_t events, std::size_t bytes);
-    /// Sends the run to one of them.
+    /// Sends the run to one of them; what coherence takes over from the frame before is there then.
     void beginAt(const KeptState& from, const Checkpoints& checkpoints);
 
     template <class Event>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace zscope {
@@ -20,7 +19,7 @@ std::uint32_t between(const std::array<Rgb8, N>& stops, double part)
     std::uint32_t colour = 0xFF;
     for (std::size_t i = 0; i < 3; ++i) {
         const double value = stops[lower][i] + (stops[lower + 1][i] - stops[lower][i]) * rest;
-        colour             = colour << 8 | static_cast<std::uint32_t>(std::lround(value));
+        colour             = colour << 8 | static_cast<std::uint32_t>(value + 0.5);  // never negative
     }
     return colour;
 }

@@ -35,7 +35,7 @@ struct StageMark {
 
 /// How far apart the checkpoints of a run are kept.
 struct CheckpointSpacing {
-    std::uint64_t events = 1'000'000;               // heard by the recorders: 20 to 60 ms of a run
+    std::uint64_t events = 500'000;                 // heard by the recorders: 10 to 40 ms of a run
     std::size_t   bytes  = std::size_t{192} << 20;  // of all of them; where they are more, the checkpoints are farther apart
 };
 

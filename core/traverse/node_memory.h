@@ -60,6 +60,13 @@ public:
         ++m_frame;
     }
 
+    /// Becomes what `kept` was before it began its frame.
+    void restore(const NodeMemory& kept)
+    {
+        *this = kept;
+        --m_frame;
+    }
+
     /// What the last frame left, nearest first.
     std::span<const RememberedNode> lastFrame() const { return m_last; }
 
