@@ -16,6 +16,14 @@ bool isSameEdge(const EdgeRow& a, const EdgeRow& b)
     return a.polygon == b.polygon && a.dx == b.dx && a.firstLine == b.firstLine && a.lastLine == b.lastLine;
 }
 
+EdgeNames::EdgeNames(std::span<const EdgeRow> edges)
+{
+    for (const EdgeRow& edge : edges) m_names.push_back(nameOf(edge));
+    std::ranges::sort(m_names);
+}
+
+bool EdgeNames::holds(const EdgeRow& edge) const { return std::ranges::binary_search(m_names, nameOf(edge)); }
+
 std::optional<QLineF> segmentOf(const EdgeRow& edge, int y, const QSize& picture)
 {
     const double perLine = static_cast<double>(edge.dx[0]) / static_cast<double>(edge.dx[1]);
@@ -153,11 +161,11 @@ Overlay overlayOf(const Snapshot& shown, const Layers& layers)
     if (const SweepState* sweep = shown.sweep(); sweep && sweep->y >= 0) {
         if (layers.line) overlay.line = sweep->y;
         const auto picked = pickedTriangle(shown);
+        const EdgeNames entered(sweep->entered);
         const auto kindOf = [&](const EdgeRow& edge) {
             if (shown.selectedEdge && isSameEdge(edge, *shown.selectedEdge)) return EdgeKind::Selected;
             if (picked && edge.polygon == *picked) return EdgeKind::Picked;
-            const bool isNew = std::ranges::any_of(sweep->entered, [&](const EdgeRow& e) { return isSameEdge(e, edge); });
-            return isNew ? EdgeKind::Entered : EdgeKind::Active;
+            return entered.holds(edge) ? EdgeKind::Entered : EdgeKind::Active;
         };
         const auto add = [&](const EdgeRow& edge, int y, EdgeKind kind) {
             const bool always = kind == EdgeKind::Selected;  // a selected row is shown even with the layer off

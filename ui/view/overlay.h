@@ -5,7 +5,10 @@
 // Picture    x to the right, y downwards, pixel (x, y) is the square [x, x+1) x [y, y+1)
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <tuple>
 #include <vector>
 
 #include <QLineF>
@@ -80,5 +83,18 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, const ViewTransform
 
 /// Whether two rows are the same edge, seen from different lines.
 bool isSameEdge(const EdgeRow& a, const EdgeRow& b);
+
+/// Edges by their names, for lines that thousands of them cross.
+class EdgeNames {
+public:
+    explicit EdgeNames(std::span<const EdgeRow> edges);
+    bool holds(const EdgeRow& edge) const;
+
+private:
+    using Name = std::tuple<std::uint32_t, std::int64_t, std::int64_t, int, int>;
+    static Name nameOf(const EdgeRow& edge) { return {edge.polygon.value, edge.dx[0], edge.dx[1], edge.firstLine, edge.lastLine}; }
+
+    std::vector<Name> m_names;  // ascending
+};
 
 }  // namespace zscope::ui

@@ -24,10 +24,10 @@ std::vector<EdgeTableModel::Row> rowsOf(const StepState& state)
     if (state.pixel) now = state.pixel->triangle;
     else if (state.span && state.event >= Grain::Span) now = state.span->polygon;
 
+    const EdgeNames entered(sweep.entered);
     for (const EdgeRow& edge : sweep.activeEdges) {
-        const bool entered = std::ranges::any_of(sweep.entered, [&](const EdgeRow& e) { return isSameEdge(e, edge); });
         rows.push_back({edge, now && edge.polygon == *now ? EdgeTableModel::State::Now
-                              : entered                   ? EdgeTableModel::State::Entered
+                              : entered.holds(edge)       ? EdgeTableModel::State::Entered
                                                           : EdgeTableModel::State::Active});
     }
     for (const EdgeRow& edge : sweep.left) rows.push_back({edge, EdgeTableModel::State::Left});
@@ -71,7 +71,11 @@ int EdgeTableModel::rowOf(const EdgeRow& edge) const
 
 int EdgeTableModel::widestRow(Column column) const
 {
-    const auto digits = [](double value) { return std::log10(std::abs(value) + 1) + (value < 0 ? 1 : 0); };
+    const auto digits = [](double value) {
+        double count = value < 0 ? 2 : 1;  // the sign's place
+        for (double power = 10; power < 1e18 && std::abs(value) >= power; power *= 10) ++count;
+        return count;
+    };
     const auto length = [&](const Row& row) {
         const EdgeRow& edge = row.edge;
         const auto     top = static_cast<double>(edge.dx[0]), bottom = static_cast<double>(edge.dx[1]);
@@ -80,7 +84,7 @@ int EdgeTableModel::widestRow(Column column) const
         case X: return digits(edge.x);
         case XSubpixels: return digits(static_cast<double>(edge.xSubpixels));
         case Dx: return digits(std::trunc(top / bottom)) + 0.5 * (top < 0);
-        case DxFraction: return std::floor(digits(top)) + 1 + std::floor(digits(bottom));
+        case DxFraction: return digits(top) + digits(bottom);
         case FirstLine: return digits(edge.firstLine);
         case LastLine: return digits(edge.lastLine);
         case Mark:
