@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t kInk = 0xFF1A1A1Au, kPale = 0xFF6B6B6Bu, kWrong = 0xFFB00020u;
 constexpr int           kStep = 8, kMargin = 3 * kStep, kGap = 2 * kStep;
 constexpr int           kSmall = 13, kLarge = 18, kTitle = 24, kLine = 19;  // sizes of letters and height of a line, pixels
-constexpr int           kMaxPictureWidth = 480, kMinColumn = 340;
+constexpr int           kMaxPictureWidth = 480, kMinColumn = 400;
 
 /// One colour per stage, from dark to light and back, told apart by their names too.
 constexpr std::array<std::uint32_t, kStages.size()> kStageColours{0xFF999999u, 0xFF0072B2u, 0xFF56B4E9u, 0xFF004D7Au, 0xFFCC79A7u,

@@ -1,10 +1,13 @@
 // Experiments from the command line: records that outlive an interruption, shards that join to the whole, bundled files that run.
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
 
+#include "core/measure/approximate_switches.h"
+#include "core/measure/experiment.h"
 #include "tests/cli/run_cli.h"
 
 namespace zscope::cli_test {
@@ -214,6 +217,26 @@ TEST_F(Cli, AnExperimentWithWordsNobodyKnowsIsRefusedBeforeItRuns)
     EXPECT_EQ(run({"bench", "builtin:cubes", "--shard", "1/2"}).status, 2);
     for (const char* shard : {"0/2", "3/2", "1", "a/b", "1/2/3"})
         EXPECT_EQ(run({"bench", "--experiment", write("e.json", kSmall), "--shard", shard}).status, 2) << shard;
+}
+
+/// What a still picture's ids and depths do not show: order of blending is a matter of colours.
+TEST(BundledExperiments, SpeedAgainstErrorHasEveryApproximateSwitchOnAtLeastFourScenes)
+{
+    const auto experiment = experimentFromJson(contentsOf(ZSCOPE_ROOT "/assets/experiments/speed-against-error.json"), "speed-against-error.json");
+    ASSERT_TRUE(experiment) << experiment.error().text();
+    std::size_t switches = 0;
+    for (const char* base : {"zbuffer", "hzb-octree"})
+        for (const BenchAlgorithm& each : approximateSwitches(findPreset(base)->pipeline)) {
+            const std::size_t plus = each.name.find('+');
+            if (plus == std::string::npos) continue;
+            ++switches;
+            const std::string setting = each.name.substr(plus);
+            std::size_t       scenes  = 0;
+            for (const ExperimentPart& part : experiment->parts)
+                if (std::ranges::any_of(part.algorithms, [&](const std::string& word) { return word.ends_with(setting); })) scenes += part.scenes.size();
+            EXPECT_GE(scenes, 4u) << setting;
+        }
+    EXPECT_GE(switches, 12u);
 }
 
 TEST_F(Cli, EveryBundledExperimentIsWellFormed)

@@ -8,6 +8,10 @@
 #include <QComboBox>
 #include <QFile>
 #include <QHeaderView>
+#include <QDialogButtonBox>
+#include <QDialog>
+#include <QTimer>
+#include <QCheckBox>
 #include <QSignalSpy>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -385,6 +389,8 @@ private slots:
         QCOMPARE(table->model()->rowCount(), 0);  // nothing has been timed on the teapot
         QVERIFY(!desk.panel().openRecord(file));
         QCOMPARE(table->model()->rowCount(), 1);
+        QTest::qWait(50);
+        if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty()) desk.window.grab().save(where + "/record.png");
         table->setCurrentIndex(table->model()->index(0, 0));
         emit table->activated(table->currentIndex());
         QVERIFY(desk.settles());
@@ -424,9 +430,35 @@ private slots:
                 }
             }
         }
+        if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty())
+            for (const char* name : {"englishsheet.png", "chinesesheet.png", "chinesesheet.pdf"}) QFile::copy(desk.folder.filePath(name), where + '/' + name);
         QVERIFY(QImage(desk.folder.filePath("englishsheet.png")) != QImage(desk.folder.filePath("chinesesheet.png")));
         desk.window.sheets().make(pair, "/no/such/folder/sheet.pdf");
         QVERIFY(failed.wait(60'000));
+    }
+    void theDialogOfASheetBeginsWithWhatIsShownAndWantsTwoColumns()
+    {
+        MeasuringDesk desk("hzb-octree");
+        QVERIFY(desk.open("builtin:cubes"));
+        bool wasAsked = false;
+        QTimer::singleShot(0, &desk.window, [&] {
+            auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+            if (!dialog) return;
+            wasAsked   = true;
+            const auto boxes = dialog->findChildren<QCheckBox*>();
+            auto* ok   = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+            QCOMPARE(boxes[0]->text(), QString("hzb-octree"));
+            QVERIFY(ok->isEnabled());  // two are checked
+            boxes[1]->setChecked(false);
+            QVERIFY(!ok->isEnabled() && !ok->toolTip().isEmpty());
+            boxes[3]->setChecked(true);
+            if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty()) dialog->grab().save(where + "/sheet-dialog.png");
+            ok->click();
+        });
+        const auto chosen = SheetMaker::ask(&desk.window, desk.session);
+        QVERIFY(wasAsked);
+        QCOMPARE(chosen.size(), std::size_t{2});
+        QCOMPARE(chosen[0].name, std::string("hzb-octree"));
     }
     void keyFramesAreRecordedWithTheMenuAndSavedAsAPath()
     {

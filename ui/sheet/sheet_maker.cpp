@@ -3,15 +3,16 @@
 
 #include <algorithm>
 
+#include <QCheckBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "core/measure/approximate_switches.h"
 #include "core/measure/compare.h"
+#include "ui/parts/scrolling.h"
 #include "ui/session/reproduce.h"
 #include "ui/sheet/sheet_writer.h"
 #include "ui/text/phrase_book.h"
@@ -64,22 +65,25 @@ std::vector<BenchAlgorithm> SheetMaker::ask(QWidget* parent, const Session& sess
     dialog.setWindowTitle(tr("Comparison sheet"));
     auto* about = new QLabel(tr("Which algorithms stand side by side? The first is what the others are held against."));
     about->setWordWrap(true);
-    auto* list = new QListWidget;
+    auto* list = new QWidget;
     list->setAccessibleName(tr("Algorithms of the sheet"));
+    auto* rows = new QVBoxLayout(list);
+    rows->setContentsMargins(0, 0, 0, 0);
+    std::vector<QCheckBox*> boxes;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        auto* item = new QListWidgetItem(QString::fromStdString(all[i].name), list);
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-        item->setCheckState(i < std::max<std::size_t>(likely, 2) ? Qt::Checked : Qt::Unchecked);
+        boxes.push_back(new QCheckBox(QString::fromStdString(all[i].name)));
+        boxes.back()->setChecked(i < std::max<std::size_t>(likely, 2));
+        rows->addWidget(boxes.back());
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     auto* layout  = new QVBoxLayout(&dialog);
     layout->addWidget(about);
-    layout->addWidget(list, 1);
+    layout->addWidget(scrolling(list), 1);
     layout->addWidget(buttons);
     const auto chosen = [&] {
         std::vector<BenchAlgorithm> picked;
-        for (int i = 0; i < list->count(); ++i)
-            if (list->item(i)->checkState() == Qt::Checked) picked.push_back(all[static_cast<std::size_t>(i)]);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (boxes[i]->isChecked()) picked.push_back(all[i]);
         return picked;
     };
     const auto check = [&] {
@@ -88,11 +92,11 @@ std::vector<BenchAlgorithm> SheetMaker::ask(QWidget* parent, const Session& sess
         ok->setEnabled(count >= 2 && count <= kMostColumns);
         ok->setToolTip(ok->isEnabled() ? QString() : tr("A sheet has 2 to %1 columns").arg(kMostColumns));
     };
-    connect(list, &QListWidget::itemChanged, &dialog, check);
+    for (QCheckBox* box : boxes) connect(box, &QCheckBox::toggled, &dialog, check);
     connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     check();
-    dialog.resize(360, 420);
+    dialog.resize(360, 560);
     return dialog.exec() == QDialog::Accepted ? chosen() : std::vector<BenchAlgorithm>();
 }
 
