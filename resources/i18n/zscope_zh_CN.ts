@@ -28,8 +28,8 @@
         <translation>此刻有 %1 个像素不同。</translation>
     </message>
     <message>
-        <source>Of all: %1 %.</source>
-        <translation>占全部的 %1 %。</translation>
+        <source>Of all: %1.</source>
+        <translation>占全部的 %1。</translation>
     </message>
     <message>
         <source>holes: A shows something, B does not</source>

@@ -31,9 +31,9 @@ constexpr std::array kComparePlaces{
 
 constexpr std::array kProfilePlaces{
     LayoutPlace{"pipeline", Qt::LeftDockWidgetArea},
-    LayoutPlace{"hierarchy", Qt::RightDockWidgetArea, nullptr, 56},
+    LayoutPlace{"hierarchy", Qt::RightDockWidgetArea},
     LayoutPlace{"observer", Qt::RightDockWidgetArea, "hierarchy"},
-    LayoutPlace{"pyramid", Qt::RightDockWidgetArea, nullptr, 44},
+    LayoutPlace{"pyramid", Qt::RightDockWidgetArea, "hierarchy"},
     LayoutPlace{"active-edges", Qt::RightDockWidgetArea},
     LayoutPlace{"measure", Qt::BottomDockWidgetArea},
 };

@@ -164,6 +164,7 @@ void MainWindow::makeCentre()
     m_view = new FrameView(m_session);
     m_start  = new StartPage({.open = [this] { chooseFile(); }, .openWord = [this](const QString& word) { open(word); }, .firstLesson = [this] { m_session.course().open(0); }});
     m_centre = new QStackedWidget;
+    m_start->setMinimumWidth(m_view->minimumSizeHint().width());  // it is not seen beside panels that are as wide as they can be
     m_centre->addWidget(m_start);
     m_centre->addWidget(m_view);
     inside->addWidget(m_centre);

@@ -150,6 +150,7 @@ void MainWindow::useLayout(const QString& word)
     if (dock("scene")->isWanted()) resizeDocks({dock("scene"), dock("pipeline")}, {42, 58}, Qt::Vertical);
     shareHeights();
     m_actions->showLayout(m_layout);
+    QTimer::singleShot(0, this, [this] { keepTabsOffTheEdge(); });
 }
 
 void MainWindow::resetLayout() { useLayout(m_layout); }
@@ -168,6 +169,7 @@ void MainWindow::showPanel(const QString& word)
 void MainWindow::keepTabsOffTheEdge()
 {
     for (QTabBar* tabs : findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+        tabs->setDrawBase(false);  // the window makes new ones, and gives them a line
         const bool atEdge = tabs->x() < kStep;
         if (tabs->property("atLeftEdge").toBool() == atEdge) continue;
         tabs->setProperty("atLeftEdge", atEdge);

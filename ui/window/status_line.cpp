@@ -34,7 +34,9 @@ StatusLine::StatusLine(Session& session, QWidget* parent)
     m_progress->setFixedWidth(120);
     m_cancel->setObjectName("plain");
     connect(m_cancel, &QToolButton::clicked, this, [this] { m_session.cancelWork(); });
-    for (QLabel* label : {m_algorithm, m_time, m_exact, m_triangles}) addWidget(label);
+    for (QLabel* label : {m_algorithm, m_time, m_exact}) addWidget(label);
+    m_triangles->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // gives way to what is at work, before the window would grow
+    addWidget(m_triangles, 1);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_work, m_progress, m_cancel, m_pixel, m_machine})
         addPermanentWidget(widget);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_work, m_progress, m_cancel}) widget->hide();

@@ -77,6 +77,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     m_verdict->setWordWrap(true);
     m_verdict->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
     m_times->setObjectName("soft");
+    m_times->setWordWrap(true);
     m_hint->setObjectName("hint");
     m_hint->setWordWrap(true);
     for (QPushButton* button : {m_swap, m_keep, m_worst}) button->setFocusPolicy(Qt::TabFocus);
@@ -112,7 +113,10 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     toleranceName->setObjectName("soft");
     tolerance->addWidget(toleranceName);
     tolerance->addWidget(m_tolerance, 1);
-    tolerance->addWidget(m_worst);
+    auto* times = new QHBoxLayout;  // in two rows, that they fit into a narrow panel
+    times->setSpacing(kStep);
+    times->addWidget(m_times, 1);
+    times->addWidget(m_worst);
 
     m_grid->setVerticalSpacing(3);
     m_grid->setColumnStretch(0, 1);
@@ -124,7 +128,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     body->addWidget(m_verdict);
     body->addLayout(m_grid);
     body->addLayout(tolerance);
-    body->addWidget(m_times);
+    body->addLayout(times);
     auto* links = new QHBoxLayout;
     links->setSpacing(kStep);
     links->addWidget(m_linked);

@@ -29,7 +29,7 @@ CompareWords wordsOf(const Comparison& result)
     else
         words.verdict = (isFinished ? counted(difference.differing(), Words::tr("1 pixel differs."), Words::tr("%1 pixels differ."))
                                     : counted(difference.differing(), Words::tr("1 pixel differs at this moment."), Words::tr("%1 pixels differ at this moment."))) + ' ' +
-                        Words::tr("Of all: %1 %.").arg(decimal(100.0 * static_cast<double>(difference.differing()) / static_cast<double>(figures.pixels), 3));
+                        Words::tr("Of all: %1.").arg(decimal(100.0 * static_cast<double>(difference.differing()) / static_cast<double>(figures.pixels), 3) + QStringLiteral("\u00A0%"));
 
     words.figures = {
         {Words::tr("holes: A shows something, B does not"), grouped(figures.holes), isFinished && figures.holes > 0},

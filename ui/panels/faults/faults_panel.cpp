@@ -33,7 +33,8 @@ FaultsPanel::FaultsPanel(Session& session, QWidget* parent)
     m_table->setTabKeyNavigation(false);
     m_table->setMinimumHeight(96);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(22);
+    m_table->verticalHeader()->setMinimumSectionSize(22);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // names wrap where the panel is narrow
     m_table->horizontalHeader()->setSectionResizeMode(FaultsModel::Title, QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(FaultsModel::Wrong, QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setHighlightSections(false);

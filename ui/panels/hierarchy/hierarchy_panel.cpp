@@ -183,7 +183,7 @@ void HierarchyPanel::fitColumns()
     m_tree->setColumnWidth(NodeModel::Verdict, verdict);
     m_tree->setColumnWidth(NodeModel::Screen, screen);
     m_tree->setColumnWidth(NodeModel::Nearest, nearest);
-    m_tree->setColumnWidth(NodeModel::Node, std::max(110, room - verdict - screen - nearest));
+    m_tree->setColumnWidth(NodeModel::Node, std::max(92, room - verdict - screen - nearest));
 }
 
 void HierarchyPanel::resizeEvent(QResizeEvent* event)

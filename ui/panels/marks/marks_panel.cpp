@@ -32,10 +32,11 @@ MarksPanel::MarksPanel(Session& session, QWidget* parent)
     m_table->setTabKeyNavigation(false);
     m_table->setMinimumHeight(60);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(24);
+    m_table->verticalHeader()->setMinimumSectionSize(24);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // both columns wrap
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setSectionResizeMode(MarksModel::Name, QHeaderView::Stretch);
-    m_table->horizontalHeader()->setSectionResizeMode(MarksModel::Where, QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(MarksModel::Where, QHeaderView::Stretch);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->setProperty("ownsArrows", true);
     m_table->setProperty("ownsEnter", true);  // it jumps

@@ -131,9 +131,17 @@ void StepTrack::paintStages(QPainter& painter, const QRectF& track) const
             painter.drawLine(QPointF(from, track.top()), QPointF(from, track.bottom()));
         }
         const QString& name = m_marks.stages[i].name;
-        if (to - from < painter.fontMetrics().horizontalAdvance(name) + 2 * kStep) continue;
+        const double   wide = painter.fontMetrics().horizontalAdvance(name) + 2 * kStep;
+        if (to - from < wide) continue;
+        // Where the handle would hide it, it makes room on the wider side.
+        double left = from, right = to;
+        if (const double at = placeOf(m_scale.stepOf(value())); std::abs(at - (from + to) / 2) < wide / 2) {
+            if (at - from > to - at) right = at - kStep / 2;
+            else left = at + kStep / 2;
+        }
+        if (right - left < wide) continue;
         painter.setPen(theme.text);
-        painter.drawText(QRectF(from, track.top(), to - from, track.height()), Qt::AlignCenter, name);
+        painter.drawText(QRectF(left, track.top(), right - left, track.height()), Qt::AlignCenter, name);
     }
 }
 
