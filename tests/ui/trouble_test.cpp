@@ -15,6 +15,7 @@
 #include "core/lesson/lesson_facts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_run.h"
+#include "core/measure/record.h"
 #include "core/scene/load.h"
 #include "tests/ui/desk.h"
 #include "ui/session/course.h"
@@ -397,6 +398,30 @@ private slots:
         all.hear(explainPixel(request, {9999, 1}));
         all.hear(explainTriangle(request, TriangleId{9999}));
         QVERIFY2(all.sentences() > 55, qPrintable(QString::number(all.sentences())));
+        QVERIFY(all.isChineseOnly());
+    }
+    void aRecordBrokenAnywhereIsToldOfInChinese()
+    {
+        Desk desk;
+        desk.window.speak(Language::Chinese);
+        Record record;
+        record.head.caseCount = 1;
+        RecordCase measured;
+        measured.scene = "builtin:cube";
+        measured.rows  = "[{\"algorithm\": \"zbuffer\"}]";
+        record.cases.push_back(measured);
+        const std::string text = recordToJson(record);
+        Hearing    all;
+        const auto hear = [&](const std::string& broken) {
+            const auto read = recordFromJson(broken, "record.json");
+            if (!read) return all.hear(read.error());
+            for (const RecordCase& each : read->cases)
+                if (const auto rows = rowsOf(each); !rows) all.hear(rows.error());
+        };
+        hear(text);  // its row lacks nearly everything
+        eachBroken(QJsonDocument::fromJson(QByteArray::fromStdString(text)).object(), [&](const QJsonValue& broken) { hear(jsonOf(broken).toStdString()); });
+        eachSpoilt(text, hear);
+        QVERIFY2(all.sentences() >= 5, qPrintable(QString::number(all.sentences())));
         QVERIFY(all.isChineseOnly());
     }
     void theWindowSaysItInItsLanguageAndSaysItAgainInAnother()
