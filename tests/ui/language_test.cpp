@@ -26,7 +26,7 @@ namespace {
 bool isName(const QString& word)
 {
     static const std::set<QString> kNames = [] {
-        std::set<QString> names{"ZScope", "Language", "English", "Ctrl", "Shift", "Alt", "Esc", "Del", "Home", "End", "Enter", "PageUp", "PageDown", "WASD", "OBJ", "PNG", "BVH", "teapot",
+        std::set<QString> names{"ZScope", "Language", "English", "Ctrl", "Shift", "Alt", "Esc", "Del", "Home", "End", "Enter", "PageUp", "PageDown", "WASD", "OBJ", "PNG", "CSV", "BVH", "teapot",
                                 "near", "float", "px", "dx", "Newell", "scalar", "avx", "sse", "neon", "builtin", "default", "body", "glaze",
                                 "exponent", "apart", "level"};
         const auto add = [&](std::string_view words) {
@@ -51,6 +51,7 @@ QString englishIn(QString text)
 {
     text.remove(QRegularExpression("<[^>]*>"));
     text.remove("&nbsp;");
+    text.remove(QRegularExpression(QStringLiteral("“zscope[^”]*”")));  // what is typed on the command line
     for (const auto& match : QRegularExpression("[A-Za-z]{2,}").globalMatch(text))
         if (!isName(match.captured())) return text;
     return {};
