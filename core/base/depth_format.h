@@ -41,7 +41,7 @@ struct DepthEncoding {
     bool isFixed() const { return format == DepthFormat::Fixed24 || format == DepthFormat::Fixed16; }
 
     /// Never falls where `depth` grows.
-    float stored(double depth) const
+    [[gnu::always_inline]] float stored(double depth) const
     {
         if (isReversed()) return static_cast<float>(depth);
         const double standard = (1 - depth) * range;

@@ -19,7 +19,7 @@
 namespace zscope {
 
 /// First pixel (or line) whose centre, at 256 i + 128 subpixels, is at or beyond `snapped`; limited to +-2^30.
-inline int firstPixelCentreFrom(double snapped)
+[[gnu::always_inline]] inline int firstPixelCentreFrom(double snapped)
 {
     const std::int64_t pixel = (static_cast<std::int64_t>(snapped) + 127) >> 8;
     return static_cast<int>(std::clamp<std::int64_t>(pixel, -(std::int64_t{1} << 30), std::int64_t{1} << 30));
@@ -63,6 +63,7 @@ struct ExactRules {
     static constexpr bool truncatesNodeBoxes() { return false; }
 };
 
+/// What is called for every triangle or pixel is always inlined, so that each instruction set gets it in its own instructions.
 class ChosenRules {
 public:
     static constexpr bool kExact = false;
@@ -82,14 +83,14 @@ public:
         return m_approximation.snap == SnapBits::Four ? 16 : m_approximation.snap == SnapBits::Twelve ? 4096 : kSubpixels;
     }
     bool dropsAtNear() const { return m_approximation.near == NearPlane::Drop || m_fault == Fault::NearRejected; }
-    bool dropsCrossing(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2) const
+    [[gnu::always_inline]] bool dropsCrossing(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2) const
     {
         const auto isOutside = [this](const ScreenCorner& p) { return p.xs < 0 || p.ys < 0 || p.xs > m_width || p.ys > m_height; };
         return m_fault == Fault::CrossingDropped && (isOutside(p0) || isOutside(p1) || isOutside(p2));
     }
 
-    int firstCentreFrom(double snapped) const { return firstPixelCentreFrom(std::ceil(snapped)); }
-    int firstLineOfTriangle(double top) const
+    [[gnu::always_inline]] int firstCentreFrom(double snapped) const { return firstPixelCentreFrom(std::ceil(snapped)); }
+    [[gnu::always_inline]] int firstLineOfTriangle(double top) const
     {
         if (m_fault != Fault::FirstLineRounded) return firstCentreFrom(top);
         return static_cast<int>(std::clamp(std::floor(top / kSubpixels), -0x1p30, 0x1p30)) + 1;
@@ -111,7 +112,7 @@ public:
 
     DepthNumbers         depthNumbers() const { return m_approximation.depth; }
     const DepthEncoding& encoding() const { return m_encoding; }
-    float                stored(double depth) const { return m_encoding.stored(depth); }
+    [[gnu::always_inline]] float stored(double depth) const { return m_encoding.stored(depth); }
     bool comparesByEnds() const { return m_encoding.isReversed() && m_approximation.depth == DepthNumbers::Float64; }
 
     bool   asksOneLevel() const { return m_approximation.cells == CellDescent::OneLevel; }
