@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/base/products.h"
 #include "core/geometry/projection.h"
 #include "core/scene/scene.h"
 
@@ -26,11 +27,6 @@ struct PatternPlane {
     double centreX, centreY;   // of the picture, pixels
     double focal;              // pixels
 };
-
-inline dvec3 crossAsWritten(const dvec3& a, const dvec3& b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// `id` must be a triangle whose material has a pattern.
 inline PatternPlane patternPlaneOf(const Scene& scene, const Projection& projection, TriangleId id)

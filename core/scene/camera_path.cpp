@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/products.h"
 #include "core/scene/view_json.h"
 
 namespace zscope {
@@ -17,9 +18,6 @@ Error wrong(const JsonValue& value, const std::string& file, std::string sentenc
 {
     return {Trouble::Input, std::move(sentence), file, value.line};
 }
-
-double dot(const dvec3& a, const dvec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
-dvec3  cross(const dvec3& a, const dvec3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 
 ViewRequest requestOf(const CameraPath& path, const CameraKey& key, int width, int height)
 {
@@ -145,7 +143,7 @@ Turn turnOf(const Camera& camera)
     } else {
         turn = {x.y - y.x, {z.x + x.z, y.z + z.y, 1 - x.x - y.y + z.z}};
     }
-    const double length = std::sqrt(turn.w * turn.w + dot(turn.v, turn.v));
+    const double length = std::sqrt(turn.w * turn.w + dotAsWritten(turn.v, turn.v));
     return {turn.w / length, turn.v / length};
 }
 
@@ -154,27 +152,27 @@ Turn between(const Camera& a, const Camera& b)
 {
     constexpr double kHalfTurn = 1e-9;  // |cosine of half the angle| below which both ways are as short
     const Turn       p = turnOf(a), q = turnOf(b);
-    Turn             turn{q.w * p.w + dot(q.v, p.v), p.w * q.v - q.w * p.v - cross(q.v, p.v)};
+    Turn             turn{q.w * p.w + dotAsWritten(q.v, p.v), p.w * q.v - q.w * p.v - crossAsWritten(q.v, p.v)};
     const bool       isHalf = std::abs(turn.w) < kHalfTurn;
-    if (isHalf ? dot(turn.v, a.up) < 0 : turn.w < 0) turn = {-turn.w, -turn.v};
+    if (isHalf ? dotAsWritten(turn.v, a.up) < 0 : turn.w < 0) turn = {-turn.w, -turn.v};
     return turn;
 }
 
 dvec3 turned(const dvec3& by, const dvec3& axis, double angle)
 {
     const double c = std::cos(angle), s = std::sin(angle);
-    return by * c + cross(axis, by) * s + axis * (dot(axis, by) * (1 - c));
+    return by * c + crossAsWritten(axis, by) * s + axis * (dotAsWritten(axis, by) * (1 - c));
 }
 
 /// The view a part of the way from `from` to `to`, in [0, 1].
 CameraKey keyBetween(const CameraKey& from, const CameraKey& to, const Camera& a, const Camera& b, double part)
 {
     const Turn   turn   = between(a, b);
-    const double length = std::sqrt(dot(turn.v, turn.v));
+    const double length = std::sqrt(dotAsWritten(turn.v, turn.v));
     const double angle  = 2 * std::atan2(length, turn.w) * part;
     const dvec3  axis   = length > 0 ? turn.v / length : dvec3(0, 1, 0);
     const auto   mixed  = [part](const auto& x, const auto& y) { return x * (1 - part) + y * part; };
-    const double far    = mixed(std::sqrt(dot(from.target - from.eye, from.target - from.eye)), std::sqrt(dot(to.target - to.eye, to.target - to.eye)));
+    const double far    = mixed(std::sqrt(dotAsWritten(from.target - from.eye, from.target - from.eye)), std::sqrt(dotAsWritten(to.target - to.eye, to.target - to.eye)));
     CameraKey    key;
     key.eye         = mixed(from.eye, to.eye);
     key.target      = key.eye + turned(a.forward, axis, angle) * far;
@@ -222,7 +220,7 @@ Result<std::vector<Camera>> camerasOf(const CameraPath& path, const Bounds& scen
     std::vector<CameraKey> keys = path.keys;
     if (path.inScene && !scene.isEmpty()) {
         const dvec3  middle = scene.min * 0.5 + scene.max * 0.5, half = scene.max * 0.5 - scene.min * 0.5;
-        const double length = std::sqrt(dot(half, half));
+        const double length = std::sqrt(dotAsWritten(half, half));
         const double unit   = length > 0 ? length : 1;
         for (CameraKey& key : keys) {
             key.eye    = middle + key.eye * unit;

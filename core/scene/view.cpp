@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/products.h"
 #include "core/scene/mesh.h"
 
 namespace zscope {
@@ -25,13 +26,6 @@ constexpr dvec3 kDefaultDirection{0, -0.3, -1};
 Error usage(std::string sentence) { return {Trouble::Usage, std::move(sentence)}; }
 
 bool isFinite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-double dot(const dvec3& a, const dvec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
-
-dvec3 cross(const dvec3& a, const dvec3& b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -76,7 +70,7 @@ Subject subjectOf(const Bounds& box)
     }
     const double scale = largest(subject.half);
     const dvec3  part  = {subject.half.x / scale, subject.half.y / scale, subject.half.z / scale};
-    subject.diagonal   = 2 * scale * std::sqrt(dot(part, part));
+    subject.diagonal   = 2 * scale * std::sqrt(dotAsWritten(part, part));
     return subject;
 }
 
@@ -89,12 +83,12 @@ Result<Axes> axesOf(const dvec3& direction, const dvec3& up)
     if (!isFinite(up) || largest(up) == 0) return usage("up must be three finite numbers that are not all 0");
     Axes        axes;
     axes.forward     = normalised(direction);
-    const dvec3 side = cross(axes.forward, normalised(up));
+    const dvec3 side = crossAsWritten(axes.forward, normalised(up));
     if (!(largest(side) > kParallel))
         return usage("up is parallel to the direction of view, so nobody can tell what is right: choose another up");
     // f x up, not f x norm(up): the same direction, and the written definition to the bit.
-    axes.right = normalised(cross(axes.forward, up));
-    axes.up    = cross(axes.right, axes.forward);
+    axes.right = normalised(crossAsWritten(axes.forward, up));
+    axes.up    = crossAsWritten(axes.right, axes.forward);
     return axes;
 }
 
@@ -107,8 +101,8 @@ dvec3 framingEye(const Subject& subject, const Axes& axes, const dvec3& middle, 
         double most = -std::numeric_limits<double>::infinity();
         double least = most;
         for (const dvec3& corner : subject.corners()) {
-            const double x = dot(axis, corner);
-            const double z = dot(axes.forward, corner);
+            const double x = dotAsWritten(axis, corner);
+            const double z = dotAsWritten(axes.forward, corner);
             most           = std::max(most, x - z * slope);   // s + d * slope must reach this
             least          = std::max(least, -x - z * slope); // d * slope - s must reach this
         }
@@ -128,7 +122,7 @@ void chooseDepths(Camera& camera, const ViewRequest& view, const Subject& subjec
     double nearest  = std::numeric_limits<double>::infinity();
     double farthest = -nearest;
     for (const dvec3& corner : subject.corners()) {
-        const double z = dot(camera.forward, (subject.middle - camera.eye) + corner);
+        const double z = dotAsWritten(camera.forward, (subject.middle - camera.eye) + corner);
         nearest        = std::min(nearest, z);
         farthest       = std::max(farthest, z);
     }

@@ -50,6 +50,18 @@ bool Session::isIdle() const { return !m_worker->isBusy() && !m_rest.isActive();
 
 // Scene -------------------------------------------------------------------------------------------------------------
 
+Session::ViewOf Session::seenBy(const Camera& camera, FaceCulling culling)
+{
+    return [camera, culling](const Scene&) {
+        ViewRequest view;
+        view.width       = camera.width;
+        view.height      = camera.height;
+        view.exact       = camera;
+        view.faceCulling = culling;
+        return view;
+    };
+}
+
 void Session::open(const QString& word, const ViewOf& viewOf)
 {
     m_firstStep.reset();

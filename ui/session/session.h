@@ -44,6 +44,8 @@ public:
     // Scene
     /// Chooses the view of a scene that has been loaded.
     using ViewOf = std::function<ViewRequest(const Scene&)>;
+    /// One that is known to the bit.
+    static ViewOf seenBy(const Camera& camera, FaceCulling culling);
 
     /// A path or builtin:NAME. Without `viewOf` the scene's own first view in the picture's present size, else one
     /// framed from its bounds.

@@ -425,14 +425,7 @@ void restore(Session& session, const SessionFile& file)
     session.setLayer(*file.look.layer);
     session.setDepthRange(file.look.range);
     session.setLayers(file.layers);
-    session.open(file.scene, [camera = file.camera, culling = file.faceCulling](const Scene&) {
-        ViewRequest view;
-        view.width       = camera.width;
-        view.height      = camera.height;
-        view.exact       = camera;
-        view.faceCulling = culling;
-        return view;
-    });
+    session.open(file.scene, Session::seenBy(file.camera, file.faceCulling));
     if (file.step) session.startAt(*file.step);
     session.startWith(file.selection);
     session.linkBy(file.link);

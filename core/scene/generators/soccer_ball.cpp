@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/products.h"
 #include "core/scene/generators/palette.h"
 #include "core/scene/generators/registry.h"
 #include "core/scene/generators/welder.h"
@@ -17,12 +18,7 @@ namespace {
 
 constexpr double kSeam = 0.985;  // radius where two patches meet; 1 elsewhere
 
-double dot(const dvec3& a, const dvec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
-dvec3  cross(const dvec3& a, const dvec3& b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-dvec3 onSphere(const dvec3& p, double radius) { return p * (radius / std::sqrt(dot(p, p))); }
+dvec3 onSphere(const dvec3& p, double radius) { return p * (radius / std::sqrt(dotAsWritten(p, p))); }
 
 /// A ring of a patch: how far out it lies, 1 being the seam, and into how many segments each side is cut.
 struct Ring {
@@ -100,10 +96,10 @@ std::array<dvec3, 12> icosahedron()
 bool areNeighbours(const dvec3& a, const dvec3& b)
 {
     const dvec3 apart = a - b;
-    return dot(apart, apart) < 5 && dot(apart, apart) > 1;  // 4 along an edge, above 10 otherwise
+    return dotAsWritten(apart, apart) < 5 && dotAsWritten(apart, apart) > 1;  // 4 along an edge, above 10 otherwise
 }
 
-bool turnsLeft(const dvec3& a, const dvec3& b, const dvec3& c) { return dot(cross(a, b), c) > 0; }
+bool turnsLeft(const dvec3& a, const dvec3& b, const dvec3& c) { return dotAsWritten(crossAsWritten(a, b), c) > 0; }
 
 }  // namespace
 

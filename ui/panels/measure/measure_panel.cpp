@@ -431,14 +431,7 @@ void MeasurePanel::load(std::size_t run)
     const RecordCase& seen = m_record->cases[*m_case];
     if (seen.word.empty() || m_view == MeasuredView{seen.sceneDigest, seen.camera, seen.faceCulling}) return;
     session().setFaceCulling(seen.faceCulling);
-    session().open(QString::fromStdString(seen.word), [camera = seen.camera, culling = seen.faceCulling](const Scene&) {
-        ViewRequest view;
-        view.width       = camera.width;
-        view.height      = camera.height;
-        view.exact       = camera;
-        view.faceCulling = culling;
-        return view;
-    });
+    session().open(QString::fromStdString(seen.word), Session::seenBy(seen.camera, seen.faceCulling));
 }
 
 // Files -------------------------------------------------------------------------------------------------------------
