@@ -348,7 +348,7 @@ template <class Rules, class Probe>
 void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
                    const Probe& probe)
 {
-    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width());
+    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), Probe::listens ? EdgeTable::Sides::All : EdgeTable::Sides::OfWide);
     const EnterEdges<Rules> enter{stripe, scratch.edges, clock, rules};
     if (drawsFaces(pipeline))
         visitFacesAsSubmitted(stripe, scratch, clock, enter, rules, probe);

@@ -210,8 +210,8 @@ void PixelHistories::observe(const IntervalResolved& e)
             history.comparedBecause = e.reason;
             continue;
         }
-        for (const std::uint32_t row : e.open) {
-            const ActivePolygon& polygon = e.polygons[row];
+        for (const std::uint32_t part : e.open) {
+            const SweepPolygon& polygon = e.polygons[part];
             const bool           isIt    = polygon.id == e.winner->id;
             Event event    = begin(isIt ? Happening::IntervalWon : Happening::IntervalLost, moment, Grain::Interval);
             event.depth    = depthOf(polygon.depth, x, e.y);
@@ -354,7 +354,7 @@ void TriangleHistory::observe(const PixelTested& e)
 void TriangleHistory::observe(const IntervalResolved& e)
 {
     if (!e.winner) return;
-    const auto mine = std::ranges::find_if(e.open, [&](std::uint32_t row) { return e.polygons[row].id == m_drawnAs; });
+    const auto mine = std::ranges::find_if(e.open, [&](std::uint32_t part) { return e.polygons[part].id == m_drawnAs; });
     if (mine == e.open.end()) return;
     const bool won = e.winner->id == m_drawnAs;
     (won ? m_tally.intervalWon : m_tally.intervalLost) += static_cast<std::uint64_t>(e.x1 - e.x0);

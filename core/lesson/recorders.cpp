@@ -11,7 +11,7 @@ namespace {
 /// The edge as a lesson shows it on line y, one that it crosses.
 EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, int y)
 {
-    const ScreenSide& side = table.side(edge.index());
+    const ScreenSide& side = table.sideOf(edge);
     auto dx = static_cast<std::int64_t>(side.xb) - static_cast<std::int64_t>(side.xa);
     auto dy = static_cast<std::int64_t>(side.yb) - static_cast<std::int64_t>(side.ya);
     if (dy < 0) dx = -dx, dy = -dy;
@@ -46,14 +46,12 @@ void SweepRecorder::observe(const EdgeLeft& e)
 {
     beginLineIfOver();
     m_left.push_back(e.edge);
-    m_left.back().setPolygon(e.part);
 }
 
 void SweepRecorder::observe(const EdgeEntered& e)
 {
     beginLineIfOver();
     m_entered.push_back(e.edge);
-    m_entered.back().setPolygon(e.part);
 }
 
 void SweepRecorder::observe(const ScanlineReady& e)
@@ -61,10 +59,6 @@ void SweepRecorder::observe(const ScanlineReady& e)
     beginLineIfOver();
     m_y = e.y;
     m_active.assign(e.active.begin(), e.active.end());
-    for (ActiveEdge& edge : m_active) edge.setPolygon(e.polygons[edge.polygon()].part);
-    m_polygons.clear();
-    for (std::uint32_t row = 0; row < e.polygons.rowCount(); ++row)
-        if (e.polygons.isActive(row)) m_polygons.push_back(e.polygons[row].id);
 }
 
 void SweepRecorder::observe(const SpanFilled& e) { m_spans.push_back({e.x0, e.x1, e.triangle}); }
@@ -76,7 +70,7 @@ std::optional<SweepState> SweepRecorder::state() const
     state.y     = m_y;
     state.spans = m_spans;
     for (const ActiveEdge& edge : m_active) state.activeEdges.push_back(rowOf(*m_table, edge, m_y));
-    state.activePolygons = m_polygons;
+    for (const ActiveEdge& edge : m_active) state.activePolygons.push_back(m_table->parts()[edge.polygon()].id);
     std::ranges::sort(state.activePolygons);
     // Not std::ranges::unique: clang 14 cannot compile the standard library's.
     state.activePolygons.erase(std::unique(state.activePolygons.begin(), state.activePolygons.end()),
@@ -114,7 +108,7 @@ void PixelRecorder::observe(const PixelTested& e)
 void IntervalRecorder::observe(const IntervalResolved& e)
 {
     IntervalState interval{e.y, e.x0, e.x1, {}, std::nullopt, e.reason};
-    for (const std::uint32_t row : e.open) interval.open.push_back(e.polygons[row].id);
+    for (const std::uint32_t part : e.open) interval.open.push_back(e.polygons[part].id);
     std::ranges::sort(interval.open);
     if (e.winner) interval.winner = e.winner->id;
     m_interval = std::move(interval);

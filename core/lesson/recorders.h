@@ -34,7 +34,7 @@ public:
     std::size_t bytes() const
     {
         return (m_active.capacity() + m_entered.capacity() + m_left.capacity()) * sizeof(ActiveEdge) +
-               m_polygons.capacity() * sizeof(TriangleId) + m_spans.capacity() * sizeof(SpanRow);
+               m_spans.capacity() * sizeof(SpanRow);
     }
 
 private:
@@ -43,8 +43,7 @@ private:
     const EdgeTable*        m_table = nullptr;  // of the run; outlives it
     bool                    m_lineIsOver = false;
     int                     m_y          = -1;
-    std::vector<ActiveEdge> m_active, m_entered, m_left;  // each edge's polygon() is its part again
-    std::vector<TriangleId> m_polygons;                   // the active polygon table, row by row
+    std::vector<ActiveEdge> m_active, m_entered, m_left;
     std::vector<SpanRow>    m_spans;
 };
 static_assert(observes<SweepRecorder, EdgeTableReady> && observes<SweepRecorder, EdgeLeft> &&

@@ -42,16 +42,6 @@ public:
         if (lastLine > line) divide(dx * 256, dy, m_stepX, m_stepFraction);
     }
 
-    /// A stepper that only stands: at x, exactly or a half subpixel right of it. It must not be asked for another line.
-    static EdgeStepper standing(Integer x, bool half)
-    {
-        EdgeStepper stepper;
-        stepper.m_x        = x;
-        stepper.m_fraction = half;
-        stepper.m_dy       = 2;
-        return stepper;
-    }
-
     void nextLine()
     {
         const Integer fraction = m_fraction + m_stepFraction;
@@ -74,18 +64,6 @@ public:
     Integer x() const { return m_x; }
     Integer fraction() const { return m_fraction; }
     Integer dy() const { return m_dy; }
-
-    /// Strictly left of `other` on the current line, compared exactly. Without a branch: neighbouring triangles share
-    /// their edges, so that equal positions are as common as different ones and cannot be predicted.
-    bool isLeftOf(const EdgeStepper& other) const
-    {
-        __extension__ using Wide = __int128;
-        using Product            = std::conditional_t<sizeof(Integer) == 4, std::int64_t, Wide>;
-        const bool left          = m_x < other.m_x;
-        const bool same          = m_x == other.m_x;
-        const bool fractionLeft  = Product{m_fraction} * other.m_dy < Product{other.m_fraction} * m_dy;
-        return left | (same & fractionLeft);
-    }
 
 private:
     /// Rounded towards minus infinity, remainder in [0, by). In the 32-bit case both numbers are exact in float64, whose

@@ -1,14 +1,17 @@
 // One row of the active edge table: 32 bytes, so that stepping and sorting a line's edges stays in the nearest cache.
 //
-// Wide       an edge beyond the guard band does not fit 32 bits: it is placed anew on every line by the 64-bit stepper,
-//            and stands at most kFarAway subpixels from the picture's left border, which is outside in any case
+// Wide       an edge that reaches beyond the guard band, or is too tall to step without its rounding being seen, is placed anew on
+//            every line by the 64-bit stepper, and stands at most kFarAway subpixels from the picture's left border, which is
+//            outside in any case
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/geometry/screen_face.h"
 #include "core/scan/edge_stepper.h"
+#include "core/sweep/line_crossing.h"
 
 namespace zscope {
 
@@ -20,22 +23,29 @@ enum class Inside : std::uint8_t {
 
 class ActiveEdge {
 public:
-    static constexpr std::uint32_t kMaxIndex = (1u << 29) - 1;
+    static constexpr std::uint32_t kMaxSide = (1u << 31) - 1;
 
-    /// `side` at `line`, owned by `polygon`. `index`: its place in the edge table, at most kMaxIndex.
-    ActiveEdge(const ScreenSide& side, Inside rule, bool wide, std::uint32_t polygon, std::uint32_t index, int line, int lastLine)
+    ActiveEdge() = default;
+
+    /// `side` at `line`, owned by `polygon`, a part of the edge table. `place`: of the side in the edge table, at most kMaxSide;
+    /// of no matter for an edge that is not wide and that nobody looks at.
+    ActiveEdge(const ScreenSide& side, Inside rule, bool wide, std::uint32_t polygon, std::uint32_t place, int line, int lastLine)
         : m_polygon(polygon),
           m_lastLine(lastLine),
-          m_index(index & kMaxIndex),
+          m_side(place & kMaxSide),
           m_wide(wide),
-          m_evenOdd(rule == Inside::EvenOdd),
-          m_runsDown(side.ya < side.yb)
+          m_winding(rule == Inside::EvenOdd ? 1u << 31 : side.ya < side.yb ? 1u : ~0u)
     {
         if (m_wide)
             placeWide(side, line);
+        else if (side.ya < side.yb)
+            m_crossing = {side.xa, side.ya, side.xb, side.yb, line, false};
         else
-            m_crossing = stepper<std::int32_t>(side, line, lastLine);
+            m_crossing = {side.xb, side.yb, side.xa, side.ya, line, true};
     }
+
+    /// True if such a side must be wide.
+    static bool isTooTall(const ScreenSide& side) { return std::abs(side.ya - side.yb) >= static_cast<double>(LineCrossing::kTallest); }
 
     void nextLine() { m_crossing.nextLine(); }
     /// For wide edges only, instead of nextLine().
@@ -43,7 +53,8 @@ public:
     {
         const EdgeStepper<std::int64_t> exact = stepper<std::int64_t>(side, line, line);
         const std::int64_t              x     = std::clamp(exact.x(), -kFarAway, kFarAway);
-        m_crossing = EdgeStepper<std::int32_t>::standing(static_cast<std::int32_t>(x), x == exact.x() && exact.fraction() > 0);
+        const double fraction = static_cast<double>(exact.fraction()) / static_cast<double>(exact.dy());
+        m_crossing            = LineCrossing::standing(x, fraction, side.ya > side.yb);
     }
 
     /// The exact stepper of a side at a line it crosses, computed from its ends.
@@ -54,31 +65,33 @@ public:
         return {side.xb, side.yb, side.xa, side.ya, line, lastLine};
     }
 
-    /// In the edge table: the index of the part. In the active edge table: the row of the active polygon table.
+    /// The index of its part in the edge table.
     std::uint32_t polygon() const { return m_polygon; }
-    void          setPolygon(std::uint32_t row) { m_polygon = row; }
 
-    bool          isLeftOf(const ActiveEdge& other) const { return m_crossing.isLeftOf(other.m_crossing); }
-    int           firstPixel() const { return m_crossing.firstPixel(); }
+    bool isLeftOf(const ActiveEdge& other) const { return m_crossing.isLeftOf(other.m_crossing); }
+    int  firstPixel() const { return m_crossing.firstPixel(); }
     template <class Rules>
-    int firstPixel(const Rules& rules) const { return rules.firstPixel(m_crossing.firstPixel(), m_crossing.x()); }
-    std::uint32_t index() const { return m_index; }
+    int firstPixel(const Rules& rules) const
+    {
+        if constexpr (Rules::kExact) return m_crossing.firstPixel();
+        return rules.firstPixel(m_crossing.firstPixel(), m_crossing.x());
+    }
+    std::uint32_t side() const { return m_side; }
     int           lastLine() const { return m_lastLine; }  // inclusive
     bool          isWide() const { return m_wide; }
     /// What passing the edge from left to right adds to its polygon's winding, which is 0 outside: a turn one way or the
     /// other; by the even-odd rule a half of all there is, so that twice is nothing.
-    std::uint32_t winding() const { return m_evenOdd ? 1u << 31 : m_runsDown ? 1u : ~0u; }
+    std::uint32_t winding() const { return m_winding; }
 
 private:
     static constexpr std::int64_t kFarAway = std::int64_t{1} << 29;
 
-    EdgeStepper<std::int32_t> m_crossing;  // with the current line's centre
-    std::uint32_t             m_polygon;
-    int                       m_lastLine;
-    std::uint32_t             m_index : 29;
-    bool                      m_wide : 1;
-    bool                      m_evenOdd : 1;
-    bool                      m_runsDown : 1;
+    LineCrossing  m_crossing;  // with the current line's centre
+    std::uint32_t m_polygon   = 0;
+    int           m_lastLine  = 0;
+    std::uint32_t m_side : 31 = 0;
+    std::uint32_t m_wide : 1  = 0;
+    std::uint32_t m_winding   = 0;
 };
 static_assert(sizeof(ActiveEdge) == 32);
 

@@ -1,8 +1,7 @@
 // The active edge table: the edges that cross the current line, from left to right.
 //
-// Order      by the exact crossing with the line's centre; the order of edges that meet in one point is not defined. An
-//            edge beyond the guard band counts as half a subpixel wherever it is not on a whole one, so inside one
-//            subpixel it may stand on the wrong side of a neighbour, which moves no pixel
+// Order      by the crossing with the line's centre, as finely as LineCrossing holds it, so that crossings less than a
+//            hundred-thousandth of a subpixel apart may stand either way, which moves no pixel
 // Cost       per line one pass to drop, step and re-sort, and one merge of the newcomers, from the right, in place.
 //            Sorting is by insertion, as neighbours rarely change places, until that has moved more edges than sorting
 //            the line outright would: never worse than n log n
@@ -14,7 +13,6 @@
 #include <vector>
 
 #include "core/sweep/active_edge.h"
-#include "core/sweep/active_polygons.h"
 #include "core/sweep/edge_table.h"
 #include "core/sweep/sweep_events.h"
 
@@ -27,45 +25,39 @@ public:
     /// Moves on to line y: edges whose last line lies above it leave, the others step, and those that have crossed
     /// change places.
     template <class Rules, class Probe>
-    void advanceTo(int y, const EdgeTable& table, ActivePolygons& polygons, const Rules& rules, const Probe& probe)
+    void advanceTo(int y, const EdgeTable& table, const Rules& rules, const Probe& probe)
     {
-        std::size_t kept = 0;
-        NearlySorted order(m_edges.size(), rules.sortsActiveEdges());
-        for (ActiveEdge edge : m_edges) {
+        std::size_t  kept = 0;
+        NearlySorted order(m_edges, rules.sortsActiveEdges());
+        for (const ActiveEdge& edge : m_edges) {
             if (edge.lastLine() < y) {
-                probe(EdgeLeft{edge, polygons[edge.polygon()].part});
-                polygons.leave(edge.polygon());
+                probe(EdgeLeft{edge, edge.polygon()});
                 continue;
             }
-            if (edge.isWide())
-                edge.placeWide(table.side(edge.index()), y);
+            ActiveEdge& stepped = m_edges[kept];
+            stepped             = edge;
+            if (stepped.isWide())
+                stepped.placeWide(table.sideOf(stepped), y);
             else
-                edge.nextLine();
-            order.insert(m_edges, kept++, edge);
+                stepped.nextLine();
+            order.include(kept++);
         }
         m_edges.erase(m_edges.begin() + static_cast<std::ptrdiff_t>(kept), m_edges.end());
-        order.finish(m_edges);
+        order.finish();
     }
 
-    /// Adds the edges of the table's bucket for line y, each in its place, and their polygons.
+    /// Adds the edges of the table's bucket for line y, each in its place.
     template <class Rules, class Probe>
-    void admit(int y, const EdgeTable& table, ActivePolygons& polygons, const Rules& rules, const Probe& probe)
+    void admit(int y, const EdgeTable& table, const Rules& rules, const Probe& probe)
     {
-        m_newcomers.clear();
-        for (const std::uint32_t index : table.startingAt(y)) {
-            m_newcomers.push_back(table.edge(index));
-            table.prefetchPart(m_newcomers.back().polygon());
-        }
-        table.prefetchEdgesOf(y + 1);
-        NearlySorted order(m_newcomers.size(), rules.sortsActiveEdges());
+        const std::span<const ActiveEdge> starting = table.startingAt(y);
+        m_newcomers.assign(starting.begin(), starting.end());
+        NearlySorted order(m_newcomers, rules.sortsActiveEdges());
         for (std::size_t i = 0; i < m_newcomers.size(); ++i) {
-            ActiveEdge          edge = m_newcomers[i];
-            const std::uint32_t part = edge.polygon();
-            edge.setPolygon(polygons.enter(table.parts()[part], part));
-            probe(EdgeEntered{edge, part});
-            order.insert(m_newcomers, i, edge);
+            probe(EdgeEntered{m_newcomers[i], m_newcomers[i].polygon()});
+            order.include(i);
         }
-        order.finish(m_newcomers);
+        order.finish();
         if (rules.sortsActiveEdges())
             mergeNewcomers();
         else
@@ -79,25 +71,30 @@ private:
     /// Insertion sort that gives up, and sorts outright at the end, once it has moved four times as many edges as there are.
     class NearlySorted {
     public:
-        NearlySorted(std::size_t count, bool sorts) : m_sorts(sorts), m_movesLeft(4 * count) {}
+        NearlySorted(std::vector<ActiveEdge>& edges, bool sorts) : m_edges(edges), m_movesLeft(4 * edges.size()), m_sorts(sorts) {}
 
-        /// The first `count` edges stand in order (or sorting by insertion has been given up): `edge` joins them.
-        void insert(std::vector<ActiveEdge>& edges, std::size_t count, const ActiveEdge& edge)
+        /// The edges before `place` stand in order (or sorting by insertion has been given up): the one that stands there joins them.
+        void include(std::size_t place)
         {
-            std::size_t place = count;
-            for (; place > 0 && m_sorts && edge.isLeftOf(edges[place - 1]) && m_movesLeft > 0; --place, --m_movesLeft)
-                edges[place] = edges[place - 1];
-            edges[place] = edge;
+            if (place > 0 && m_edges[place].isLeftOf(m_edges[place - 1]) && m_sorts) moveLeft(place);
         }
-        void finish(std::vector<ActiveEdge>& edges) const
+        void finish()
         {
             if (m_movesLeft > 0 || !m_sorts) return;
-            std::ranges::sort(edges, [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
+            std::ranges::sort(m_edges, [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
         }
 
     private:
-        bool        m_sorts;
-        std::size_t m_movesLeft;
+        void moveLeft(std::size_t place)
+        {
+            const ActiveEdge edge = m_edges[place];
+            for (; place > 0 && edge.isLeftOf(m_edges[place - 1]) && m_movesLeft > 0; --place, --m_movesLeft) m_edges[place] = m_edges[place - 1];
+            m_edges[place] = edge;
+        }
+
+        std::vector<ActiveEdge>& m_edges;
+        std::size_t              m_movesLeft;
+        bool                     m_sorts;
     };
 
     /// The rightmost of both lists goes to the end, and so on, until the newcomers are used up.

@@ -38,7 +38,7 @@ public:
     {
         m_scratch.spans.clear();
         forEachSpan(active, polygons, m_visible.width(), m_rules,
-                    [this](std::uint32_t row, int x0, int x1) { m_scratch.spans.push_back({row, x0, x1}); });
+                    [this](std::uint32_t part, int x0, int x1) { m_scratch.spans.push_back({part, x0, x1}); });
         if (!m_scratch.spans.empty()) blendBetween(y, 0, m_visible.width(), polygons);
     }
 
@@ -73,14 +73,14 @@ private:
         m_scratch.found.clear();
         m_scratch.columns.assign(static_cast<std::size_t>(x1 - x0) + 1, 0);
         for (const BlendScratch::Span& span : m_scratch.spans) {
-            const ActivePolygon& polygon = polygons[span.row];
+            const SweepPolygon& polygon = polygons[span.part];
             const DepthPlane&    plane   = polygon.depth;
             const double         line    = plane.b * (y + 0.5) + plane.c;
             for (int x = std::max(span.x0, x0); x < std::min(span.x1, x1); ++x) {
                 const double z     = std::min(std::max(plane.a * (x + 0.5) + line, double{plane.farthest}), double{plane.nearest});
                 const float  depth = m_rules.stored(z);
                 if (!(depth > opaque[x])) continue;
-                m_scratch.found.push_back({x, depth, polygon.part, polygon.rank()});
+                m_scratch.found.push_back({x, depth, span.part, polygon.rank()});
                 ++m_scratch.columns[static_cast<std::size_t>(x - x0)];
             }
         }

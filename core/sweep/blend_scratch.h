@@ -20,7 +20,7 @@ struct Paint {
 /// Of one thread, reused from frame to frame.
 struct BlendScratch {
     struct Span {
-        std::uint32_t row;     // of the active polygon table
+        std::uint32_t part;    // of the edge table
         int           x0, x1;  // pixels [x0, x1)
     };
     struct Fragment {

@@ -3,12 +3,14 @@
 // Lines      a band [firstLine, endLine) of the picture; an edge that begins above the band starts at firstLine
 // Edges      only those that cross the centre of a line; horizontal edges never do. Inside a bucket they are ordered by
 //            the pixel they enter at, so that the active edge table only has to merge them
+// Sides      of wide edges, which are placed from them on every line; of the others only if somebody looks on
 // Polygons   triangles after set-up (one that the near plane cut in two is two parts with one id), or faces as they were read
-// Cost       two counting sorts: linear in edges, lines and columns
+// Cost       two counting sorts, the first of numbers, the second of edges: linear in edges, lines and columns
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <new>
 #include <span>
@@ -23,8 +25,11 @@ namespace zscope {
 
 class EdgeTable {
 public:
-    void clear(int firstLine, int endLine, int width)
+    enum class Sides { OfWide, All };  // whose are kept
+
+    void clear(int firstLine, int endLine, int width, Sides sides)
     {
+        m_keepsSides = sides == Sides::All;
         m_firstLine = firstLine;
         m_endLine   = endLine;
         m_width     = width;
@@ -53,45 +58,40 @@ public:
     /// Sorts the edges into their buckets; call once after the last add().
     void fillBuckets()
     {
-        m_order.resize(m_edges.size());
-        for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = i;
-        sortBy(&Start::column, m_width + 2);
-        sortBy(&Start::line, m_endLine - m_firstLine);  // leaves the buckets' bounds in m_bounds
+        m_byColumn.resize(m_edges.size());
+        countInto(m_bounds, &Start::column, m_width + 2);
+        for (std::uint32_t i = 0; i < m_starts.size(); ++i) m_byColumn[m_bounds[static_cast<std::size_t>(m_starts[i].column)]++] = i;
+
+        m_byLine.resize(m_edges.size());
+        countInto(m_bounds, &Start::line, m_endLine - m_firstLine);
+        for (const std::uint32_t i : m_byColumn) m_byLine[m_bounds[static_cast<std::size_t>(m_starts[i].line)]++] = m_edges[i];
+        // Each bound has moved to its bucket's end, which is where the next bucket begins.
+        std::copy_backward(m_bounds.begin(), m_bounds.end() - 1, m_bounds.end());
+        m_bounds.front() = 0;
     }
 
-    int                             firstLine() const { return m_firstLine; }
-    int                             endLine() const { return m_endLine; }
-    std::size_t                     edgeCount() const { return m_edges.size(); }
-    std::span<const SweepPolygon>   parts() const { return m_parts; }
-    /// Indices of the edges whose first line is y, to be looked up by edge().
-    std::span<const std::uint32_t> startingAt(int y) const
+    int                           firstLine() const { return m_firstLine; }
+    int                           endLine() const { return m_endLine; }
+    std::size_t                   edgeCount() const { return m_edges.size(); }
+    std::span<const SweepPolygon> parts() const { return m_parts; }
+    /// The edges whose first line is y, as they stand on it.
+    std::span<const ActiveEdge> startingAt(int y) const
     {
         const auto bucket = static_cast<std::size_t>(y - m_firstLine);
-        return std::span(m_order).subspan(m_bounds[bucket], m_bounds[bucket + 1] - m_bounds[bucket]);
+        return std::span(m_byLine).subspan(m_bounds[bucket], m_bounds[bucket + 1] - m_bounds[bucket]);
     }
-    /// An edge as it stands on its first line.
-    const ActiveEdge& edge(std::uint32_t index) const { return m_edges[index]; }
-    /// The side of its polygon that an edge is.
-    const ScreenSide& side(std::uint32_t index) const { return m_sides[index]; }
-
-    /// Hints for memory that will be read soon: buckets scatter over the table, and each miss would be waited for.
-    void prefetchEdgesOf(int y) const
+    /// The side of its polygon that an edge is; it must have been kept.
+    const ScreenSide& sideOf(const ActiveEdge& edge) const
     {
-        if (y >= m_endLine) return;
-        for (const std::uint32_t index : startingAt(y)) __builtin_prefetch(&m_edges[index]);
-    }
-    void prefetchPart(std::uint32_t part) const
-    {
-        __builtin_prefetch(&m_parts[part].depth);
-        __builtin_prefetch(&m_parts[part].id);
+        assert(m_keepsSides || edge.isWide());
+        return m_sides[edge.side()];
     }
 
     std::size_t bytes() const
     {
-        return m_parts.capacity() * sizeof(SweepPolygon) + m_edges.capacity() * sizeof(ActiveEdge) +
-               m_sides.capacity() * sizeof(ScreenSide) +
-               m_starts.capacity() * sizeof(Start) +
-               (m_order.capacity() + m_scratch.capacity() + m_bounds.capacity()) * sizeof(std::uint32_t);
+        return m_parts.capacity() * sizeof(SweepPolygon) + (m_edges.capacity() + m_byLine.capacity()) * sizeof(ActiveEdge) +
+               m_sides.capacity() * sizeof(ScreenSide) + m_starts.capacity() * sizeof(Start) +
+               (m_byColumn.capacity() + m_bounds.capacity()) * sizeof(std::uint32_t);
     }
 
     struct Lines {
@@ -116,11 +116,18 @@ private:
         for (const ScreenSide& side : sides) {
             const auto [first, end] = linesOf(side, top, rules);
             if (first >= end) continue;
-            if (m_edges.size() > ActiveEdge::kMaxIndex) throw std::bad_alloc();  // some 40 GiB of edges
-            m_edges.emplace_back(side, rule, wide, part, static_cast<std::uint32_t>(m_edges.size()), first, end - 1);
-            m_sides.push_back(side);
-            m_starts.push_back({first - m_firstLine, std::clamp(m_edges.back().firstPixel(), -1, m_width) + 1});
+            const bool isWide = wide || ActiveEdge::isTooTall(side);
+            const auto place  = static_cast<std::uint32_t>(m_sides.size());
+            if (m_keepsSides || isWide) keep(side);
+            const ActiveEdge& edge = m_edges.emplace_back(side, rule, isWide, part, place, first, end - 1);
+            m_starts.push_back({first - m_firstLine, std::clamp(edge.firstPixel(), -1, m_width) + 1});
         }
+    }
+
+    void keep(const ScreenSide& side)
+    {
+        if (m_sides.size() > ActiveEdge::kMaxSide) throw std::bad_alloc();  // some 40 GiB of edges
+        m_sides.push_back(side);
     }
 
     /// Where an edge enters, counted from the band's first line and from one pixel left of the picture.
@@ -128,31 +135,26 @@ private:
         int line, column;
     };
 
-    /// Stable counting sort of m_order by one part of Start, with values in [0, count).
-    void sortBy(int Start::*key, int count)
+    /// Where each of `count` buckets begins, by one part of Start.
+    void countInto(std::vector<std::uint32_t>& bounds, int Start::*key, int count) const
     {
-        m_bounds.assign(static_cast<std::size_t>(count) + 1, 0);
-        for (const Start& start : m_starts) ++m_bounds[static_cast<std::size_t>(start.*key)];
+        bounds.assign(static_cast<std::size_t>(count) + 1, 0);
+        for (const Start& start : m_starts) ++bounds[static_cast<std::size_t>(start.*key)];
         std::uint32_t before = 0;
-        for (std::uint32_t& bound : m_bounds) before += std::exchange(bound, before);
-        m_scratch.resize(m_order.size());
-        for (const std::uint32_t index : m_order) m_scratch[m_bounds[static_cast<std::size_t>(m_starts[index].*key)]++] = index;
-        m_order.swap(m_scratch);
-        // Each bound has moved to its bucket's end, which is where the next bucket begins.
-        std::copy_backward(m_bounds.begin(), m_bounds.end() - 1, m_bounds.end());
-        m_bounds.front() = 0;
+        for (std::uint32_t& bound : bounds) before += std::exchange(bound, before);
     }
 
-    int                         m_firstLine = 0;
-    int                         m_endLine   = 0;
-    int                         m_width     = 0;
-    std::vector<SweepPolygon>   m_parts;
-    std::vector<ActiveEdge>     m_edges;    // in the order they were added, each on its first line
-    std::vector<ScreenSide>     m_sides;    // likewise
-    std::vector<Start>          m_starts;   // likewise
-    std::vector<std::uint32_t>  m_order;    // indices of m_edges, bucket after bucket
-    std::vector<std::uint32_t>  m_scratch;  // for sorting
-    std::vector<std::uint32_t>  m_bounds;   // lines + 1 entries: where each bucket begins in m_order
+    int                        m_firstLine  = 0;
+    int                        m_endLine    = 0;
+    int                        m_width      = 0;
+    bool                       m_keepsSides = false;
+    std::vector<SweepPolygon>  m_parts;
+    std::vector<ActiveEdge>    m_edges;     // in the order they were added, each on its first line
+    std::vector<Start>         m_starts;    // likewise
+    std::vector<ScreenSide>    m_sides;     // those that are kept, likewise
+    std::vector<std::uint32_t> m_byColumn;  // indices of m_edges
+    std::vector<ActiveEdge>    m_byLine;    // the edges again, bucket after bucket
+    std::vector<std::uint32_t> m_bounds;    // lines + 1 entries: where each bucket begins in m_byLine
 };
 
 }  // namespace zscope

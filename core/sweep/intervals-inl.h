@@ -85,9 +85,9 @@ private:
         if (active.size() <= kCrowd) return false;
         std::size_t open = 0, most = 0;
         for (const ActiveEdge& edge : active) {
-            ActivePolygon& polygon = polygons[edge.polygon()];
-            open -= polygon.isOpen();
-            open += polygon.pass(edge);
+            ActivePolygons::Span& span = polygons.spanOf(edge.polygon());
+            open -= span.isOpen();
+            open += span.pass(edge);
             most = std::max(most, open);
         }
         return most > kCrowd;
@@ -96,18 +96,18 @@ private:
     /// An edge has been passed: its polygon opens, or closes, or stays as it is.
     void pass(ActivePolygons& polygons, const ActiveEdge& edge)
     {
-        const std::uint32_t row     = edge.polygon();
-        ActivePolygon&      polygon = polygons[row];
-        const bool          wasOpen = polygon.isOpen();
-        if (polygon.pass(edge) == wasOpen) return;
+        const std::uint32_t   polygon = edge.polygon();
+        ActivePolygons::Span& span    = polygons.spanOf(polygon);
+        const bool            wasOpen = span.isOpen();
+        if (span.pass(edge) == wasOpen) return;
         if (!wasOpen) {
-            polygon.openAt = static_cast<int>(m_open.size());  // where it stands in m_open
-            m_open.push_back(row);
+            span.openAt = static_cast<int>(m_open.size());  // where it stands in m_open
+            m_open.push_back(polygon);
             return;
         }
-        const std::uint32_t last                         = m_open.back();
-        m_open[static_cast<std::size_t>(polygon.openAt)] = last;
-        polygons[last].openAt                            = polygon.openAt;
+        const std::uint32_t last                      = m_open.back();
+        m_open[static_cast<std::size_t>(span.openAt)] = last;
+        polygons.spanOf(last).openAt                  = span.openAt;
         m_open.pop_back();
     }
 
@@ -115,19 +115,19 @@ private:
     void resolve(int y, int x0, int x1, const ActivePolygons& polygons, const Probe& probe)
     {
         const Leader leader = leaderOf(y, x0, x1, polygons);
-        if (const ActivePolygon* nearest = leader.polygon) {
+        if (const SweepPolygon* nearest = leader.polygon) {
             storeSpan(nearest->depth, nearest->rank(), y, x0, x1, m_visible, m_rules);
             probe(SpanFilled{y, x0, x1, nearest->id});
         } else {
-            for (const std::uint32_t row : m_open)
-                testPolygonSpan(polygons[row], y, x0, x1, m_visible, m_patterns, m_rules, probe);
+            for (const std::uint32_t polygon : m_open)
+                testPolygonSpan(polygons[polygon], y, x0, x1, m_visible, m_patterns, m_rules, probe);
             tellRuns(y, x0, x1, probe);
         }
         probe(IntervalResolved{y, x0, x1, m_open, polygons, leader.polygon, leader.reason});
     }
 
     struct Leader {
-        const ActivePolygon* polygon;  // nullptr: none leads for certain
+        const SweepPolygon* polygon;  // nullptr: none leads for certain
         IntervalReason       reason;
     };
 
@@ -135,17 +135,17 @@ private:
     Leader leaderOf(int y, int x0, int x1, const ActivePolygons& polygons) const
     {
         if (!m_rules.comparesByEnds()) return {nullptr, IntervalReason::NotByEnds};
-        const ActivePolygon* best = &polygons[m_open[0]];
+        const SweepPolygon* best = &polygons[m_open[0]];
         EndDepth             bestLeft = depthAt(best->depth, x0, y);
         if (m_open.size() == 1) {
             if (best->patterned) return {nullptr, IntervalReason::HasPattern};
             const bool kept = bestLeft.depth > m_visible.empty() && isKept(*best, y, x1 - 1);
             return kept ? Leader{best, IntervalReason::Alone} : Leader{nullptr, IntervalReason::BeyondFar};
         }
-        for (const std::uint32_t row : m_open) {
-            const EndDepth left = depthAt(polygons[row].depth, x0, y);
+        for (const std::uint32_t polygon : m_open) {
+            const EndDepth left = depthAt(polygons[polygon].depth, x0, y);
             if (left.depth <= bestLeft.depth) continue;
-            best     = &polygons[row];
+            best     = &polygons[polygon];
             bestLeft = left;
         }
         if (best->patterned) return {nullptr, IntervalReason::HasPattern};
@@ -153,8 +153,8 @@ private:
         const EndDepth bestRight = depthAt(best->depth, x1 - 1, y);
         if (bestLeft.limited || bestRight.limited) return {nullptr, IntervalReason::DepthLimited};
         if (bestLeft.depth <= m_visible.empty() || bestRight.depth <= m_visible.empty()) return {nullptr, IntervalReason::BeyondFar};
-        for (const std::uint32_t row : m_open) {
-            const ActivePolygon& rival = polygons[row];
+        for (const std::uint32_t polygon : m_open) {
+            const SweepPolygon& rival = polygons[polygon];
             if (&rival == best) continue;
             const EndDepth left = depthAt(rival.depth, x0, y), right = depthAt(rival.depth, x1 - 1, y);
             if (left.limited || right.limited) return {nullptr, IntervalReason::DepthLimited};
@@ -165,7 +165,7 @@ private:
     }
 
     /// The far test at one end; with the other end it holds all over the run, because depth is affine, limited or not.
-    bool isKept(const ActivePolygon& polygon, int y, int x) const
+    bool isKept(const SweepPolygon& polygon, int y, int x) const
     {
         return depthAt(polygon.depth, x, y).depth > m_visible.empty();
     }
@@ -187,7 +187,7 @@ private:
 
     VisibilityBuffer&           m_visible;
     PatternFinder               m_patterns;
-    std::vector<std::uint32_t>& m_open;  // rows of the active polygon table, in no order
+    std::vector<std::uint32_t>& m_open;  // parts of the edge table, in no order
     const Rules&                m_rules;
 };
 

@@ -9,22 +9,22 @@
 
 namespace zscope {
 
-/// Calls visit(row, x0, x1) for each run of pixels [x0, x1) that a polygon covers, from left to right by where they end, inside
+/// Calls visit(polygon, x0, x1) for each run of pixels [x0, x1) that a polygon covers, from left to right by where they end, inside
 /// the `width` pixels of a line; never an empty one. Always inlined, so that each instruction set gets it in its own instructions.
 template <class Rules, class Visit>
 [[gnu::always_inline]] inline void forEachSpan(std::span<const ActiveEdge> active, ActivePolygons& polygons, int width, const Rules& rules,
                                                const Visit& visit)
 {
     for (const ActiveEdge& edge : active) {
-        ActivePolygon& polygon = polygons[edge.polygon()];
-        const int      pixel   = edge.firstPixel(rules);
-        const bool     wasOpen = polygon.isOpen();
-        if (polygon.pass(edge) == wasOpen) continue;
+        ActivePolygons::Span& span    = polygons.spanOf(edge.polygon());
+        const int             pixel   = edge.firstPixel(rules);
+        const bool            wasOpen = span.isOpen();
+        if (span.pass(edge) == wasOpen) continue;
         if (!wasOpen) {
-            polygon.openAt = pixel;
+            span.openAt = pixel;
             continue;
         }
-        const int x0 = std::max(polygon.openAt, 0), x1 = std::min(pixel, width);
+        const int x0 = std::max(span.openAt, 0), x1 = std::min(pixel, width);
         if (x0 < x1) visit(edge.polygon(), x0, x1);
     }
 }

@@ -25,7 +25,7 @@ struct PatternFinder {
     const Scene&      scene;
     const Projection& projection;
 
-    PatternedFragments<UnshadedFragments> fragmentsOf(const ActivePolygon& polygon) const
+    PatternedFragments<UnshadedFragments> fragmentsOf(const SweepPolygon& polygon) const
     {
         return {UnshadedFragments(), patternPlaneOf(scene, projection, polygon.id)};
     }
@@ -33,7 +33,7 @@ struct PatternFinder {
 
 /// Tests the pixels [x0, x1) of line y, by the patterns of the polygon, if it has any.
 template <class Rules, class Probe>
-void testPolygonSpan(const ActivePolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible, const PatternFinder& patterns,
+void testPolygonSpan(const SweepPolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible, const PatternFinder& patterns,
                      const Rules& rules, const Probe& probe)
 {
     if (polygon.patterned)
@@ -53,9 +53,9 @@ public:
     template <class Probe>
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
     {
-        forEachSpan(active, polygons, m_visible.width(), m_rules, [&](std::uint32_t row, int x0, int x1) HWY_ATTR {
-            testPolygonSpan(polygons[row], y, x0, x1, m_visible, m_patterns, m_rules, probe);
-            probe(SpanFilled{y, x0, x1, polygons[row].id});
+        forEachSpan(active, polygons, m_visible.width(), m_rules, [&](std::uint32_t polygon, int x0, int x1) HWY_ATTR {
+            testPolygonSpan(polygons[polygon], y, x0, x1, m_visible, m_patterns, m_rules, probe);
+            probe(SpanFilled{y, x0, x1, polygons[polygon].id});
         });
     }
 

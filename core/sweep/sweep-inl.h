@@ -25,12 +25,12 @@ void sweep(const EdgeTable& edges, ActiveEdges& active, ActivePolygons& polygons
            const Progress& progress, const Rules& rules, const Probe& probe)
 {
     active.clear();
-    polygons.clear(edges.parts().size());
+    polygons.begin(edges.parts());
     for (int y = edges.firstLine(); y < edges.endLine() && !progress.cancelled(); ++y) {
         if (probe.leavesOut(Checkpoint::Line)) continue;
-        active.advanceTo(y, edges, polygons, rules, probe);
-        active.admit(y, edges, polygons, rules, probe);
-        probe(ScanlineReady{y, active.view(), polygons});
+        active.advanceTo(y, edges, rules, probe);
+        active.admit(y, edges, rules, probe);
+        probe(ScanlineReady{y, active.view()});
         resolve.line(y, active.view(), polygons, probe);
         probe(ScanlineFinished{y});
     }

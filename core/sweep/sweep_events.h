@@ -31,8 +31,7 @@ struct EdgeLeft {
 struct ScanlineReady {
     static constexpr Grain      grain = Grain::Span;
     int                         y;       // 0 is the top line
-    std::span<const ActiveEdge> active;  // sorted by x; valid only during the call, like the next
-    const ActivePolygons&       polygons;
+    std::span<const ActiveEdge> active;  // sorted by x; valid only during the call
 };
 
 /// Why an interval went to one polygon as a whole, or could not.
@@ -51,9 +50,9 @@ enum class IntervalReason {
 struct IntervalResolved {
     static constexpr Grain         grain = Grain::Interval;
     int                            y, x0, x1;
-    std::span<const std::uint32_t> open;  // rows of the active polygon table; valid only during the call, like the next
+    std::span<const std::uint32_t> open;  // parts of the edge table; valid only during the call, like the next
     const ActivePolygons&          polygons;
-    const ActivePolygon*           winner;  // nullptr: the open polygons were compared pixel by pixel
+    const SweepPolygon*            winner;  // nullptr: the open polygons were compared pixel by pixel
     IntervalReason                 reason;
 };
 

@@ -104,39 +104,5 @@ TEST(EdgeStepper, AnEdgeCrossesTheLinesOfTheHalfOpenRule)
     }
 }
 
-TEST(EdgeStepper, OrderIsThatOfTheExactCrossings)
-{
-    std::mt19937_64 random(6);
-    int             equalFloors = 0;
-    for (int i = 0; i < 20000; ++i) {
-        const auto edge = [&random] {
-            return Edge{static_cast<std::int64_t>(random() % 40), -static_cast<std::int64_t>(random() % 5000) - 1,
-                        static_cast<std::int64_t>(random() % 40), 129 + static_cast<std::int64_t>(random() % 5000)};
-        };
-        const Edge a = edge(), b = edge();
-        const auto stepperOf = [](const Edge& e) {
-            return EdgeStepper<std::int32_t>(static_cast<double>(e.xa), static_cast<double>(e.ya), static_cast<double>(e.xb),
-                                             static_cast<double>(e.yb), 0, 0);
-        };
-        const auto crossing = [](const Edge& e) {  // numerator over dy, with the centre of line 0 at 128
-            return std::pair(Wide{e.xa} * (e.yb - e.ya) + Wide{e.xb - e.xa} * (128 - e.ya), Wide{e.yb - e.ya});
-        };
-        const auto [an, ad] = crossing(a);
-        const auto [bn, bd] = crossing(b);
-        EXPECT_EQ(stepperOf(a).isLeftOf(stepperOf(b)), an * bd < bn * ad);
-        equalFloors += stepperOf(a).x() == stepperOf(b).x();
-    }
-    EXPECT_GT(equalFloors, 100);  // remainders had to decide
-}
-
-TEST(EdgeStepper, AStandingStepperIsAtItsPlaceOrHalfASubpixelRightOfIt)
-{
-    const auto whole = EdgeStepper<std::int32_t>::standing(128, false), half = EdgeStepper<std::int32_t>::standing(128, true);
-    EXPECT_EQ(whole.firstPixel(), 0);  // the centre of pixel 0 is not left of it
-    EXPECT_EQ(half.firstPixel(), 1);
-    EXPECT_TRUE(whole.isLeftOf(half));
-    EXPECT_FALSE(half.isLeftOf(whole));
-}
-
 }  // namespace
 }  // namespace zscope
