@@ -24,13 +24,13 @@ SceneNumbers numbersOf(const PreparedScene& scene, const Camera& camera, int thr
     constexpr std::size_t kSampled  = 4096;
     const auto&           instances = scene.scene().instances;
     const Projection      projection(camera);
+    const StripeVolume    view(projection, camera.width, 0, camera.height);
     const std::size_t     step = std::max<std::size_t>(1, instances.size() / kSampled);
     SceneNumbers          numbers{.pixels  = static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height),
                                   .threads = threads};
     for (std::size_t i = 0; i < instances.size(); i += step) {
         const MeshBatches& mesh = scene.batchesOf(instances[i].mesh);
-        const StripeVolume view(projection, instances[i].toWorld, camera.width, 0, camera.height);
-        if (!view.misses(mesh.bounds)) numbers.trianglesInView += step * mesh.triangleCount();
+        if (!view.misses(PlacedView(projection, instances[i].toWorld)(mesh.bounds))) numbers.trianglesInView += step * mesh.triangleCount();
     }
     return numbers;
 }

@@ -185,15 +185,15 @@ std::vector<Tree::Group> Tree::halves(const TreeNode& node) const
 
 const MeshBatches& Tree::batchesOf(const TreeNode& node, const Mesh& mesh) const
 {
-    if (node.hasBatches.load(std::memory_order_acquire)) return node.batches;
+    if (node.hasBatches.load(std::memory_order_acquire)) return *node.batches;
     const std::scoped_lock lock(m_mutex);
     if (!node.hasBatches.load(std::memory_order_relaxed)) {
         TreeNode& mine = const_cast<TreeNode&>(node);
-        mine.batches   = makeBatches(mesh, ownItems(node));
-        m_batchBytes.fetch_add(mine.batches.bytes(), std::memory_order_relaxed);
+        mine.batches   = std::make_unique<const MeshBatches>(makeBatches(mesh, ownItems(node)));
+        m_batchBytes.fetch_add(sizeof(MeshBatches) + mine.batches->bytes(), std::memory_order_relaxed);
         mine.hasBatches.store(true, std::memory_order_release);
     }
-    return node.batches;
+    return *node.batches;
 }
 
 std::string pathOf(const TreeNode& node)

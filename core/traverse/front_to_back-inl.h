@@ -37,11 +37,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// One tree as it is placed in the world, seen from one stripe.
+/// One tree as it is placed in the world, seen from the eye.
 struct PlacedTree {
     const Tree&   tree;
     const Affine& toWorld;
-    StripeVolume  volume;
+    PlacedView    view;
     dvec3         eye;  // in the tree's own space
     bool          isInstanceTree;
     InstanceId    instance;
@@ -51,6 +51,8 @@ struct PlacedTree {
 
 template <class Consume, class Rules, class Probe>
 class FrontToBack {
+    using Planes = StripeVolume::Planes;
+
 public:
     FrontToBack(const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees, const Occlusion& occlusion,
                 StageClock& clock, const Consume& consume, const Rules& rules, const Probe& probe, NodeMemory* memory = nullptr)
@@ -63,7 +65,8 @@ public:
           m_consume(consume),
           m_rules(rules),
           m_probe(probe),
-          m_memory(memory)
+          m_memory(memory),
+          m_volume(stripe.projection, stripe.visible.width(), stripe.firstRow, stripe.endRow)
     {
     }
 
@@ -73,7 +76,7 @@ public:
         if (instances.isEmpty()) return;
         const Affine     world;
         const PlacedTree placed = place(instances, world, true, {});
-        visit(placed, instances.root(), [&](const TreeNode& node) {
+        visit(placed, instances.root(), StripeVolume::kAll, [&](const TreeNode& node, Planes open) {
             m_probe(NodeDrawn{placed.place(node)});
             auto& waiting = m_scratch.instances;
             waiting.clear();
@@ -82,7 +85,7 @@ public:
             std::ranges::sort(waiting, [](const WaitingInstance& a, const WaitingInstance& b) {
                 return std::pair(a.distance, a.instance.value) < std::pair(b.distance, b.instance.value);
             });
-            for (const WaitingInstance& next : waiting) visitInstance(next.instance, node);
+            for (const WaitingInstance& next : waiting) visitInstance(next.instance, node, open);
         });
         m_clock.lap(Stage::Cull);
     }
@@ -96,7 +99,7 @@ public:
             const Instance& instance = m_scene.instances[last.instance.value];
             if (!placed || placed->instance != last.instance)
                 placed.emplace(place(m_trees.mesh(instance.mesh), instance.toWorld, false, last.instance));
-            if (m_memory->isItsTurn(last) || placed->volume.misses(last.node->bounds)) continue;
+            if (m_memory->isItsTurn(last) || m_volume.misses(placed->view(last.node->bounds))) continue;
             m_memory->drawnAhead(last);
             m_probe(NodeRecalled{placed->place(*last.node), m_trees.instances(), *last.holder});
             drawOwn(*placed, *last.node);
@@ -110,18 +113,17 @@ private:
         const auto&      m = toWorld.rows;
         const glm::dmat3 linear(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]);
         const dvec3      eye = glm::inverse(linear) * (m_stripe.projection.eye - dvec3{m[0][3], m[1][3], m[2][3]});
-        return {tree, toWorld,
-                StripeVolume(m_stripe.projection, toWorld, m_stripe.visible.width(), m_stripe.firstRow, m_stripe.endRow),
-                eye, isInstanceTree, instance};
+        return {tree, toWorld, PlacedView(m_stripe.projection, toWorld), eye, isInstanceTree, instance};
     }
 
-    void visitInstance(InstanceId id, const TreeNode& holder)
+    /// `open`: planes of the stripe that `holder` crosses.
+    void visitInstance(InstanceId id, const TreeNode& holder, Planes open)
     {
         const Instance& instance = m_scene.instances[id.value];
         const Tree&     tree     = m_trees.mesh(instance.mesh);
         if (tree.isEmpty()) return;
         const PlacedTree placed = place(tree, instance.toWorld, false, id);
-        visit(placed, tree.root(), [&](const TreeNode& node) {
+        visit(placed, tree.root(), open, [&](const TreeNode& node, Planes) {
             const bool isDrawnAhead = m_memory && m_memory->isDrawnAhead(id, node);
             if (!isDrawnAhead) m_probe(NodeDrawn{placed.place(node)});
             const bool isWorthIt = isDrawnAhead || NodeMemory::isWorthIt(drawOwn(placed, node));
@@ -156,26 +158,29 @@ private:
         return a.depth.nearest != b.depth.nearest ? a.depth.nearest > b.depth.nearest : a.id < b.id;
     }
 
+    /// `open`: planes of the stripe that the node above crosses, and so this one may.
     template <class DrawItems>
-    void visit(const PlacedTree& placed, const TreeNode& node, const DrawItems& drawItems)
+    void visit(const PlacedTree& placed, const TreeNode& node, Planes open, const DrawItems& drawItems)
     {
-        if (m_stripe.progress.cancelled() || judge(placed, node) != Verdict::Entered) return;
+        if (m_stripe.progress.cancelled() || judge(placed, node, open) != Verdict::Entered) return;
         const Tree& tree = placed.tree;
         tree.open(node);
         auto children = inOrder(placed, node);
         if (m_rules.visitsFarFirst()) std::reverse(children.nodes.begin(), children.nodes.begin() + children.count);
         m_probe(NodeOpened{placed.place(node), std::span(children.nodes).first(children.count)});
-        if (!tree.ownItems(node).empty()) drawItems(node);
-        for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], drawItems);
+        if (!tree.ownItems(node).empty()) drawItems(node, open);
+        for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], open, drawItems);
     }
 
-    Verdict judge(const PlacedTree& placed, const TreeNode& node)
+    /// Strikes out of `open` the planes that the node lies wholly inside of.
+    Verdict judge(const PlacedTree& placed, const TreeNode& node, Planes& open)
     {
         if (const std::optional<Verdict> before = m_probe.template decided<Verdict>()) return *before;
-        if (placed.volume.misses(node.bounds)) return tell(placed, node, Verdict::Outside, nullptr);
+        const ViewBox box = placed.view(node.bounds);
+        if (m_volume.misses(box, open)) return tell(placed, node, Verdict::Outside, nullptr);
         const double smallest = m_rules.smallestNode();
         if (!m_occlusion.asksNodes && smallest == 0) return tell(placed, node, Verdict::Entered, nullptr);
-        NodeReach reach = reachOf(node.bounds, placed.toWorld, m_stripe.projection, m_stripe.region());
+        NodeReach reach = reachOf(box, m_stripe.projection, m_stripe.region());
         if (reach.crossesNear) return tell(placed, node, Verdict::Entered, nullptr);
         if (reach.area < smallest) return tell(placed, node, Verdict::Small, nullptr);
         if (!m_occlusion.asksNodes) return tell(placed, node, Verdict::Entered, nullptr);
@@ -260,6 +265,7 @@ private:
     const Rules&      m_rules;
     const Probe&      m_probe;
     NodeMemory*       m_memory;  // nullptr: nothing is remembered
+    StripeVolume      m_volume;
 };
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -2,7 +2,7 @@
 // (core/geometry/batches.h says in which order the triangles of a large mesh stand).
 //
 // Promise    skips only what cannot touch a pixel centre of the stripe (StripeVolume)
-// Cost       five planes per instance and per batch; transform and set-up of what is left
+// Cost       five planes per instance, per batch those that the instance crosses; transform and set-up of what is left
 #if defined(ZSCOPE_SUBMITTED_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_SUBMITTED_INL_H
 #undef ZSCOPE_SUBMITTED_INL_H
@@ -41,22 +41,25 @@ void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stri
 template <class BatchesOf, class Visit, class Probe>
 void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batchesOf, const Visit& visit, const Probe& probe)
 {
-    const Scene& scene = stripe.scene.scene();
+    const Scene&       scene = stripe.scene.scene();
+    const StripeVolume volume(stripe.projection, stripe.visible.width(), stripe.firstRow, stripe.endRow);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         if (stripe.progress.cancelled()) return;
         const Instance&    instance = scene.instances[i];
         const MeshBatches& mesh     = batchesOf(instance.mesh);
-        const StripeVolume volume(stripe.projection, instance.toWorld, stripe.visible.width(), stripe.firstRow, stripe.endRow);
+        const PlacedView   placed(stripe.projection, instance.toWorld);
         const auto         all = static_cast<std::uint32_t>(mesh.triangleCount());
         probe(TransparentLeftOut{InstanceId{i}, static_cast<std::uint32_t>(scene.meshOf(InstanceId{i}).triangles.size()) - all});
-        if (volume.misses(mesh.bounds)) {
+        StripeVolume::Planes open = StripeVolume::kAll;
+        if (volume.misses(placed(mesh.bounds), open)) {
             probe(BatchOutside{InstanceId{i}, all});
             continue;
         }
         const Affine* toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
         for (std::uint32_t b = 0; b < mesh.batches.size(); ++b) {
             if (stripe.progress.cancelled()) return;
-            const bool outside = mesh.batches.size() > 1 && volume.misses(mesh.batches[b].bounds);
+            StripeVolume::Planes asked = open;
+            const bool           outside = open != 0 && mesh.batches.size() > 1 && volume.misses(placed(mesh.batches[b].bounds), asked);
             clock.lap(Stage::Cull);
             if (outside)
                 probe(BatchOutside{InstanceId{i}, mesh.batches[b].triangleCount});

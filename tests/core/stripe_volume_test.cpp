@@ -109,10 +109,11 @@ TEST(StripeVolume, NeverMissesABoxHoldingAPointThatProjectsIntoTheStripe)
     for (int i = 0; i < 20000; ++i) {
         const Setting      setting(random);
         const Projection   projection(setting.camera);
-        const StripeVolume volume(projection, setting.toWorld, setting.camera.width, setting.firstRow, setting.endRow);
+        const StripeVolume volume(projection, setting.camera.width, setting.firstRow, setting.endRow);
+        const PlacedView   placed(projection, setting.toWorld);
         for (int b = 0; b < 4; ++b) {
             const Bounds box = setting.box(random);
-            if (!volume.misses(box)) continue;
+            if (!volume.misses(placed(box))) continue;
             for (int p = 0; p < 8; ++p) {
                 const dvec3 one = viewOf(setting, projection, random.within(box)), other = viewOf(setting, projection, random.within(box));
                 if (one.z >= projection.near) {
@@ -151,7 +152,7 @@ TEST(StripeVolume, NeverMissesAPointJustInsideTheStripesBorder)
         ++judged;
         Bounds box;
         box.include(world);
-        ASSERT_FALSE(StripeVolume(projection, identity, c.width, s.firstRow, s.endRow).misses(box)) << describe(s, box);
+        ASSERT_FALSE(StripeVolume(projection, c.width, s.firstRow, s.endRow).misses(PlacedView(projection, identity)(box))) << describe(s, box);
     }
     EXPECT_GT(judged, 50000);
 }
@@ -180,7 +181,7 @@ TEST(StripeVolume, MissesMostBoxesThatAreClearlyOutside)
         const double half  = std::min(z / k, z * 0.1) * 0.5;  // half a pixel, and not deep
         const Bounds box{centre - dvec3{half}, centre + dvec3{half}};
         ++outside;
-        missed += StripeVolume(projection, s.toWorld, c.width, s.firstRow, s.endRow).misses(box);
+        missed += StripeVolume(projection, c.width, s.firstRow, s.endRow).misses(PlacedView(projection, s.toWorld)(box));
     }
     EXPECT_GT(missed, outside * 9 / 10);
 }
@@ -188,9 +189,10 @@ TEST(StripeVolume, MissesMostBoxesThatAreClearlyOutside)
 TEST(StripeVolume, NumbersBeyondTheLargestAreNotMissed)
 {
     const Projection   projection((Camera()));
-    const StripeVolume volume(projection, Affine{}, 1280, 0, 720);
-    EXPECT_FALSE(volume.misses({dvec3{-1e308}, dvec3{1e308}}));
-    EXPECT_FALSE(volume.misses({dvec3{-1.7e308}, dvec3{1.7e308, 1.7e308, 0}}));
+    const StripeVolume volume(projection, 1280, 0, 720);
+    const PlacedView   placed(projection, Affine{});
+    EXPECT_FALSE(volume.misses(placed({dvec3{-1e308}, dvec3{1e308}})));
+    EXPECT_FALSE(volume.misses(placed({dvec3{-1.7e308}, dvec3{1.7e308, 1.7e308, 0}})));
 }
 
 }  // namespace
