@@ -17,6 +17,7 @@
 #include "core/probe/probe.h"
 #include "core/shade/colour_table.h"
 #include "core/sweep/blend_line.h"
+#include "core/sweep/enter_edges-inl.h"
 #include "core/sweep/sweep-inl.h"
 #include "core/traverse/submitted-inl.h"
 
@@ -33,11 +34,8 @@ struct EnterTransparent {
 
     void operator()(const TriangleList& triangles) const
     {
-        for (std::size_t i = 0; i < triangles.count; ++i) {
-            const ScreenTriangle triangle = triangles[i];
-            scratch.edges.add(triangle, rules);
-            scratch.paints.push_back(paintOf(triangle));
-        }
+        EdgeEntry(scratch.edges, rules)(triangles);
+        for (std::size_t i = 0; i < triangles.count; ++i) scratch.paints.push_back(paintOf(triangles[i]));
     }
 
 private:

@@ -18,6 +18,7 @@
 #include "core/scan/half_space-inl.h"
 #include "core/scan/pattern-inl.h"
 #include "core/shade/fragment-inl.h"
+#include "core/sweep/enter_edges-inl.h"
 #include "core/sweep/intervals-inl.h"
 #include "core/sweep/sweep-inl.h"
 #include "core/traverse/front_to_back-inl.h"
@@ -311,26 +312,37 @@ template <class Rules>
 struct EnterEdges {
     const Stripe& stripe;
     EdgeTable&    edges;
+    TriangleList& waiting;  // that have come one by one, until there are enough
     StageClock&   clock;
     const Rules&  rules;
 
     void operator()(const TriangleList& triangles) const
     {
-        for (std::size_t i = 0; i < triangles.count; ++i) (*this)(triangles[i]);
+        for (std::size_t i = 0; i < triangles.count; ++i) stripe.visible.open(triangles.box(i));
+        EdgeEntry(edges, rules)(triangles);
         clock.lap(Stage::Setup);
     }
     void operator()(const ScreenTriangle& triangle) const
     {
-        stripe.visible.open(triangle.box);
-        edges.add(triangle, rules);
+        if (waiting.count == kWaiting) finish();
+        waiting.reserve(kWaiting);
+        waiting.add(triangle);
     }
     void operator()(const ScreenFace& face, std::span<const ScreenSide> sides) const
     {
         stripe.visible.open(boxOf(sides));
-        edges.add(face, sides, rules);
+        EdgeEntry(edges, rules)(face, sides);
+    }
+    /// After the last one.
+    void finish() const
+    {
+        (*this)(waiting);
+        waiting.clear();
     }
 
 private:
+    static constexpr std::size_t kWaiting = 256;
+
     PixelBox boxOf(std::span<const ScreenSide> sides) const
     {
         double x0 = sides.front().xa, x1 = x0, y0 = sides.front().ya, y1 = y0;
@@ -349,11 +361,14 @@ void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch
                    const Probe& probe)
 {
     scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), Probe::listens ? EdgeTable::Sides::All : EdgeTable::Sides::OfWide);
-    const EnterEdges<Rules> enter{stripe, scratch.edges, clock, rules};
-    if (drawsFaces(pipeline))
+    const EnterEdges<Rules> enter{stripe, scratch.edges, scratch.triangles, clock, rules};
+    scratch.triangles.clear();
+    if (drawsFaces(pipeline)) {
         visitFacesAsSubmitted(stripe, scratch, clock, enter, rules, probe);
-    else
+        enter.finish();
+    } else {
         visitAsSubmitted(stripe, scratch, clock, enter, rules, probe);
+    }
     scratch.edges.fillBuckets();
 }
 
@@ -389,7 +404,7 @@ void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
         break;
     case Scan::SweepIntervals:
     case Scan::SweepPolygons:
-        drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, scratch.open, rules), clock, rules, probe);
+        drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, rules), clock, rules, probe);
         break;
     }
     stripe.visible.finishRows(stripe.firstRow, stripe.endRow);

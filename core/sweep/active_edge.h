@@ -27,21 +27,18 @@ public:
 
     ActiveEdge() = default;
 
-    /// `side` at `line`, owned by `polygon`, a part of the edge table. `place`: of the side in the edge table, at most kMaxSide;
-    /// of no matter for an edge that is not wide and that nobody looks at.
-    ActiveEdge(const ScreenSide& side, Inside rule, bool wide, std::uint32_t polygon, std::uint32_t place, int line, int lastLine)
-        : m_polygon(polygon),
-          m_lastLine(lastLine),
-          m_side(place & kMaxSide),
-          m_wide(wide),
-          m_winding(rule == Inside::EvenOdd ? 1u << 31 : side.ya < side.yb ? 1u : ~0u)
+    /// An edge of `polygon`, a part of the edge table. `side`: its place there, at most kMaxSide; of no matter for an edge that is
+    /// not wide and that nobody looks at.
+    ActiveEdge(LineCrossing crossing, std::uint32_t polygon, int lastLine, std::uint32_t side, std::uint32_t winding)
+        : m_crossing(crossing), m_polygon(polygon), m_lastLine(lastLine), m_side(side & kMaxSide), m_winding(winding)
     {
-        if (m_wide)
-            placeWide(side, line);
-        else if (side.ya < side.yb)
-            m_crossing = {side.xa, side.ya, side.xb, side.yb, line, false};
-        else
-            m_crossing = {side.xb, side.yb, side.xa, side.ya, line, true};
+    }
+    /// A wide one: `side` stands at `place` in the edge table.
+    ActiveEdge(const ScreenSide& side, std::uint32_t polygon, int line, int lastLine, std::uint32_t place, std::uint32_t winding)
+        : ActiveEdge(LineCrossing(), polygon, lastLine, place, winding)
+    {
+        m_wide = 1;
+        placeWide(side, line);
     }
 
     /// True if such a side must be wide.
@@ -79,9 +76,11 @@ public:
     std::uint32_t side() const { return m_side; }
     int           lastLine() const { return m_lastLine; }  // inclusive
     bool          isWide() const { return m_wide; }
-    /// What passing the edge from left to right adds to its polygon's winding, which is 0 outside: a turn one way or the
-    /// other; by the even-odd rule a half of all there is, so that twice is nothing.
     std::uint32_t winding() const { return m_winding; }
+
+    /// What passing an edge from left to right adds to its polygon's winding, which is 0 outside: a turn one way or the other; by
+    /// the even-odd rule a half of all there is, so that twice is nothing.
+    static constexpr std::uint32_t windingOf(Inside rule, bool runsDown) { return rule == Inside::EvenOdd ? 1u << 31 : runsDown ? 1u : ~0u; }
 
 private:
     static constexpr std::int64_t kFarAway = std::int64_t{1} << 29;

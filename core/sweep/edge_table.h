@@ -9,7 +9,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstdint>
 #include <new>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "core/geometry/screen_face.h"
+#include "core/scene/view.h"
 #include "core/sweep/active_edge.h"
 #include "core/sweep/active_polygons.h"
 
@@ -30,41 +30,56 @@ public:
     void clear(int firstLine, int endLine, int width, Sides sides)
     {
         m_keepsSides = sides == Sides::All;
-        m_firstLine = firstLine;
-        m_endLine   = endLine;
-        m_width     = width;
-        m_parts.clear();
-        m_edges.clear();
+        m_firstLine  = firstLine;
+        m_endLine    = endLine;
+        m_width      = width;
+        m_partCount  = 0;
+        m_edgeCount  = 0;
         m_sides.clear();
-        m_starts.clear();
     }
 
-    /// `part` must have been set up for the lines of this table.
-    template <class Rules>
-    void add(const ScreenTriangle& part, const Rules& rules)
+    /// Room for so many more polygons and edges; add() needs it.
+    void reserve(std::size_t polygons, std::size_t edges)
     {
-        const auto &x = part.x, &y = part.y;
-        const std::array<ScreenSide, 3> sides{{{x[0], y[0], x[1], y[1]}, {x[1], y[1], x[2], y[2]}, {x[2], y[2], x[0], y[0]}}};
-        add(SweepPolygon{part.depth, part.id, part.patterned}, Inside::EvenOdd, part.wide, sides, std::min({y[0], y[1], y[2]}), rules);
+        if (m_partCount + polygons > kMost || m_edgeCount + edges > kMost) throw std::bad_alloc();  // some 100 GiB of edges
+        if (m_partCount + polygons > m_parts.size()) m_parts.resize(2 * (m_partCount + polygons));
+        if (m_edgeCount + edges <= m_edges.size()) return;
+        m_edges.resize(2 * (m_edgeCount + edges));
+        m_starts.resize(m_edges.size());
     }
-
-    /// `sides` are closed, however often they cross.
-    template <class Rules>
-    void add(const ScreenFace& face, std::span<const ScreenSide> sides, const Rules& rules)
+    /// Its place among the parts.
+    std::uint32_t add(const SweepPolygon& polygon)
     {
-        add(SweepPolygon{face.depth, face.id, face.patterned}, face.isMended ? Inside::EvenOdd : Inside::AnyWinding, face.wide, sides, face.top, rules);
+        m_parts[m_partCount] = polygon;
+        return static_cast<std::uint32_t>(m_partCount++);
+    }
+    /// An edge as it stands on its first line.
+    void add(const ActiveEdge& edge, int line)
+    {
+        m_edges[m_edgeCount]    = edge;
+        m_starts[m_edgeCount++] = {static_cast<std::uint16_t>(line - m_firstLine),
+                                   static_cast<std::uint16_t>(std::clamp(edge.firstPixel(), -1, m_width) + 1)};
+    }
+    /// The place of a side, which is kept if it must be.
+    std::uint32_t add(const ScreenSide& side, bool isWide)
+    {
+        if (m_keepsSides || isWide) m_sides.push_back(side);
+        return static_cast<std::uint32_t>(m_sides.size() - (m_keepsSides || isWide));
     }
 
     /// Sorts the edges into their buckets; call once after the last add().
     void fillBuckets()
     {
-        m_byColumn.resize(m_edges.size());
+        if (m_byLine.size() < m_edgeCount) {
+            m_byColumn.resize(m_edges.size());
+            m_byLine.resize(m_edges.size());
+        }
+        const std::span<const Start> starts = std::span(m_starts).first(m_edgeCount);
         countInto(m_bounds, &Start::column, m_width + 2);
-        for (std::uint32_t i = 0; i < m_starts.size(); ++i) m_byColumn[m_bounds[static_cast<std::size_t>(m_starts[i].column)]++] = i;
+        for (std::uint32_t i = 0; i < starts.size(); ++i) m_byColumn[m_bounds[starts[i].column]++] = i;
 
-        m_byLine.resize(m_edges.size());
         countInto(m_bounds, &Start::line, m_endLine - m_firstLine);
-        for (const std::uint32_t i : m_byColumn) m_byLine[m_bounds[static_cast<std::size_t>(m_starts[i].line)]++] = m_edges[i];
+        for (const std::uint32_t i : std::span(m_byColumn).first(m_edgeCount)) m_byLine[m_bounds[starts[i].line]++] = m_edges[i];
         // Each bound has moved to its bucket's end, which is where the next bucket begins.
         std::copy_backward(m_bounds.begin(), m_bounds.end() - 1, m_bounds.end());
         m_bounds.front() = 0;
@@ -72,8 +87,8 @@ public:
 
     int                           firstLine() const { return m_firstLine; }
     int                           endLine() const { return m_endLine; }
-    std::size_t                   edgeCount() const { return m_edges.size(); }
-    std::span<const SweepPolygon> parts() const { return m_parts; }
+    std::size_t                   edgeCount() const { return m_edgeCount; }
+    std::span<const SweepPolygon> parts() const { return std::span(m_parts).first(m_partCount); }
     /// The edges whose first line is y, as they stand on it.
     std::span<const ActiveEdge> startingAt(int y) const
     {
@@ -108,38 +123,19 @@ public:
     }
 
 private:
-    template <class Rules>
-    void add(const SweepPolygon& polygon, Inside rule, bool wide, std::span<const ScreenSide> sides, double top, const Rules& rules)
-    {
-        const auto part = static_cast<std::uint32_t>(m_parts.size());
-        m_parts.push_back(polygon);
-        for (const ScreenSide& side : sides) {
-            const auto [first, end] = linesOf(side, top, rules);
-            if (first >= end) continue;
-            const bool isWide = wide || ActiveEdge::isTooTall(side);
-            const auto place  = static_cast<std::uint32_t>(m_sides.size());
-            if (m_keepsSides || isWide) keep(side);
-            const ActiveEdge& edge = m_edges.emplace_back(side, rule, isWide, part, place, first, end - 1);
-            m_starts.push_back({first - m_firstLine, std::clamp(edge.firstPixel(), -1, m_width) + 1});
-        }
-    }
-
-    void keep(const ScreenSide& side)
-    {
-        if (m_sides.size() > ActiveEdge::kMaxSide) throw std::bad_alloc();  // some 40 GiB of edges
-        m_sides.push_back(side);
-    }
+    static constexpr std::size_t kMost = ActiveEdge::kMaxSide;
+    static_assert(kMaxPictureSide + 2 <= 0xFFFF);
 
     /// Where an edge enters, counted from the band's first line and from one pixel left of the picture.
     struct Start {
-        int line, column;
+        std::uint16_t line, column;
     };
 
     /// Where each of `count` buckets begins, by one part of Start.
-    void countInto(std::vector<std::uint32_t>& bounds, int Start::*key, int count) const
+    void countInto(std::vector<std::uint32_t>& bounds, std::uint16_t Start::*key, int count) const
     {
         bounds.assign(static_cast<std::size_t>(count) + 1, 0);
-        for (const Start& start : m_starts) ++bounds[static_cast<std::size_t>(start.*key)];
+        for (const Start& start : std::span(m_starts).first(m_edgeCount)) ++bounds[start.*key];
         std::uint32_t before = 0;
         for (std::uint32_t& bound : bounds) before += std::exchange(bound, before);
     }
@@ -148,12 +144,15 @@ private:
     int                        m_endLine    = 0;
     int                        m_width      = 0;
     bool                       m_keepsSides = false;
+    std::size_t                m_partCount  = 0;
+    std::size_t                m_edgeCount  = 0;
+    // Each may have more entries than are in use, so that entering an edge is storing it.
     std::vector<SweepPolygon>  m_parts;
     std::vector<ActiveEdge>    m_edges;     // in the order they were added, each on its first line
     std::vector<Start>         m_starts;    // likewise
-    std::vector<ScreenSide>    m_sides;     // those that are kept, likewise
     std::vector<std::uint32_t> m_byColumn;  // indices of m_edges
     std::vector<ActiveEdge>    m_byLine;    // the edges again, bucket after bucket
+    std::vector<ScreenSide>    m_sides;     // those that are kept; no more
     std::vector<std::uint32_t> m_bounds;    // lines + 1 entries: where each bucket begins in m_byLine
 };
 

@@ -19,9 +19,9 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <span>
-#include <vector>
 
 #include "core/scan/depth_test-inl.h"
 #include "core/sweep/line_zbuffer-inl.h"
@@ -33,9 +33,8 @@ namespace zscope::HWY_NAMESPACE {
 template <class Rules>
 class Intervals {
 public:
-    /// `open` is scratch memory, reused from line to line.
-    Intervals(VisibilityBuffer& visible, const PatternFinder& patterns, std::vector<std::uint32_t>& open, const Rules& rules)
-        : m_visible(visible), m_patterns(patterns), m_open(open), m_rules(rules)
+    Intervals(VisibilityBuffer& visible, const PatternFinder& patterns, const Rules& rules)
+        : m_visible(visible), m_patterns(patterns), m_rules(rules)
     {
     }
 
@@ -46,19 +45,28 @@ public:
             LineZBuffer(m_visible, m_patterns, m_rules).line(y, active, polygons, probe);
             return;
         }
-        m_open.clear();
-        int from = 0;
+        Open open;
+        int  from = 0;
         for (const ActiveEdge& edge : active) {
             const int to = std::clamp(edge.firstPixel(m_rules), 0, m_visible.width());
-            if (from < to && !m_open.empty()) resolve(y, from, to, polygons, probe);
+            if (from < to && open.count > 0) resolve(y, from, to, open.view(), polygons, probe);
             from = to;
-            pass(polygons, edge);
+            pass(polygons, edge, open);
         }
+        for (const std::uint32_t polygon : open.view()) polygons.spanOf(polygon) = {};  // a fault has lost the edge that closes it
     }
 
 private:
     static constexpr std::uint32_t kLead  = 2;    // float32 steps
     static constexpr std::size_t   kCrowd = 256;  // polygons
+
+    /// The polygons that are open at a place of the line, by their part of the edge table, in no order.
+    struct Open {
+        std::array<std::uint32_t, 2 * kCrowd> polygon;  // an unclosed one may leave more than kCrowd
+        std::size_t                           count = 0;
+
+        std::span<const std::uint32_t> view() const { return std::span(polygon).first(count); }
+    };
 
     /// A polygon's depth at one pixel: rounded and limited as the picture stores it.
     struct EndDepth {
@@ -82,7 +90,7 @@ private:
 
     static bool isCrowded(std::span<const ActiveEdge> active, ActivePolygons& polygons)
     {
-        if (active.size() <= kCrowd) return false;
+        if (active.size() <= 2 * kCrowd) return false;  // a polygon that is open has an edge on either side
         std::size_t open = 0, most = 0;
         for (const ActiveEdge& edge : active) {
             ActivePolygons::Span& span = polygons.spanOf(edge.polygon());
@@ -90,40 +98,40 @@ private:
             open += span.pass(edge);
             most = std::max(most, open);
         }
+        if (open > 0)  // a fault has lost edges that close
+            for (const ActiveEdge& edge : active) polygons.spanOf(edge.polygon()) = {};
         return most > kCrowd;
     }
 
     /// An edge has been passed: its polygon opens, or closes, or stays as it is.
-    void pass(ActivePolygons& polygons, const ActiveEdge& edge)
+    void pass(ActivePolygons& polygons, const ActiveEdge& edge, Open& open) const
     {
-        const std::uint32_t   polygon = edge.polygon();
-        ActivePolygons::Span& span    = polygons.spanOf(polygon);
+        ActivePolygons::Span& span    = polygons.spanOf(edge.polygon());
         const bool            wasOpen = span.isOpen();
         if (span.pass(edge) == wasOpen) return;
         if (!wasOpen) {
-            span.openAt = static_cast<int>(m_open.size());  // where it stands in m_open
-            m_open.push_back(polygon);
+            span.openAt                = static_cast<int>(open.count);  // where it stands among the open ones
+            open.polygon[open.count++] = edge.polygon();
             return;
         }
-        const std::uint32_t last                      = m_open.back();
-        m_open[static_cast<std::size_t>(span.openAt)] = last;
-        polygons.spanOf(last).openAt                  = span.openAt;
-        m_open.pop_back();
+        const std::uint32_t last                            = open.polygon[--open.count];
+        open.polygon[static_cast<std::size_t>(span.openAt)] = last;
+        polygons.spanOf(last).openAt                        = span.openAt;
     }
 
     template <class Probe>
-    void resolve(int y, int x0, int x1, const ActivePolygons& polygons, const Probe& probe)
+    void resolve(int y, int x0, int x1, std::span<const std::uint32_t> open, const ActivePolygons& polygons, const Probe& probe)
     {
-        const Leader leader = leaderOf(y, x0, x1, polygons);
+        const Leader leader = leaderOf(y, x0, x1, open, polygons);
         if (const SweepPolygon* nearest = leader.polygon) {
             storeSpan(nearest->depth, nearest->rank(), y, x0, x1, m_visible, m_rules);
             probe(SpanFilled{y, x0, x1, nearest->id});
         } else {
-            for (const std::uint32_t polygon : m_open)
+            for (const std::uint32_t polygon : open)
                 testPolygonSpan(polygons[polygon], y, x0, x1, m_visible, m_patterns, m_rules, probe);
             tellRuns(y, x0, x1, probe);
         }
-        probe(IntervalResolved{y, x0, x1, m_open, polygons, leader.polygon, leader.reason});
+        probe(IntervalResolved{y, x0, x1, open, polygons, leader.polygon, leader.reason});
     }
 
     struct Leader {
@@ -132,17 +140,18 @@ private:
     };
 
     /// The polygon that leads all other open ones all over [x0, x1), if one does for certain.
-    Leader leaderOf(int y, int x0, int x1, const ActivePolygons& polygons) const
+    Leader leaderOf(int y, int x0, int x1, std::span<const std::uint32_t> open, const ActivePolygons& polygons) const
     {
         if (!m_rules.comparesByEnds()) return {nullptr, IntervalReason::NotByEnds};
-        const SweepPolygon* best = &polygons[m_open[0]];
-        EndDepth             bestLeft = depthAt(best->depth, x0, y);
-        if (m_open.size() == 1) {
+        const SweepPolygon* best = &polygons[open[0]];
+        if (open.size() == 1 && !best->patterned && best->depth.farthest > m_visible.empty()) return {best, IntervalReason::Alone};
+        EndDepth bestLeft = depthAt(best->depth, x0, y);
+        if (open.size() == 1) {
             if (best->patterned) return {nullptr, IntervalReason::HasPattern};
             const bool kept = bestLeft.depth > m_visible.empty() && isKept(*best, y, x1 - 1);
             return kept ? Leader{best, IntervalReason::Alone} : Leader{nullptr, IntervalReason::BeyondFar};
         }
-        for (const std::uint32_t polygon : m_open) {
+        for (const std::uint32_t polygon : open) {
             const EndDepth left = depthAt(polygons[polygon].depth, x0, y);
             if (left.depth <= bestLeft.depth) continue;
             best     = &polygons[polygon];
@@ -153,7 +162,7 @@ private:
         const EndDepth bestRight = depthAt(best->depth, x1 - 1, y);
         if (bestLeft.limited || bestRight.limited) return {nullptr, IntervalReason::DepthLimited};
         if (bestLeft.depth <= m_visible.empty() || bestRight.depth <= m_visible.empty()) return {nullptr, IntervalReason::BeyondFar};
-        for (const std::uint32_t polygon : m_open) {
+        for (const std::uint32_t polygon : open) {
             const SweepPolygon& rival = polygons[polygon];
             if (&rival == best) continue;
             const EndDepth left = depthAt(rival.depth, x0, y), right = depthAt(rival.depth, x1 - 1, y);
@@ -185,10 +194,9 @@ private:
         }
     }
 
-    VisibilityBuffer&           m_visible;
-    PatternFinder               m_patterns;
-    std::vector<std::uint32_t>& m_open;  // parts of the edge table, in no order
-    const Rules&                m_rules;
+    VisibilityBuffer& m_visible;
+    PatternFinder     m_patterns;
+    const Rules&      m_rules;
 };
 
 }  // namespace zscope::HWY_NAMESPACE

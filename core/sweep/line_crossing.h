@@ -11,10 +11,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cstdint>
-
-#include "core/scan/edge_stepper.h"
 
 namespace zscope {
 
@@ -25,17 +22,8 @@ public:
 
     LineCrossing() = default;
 
-    /// The edge from (xa, ya) down to (xb, yb), at `line`, one of the lines it crosses. All are whole numbers inside the guard
-    /// band, yb - ya is at least 1 and less than kTallest. `opens`: it is the left edge of its triangle.
-    LineCrossing(double xa, double ya, double xb, double yb, int line, bool opens)
-    {
-        const double dx = xb - xa, dy = yb - ya;
-        assert(dy > 0 && dy < static_cast<double>(kTallest));
-        const double perLine = 1 / dy;
-        m_x    = inUnits(dx * (static_cast<double>(centreOfLine(line)) - ya), dy, perLine) + (static_cast<std::int64_t>(xa) << kShift) +
-              2 - kToPixel + opens;
-        m_step = inUnits(dx * kSubpixels, dy, perLine);
-    }
+    /// A position and what is added to it on every line, as crossingsOf() finds them (core/sweep/enter_edges-inl.h).
+    LineCrossing(std::int64_t x, std::int64_t step) : m_x(x), m_step(step) {}
 
     /// A crossing that only stands, `fraction` right of subpixel x, which may be rounded but not to or from 0.
     static LineCrossing standing(std::int64_t x, double fraction, bool opens)
@@ -55,25 +43,13 @@ public:
     std::int64_t x() const { return (m_x + kToPixel) >> kShift; }
     bool         isLeftOf(const LineCrossing& other) const { return m_x < other.m_x; }
 
-private:
-    static constexpr int          kShift = 32;                    // the lowest bit tells who closes and who opens
-    static constexpr std::int64_t kDrift = std::int64_t{1} << 13; // twice 4096: an edge of kTallest crosses 2048 lines
+    static constexpr int          kShift = 32;                     // the lowest bit tells who closes and who opens
+    static constexpr std::int64_t kDrift = std::int64_t{1} << 13;  // twice 4096: an edge of kTallest crosses 2048 lines
     static_assert(kDrift * kTallest <= std::int64_t{1} << kShift);
     /// What is taken from a position so that its upper bits are the pixel.
     static constexpr std::int64_t kToPixel = kDrift - (std::int64_t{128} << kShift);
 
-    /// value / by in units, by at most one unit (two in the lowest bit) too large. Both are whole numbers that float64 holds;
-    /// `inverse` is 1 / by.
-    static std::int64_t inUnits(double value, double by, double inverse)
-    {
-        // The quotient may be one off, or is the next towards zero; what remains of the value is exact in any case.
-        const auto   whole = static_cast<std::int64_t>(value * inverse);
-        const double rest  = value - static_cast<double>(whole) * by;
-        // Two wholes more, so that what is cut off is a rounding down; and one unit, so that it is up.
-        const auto part = static_cast<std::int64_t>((rest * inverse + 2) * 0x1p31) + 1;
-        return ((whole - 2) << kShift) + (part << 1);
-    }
-
+private:
     std::int64_t m_x    = 0;  // less kToPixel; the lowest bit: it opens
     std::int64_t m_step = 0;  // even
 };

@@ -59,12 +59,11 @@ struct StripeScratch {
     NodeMemory       memory;   // methods with coherence only
 
     std::vector<WaitingInstance> instances;  // hierarchical methods only
-    std::vector<std::uint32_t>   open;       // interval method only: polygons open at the interval at hand
 
     std::size_t bytes() const
     {
         return sizeof(*this) + triangles.bytes() + sorted.capacity() * sizeof(ScreenTriangle) + blocks.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
-               open.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes() +
+               instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes() +
                blend.bytes() + memory.bytes();
     }
 };

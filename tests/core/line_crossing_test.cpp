@@ -1,10 +1,13 @@
 // Crossings in fixed point against one division per line, in whole numbers.
+#define HWY_COMPILE_ONLY_SCALAR
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "core/sweep/line_crossing.h"
+#include "core/scan/edge_stepper.h"
+#include "core/sweep/enter_edges-inl.h"
 
 namespace zscope {
 namespace {
@@ -21,7 +24,12 @@ Wide floorOf(Wide value, Wide by) { return value / by - (value % by < 0 ? 1 : 0)
 
 LineCrossing crossingOf(const Edge& e, int line, bool opens = false)
 {
-    return {static_cast<double>(e.xa), static_cast<double>(e.ya), static_cast<double>(e.xb), static_cast<double>(e.yb), line, opens};
+    namespace hn = hwy::HWY_NAMESPACE;
+    const hn::CappedTag<double, 1> d;
+    const auto set = [d](std::int64_t value) { return hn::Set(d, static_cast<double>(value)); };
+    using V        = hn::Vec<hn::CappedTag<double, 1>>;
+    const auto at  = HWY_NAMESPACE::crossingsOf(d, HWY_NAMESPACE::Falling<V>{set(e.xa), set(e.ya), set(e.xb), set(e.yb)}, set(line), set(opens) > set(0));
+    return {hn::GetLane(at.x), hn::GetLane(at.step)};
 }
 
 /// Walks the edge over all lines of [0, height) that it crosses and compares every position; how many there were.
