@@ -34,9 +34,12 @@ void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, F
         if (width <= 1 && height <= 1) break;
     }
     m_levels.resize(count);
-    m_isMasked = masked;
+    m_isMasked    = masked;
+    m_readsPixels = !masked && fault == Fault::None;
     if (masked) m_layers.reset(m_levels[0].farthest.width(), m_levels[0].farthest.height());
 }
+
+PyramidQuery Pyramid::ask(const PixelBox& box, float nearest) { return ask(box, nearest, WholeBox{}, Untold{}); }
 
 void Pyramid::touched(const PixelBox& box)
 {
@@ -82,7 +85,8 @@ void Pyramid::complete()
 {
     allTouched();
     refresh(levels() - 1, 0, 0, Untold{});  // reaches every cell below
-    m_isComplete = true;
+    m_isComplete  = true;
+    m_readsPixels = false;
 }
 
 bool Pyramid::continues(const VisibilityBuffer& visible, int firstRow, int endRow)
@@ -141,8 +145,8 @@ GridView<const float> Pyramid::stored(int level) const
 
 template void         Pyramid::push(const PixelBox& box, const Untold& told);
 template void         Pyramid::pushFrom(const PixelBox& box, PushOrder order, const Untold& told);
-template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const WholeBox& shape, const Untold& told);
-template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const TriangleCover& shape, const Untold& told);
+template bool         Pyramid::cellsHide(PyramidQuery& query, const WholeBox& shape, const Untold& told);
+template bool         Pyramid::cellsHide(PyramidQuery& query, const TriangleCover& shape, const Untold& told);
 
 std::size_t Pyramid::bytes() const
 {

@@ -5,15 +5,17 @@
 //            [x 2^n, (x+1) 2^n) x [firstRow + y 2^n, ...); pixels outside the region do not exist and take no part
 // Levels     1 and 2 are not stored: a cell of them is at most 16 pixels, which are read instead. From kTileLevel up
 //            each level is half the one below, rounded up, to a single cell
+// Question   first what is stored, which may say yes; then the pixel in the middle of the box, which may say no and mostly does
+//            of what can be seen; then cell by cell
 // Upkeep     touched() marks the tiles under a box and their ancestors as stale, and stops where they already are; a
-//            stale cell is recomputed when a query meets it and its old value could not answer. Or push(): the tiles are
+//            stale cell is recomputed when a query meets it and neither its old value nor that pixel could answer. Or push(): the tiles are
 //            recomputed at once, and from each of them its ancestors, up to the first that does not change. Or, if the
 //            pyramid was reset as masked, cover(): tiles know two depths and a mask, and no pixel is ever read
 // Promise    a cell is never nearer than the true farthest depth of its pixels: depths only grow, so an old value is
 //            too far at worst. hides() may say no of a hidden box, never yes of one that could win a pixel
 // Frozen     complete() brings every cell up to date and ends the upkeep: from then on the cells alone answer, whatever
 //            becomes of the pixels. For methods that ask about the frame before
-// Cost       query: at most 2 x 2 cells of one level, more only where undecided; touched(): constant for small boxes;
+// Cost       query: at most 2 x 2 cells of one level and a pixel, more only where undecided; touched(): constant for small boxes;
 //            push(): 64 pixels per tile and 4 cells per level that changes
 // Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993; docs/correctness.md, rules 1 to 3
 #pragma once
@@ -36,7 +38,7 @@ struct PyramidQuery {
     PixelBox box;
     float    nearest = 0;  // the nearest depth anything inside the box could have
     int      level   = 0;  // where it began: floor(log2(longer side)), or one more if that takes three cells a side
-    float    value   = 0;  // the farthest depth found on that level, in the cells that were asked; 0 if none was
+    float    value   = 0;  // the farthest depth found on that level, in the cells that were asked, as they stand; 0 if none was
     bool     hidden  = false;
     int      cells   = 0;  // read to decide
 };
@@ -66,6 +68,8 @@ struct TileAnswer {
 class Pyramid {
 public:
     static constexpr int kTileLevel = 3;  // tiles of 8 x 8 pixels
+    /// So few pixels of a stale tile are read rather than all of it brought up to date.
+    static constexpr int kFewPixels = 16;
 
     /// Begins a frame: the region has just been cleared, so every cell is empty and none is stale.
     /// `fault`: which rule of the pyramid is broken on purpose, if any; the promise above is gone then.
@@ -95,7 +99,7 @@ public:
 
     /// True if nothing at depth `nearest` or farther, inside `box` (not empty, inside the region), could win a pixel.
     bool hides(const PixelBox& box, float nearest) { return ask(box, nearest).hidden; }
-    PyramidQuery ask(const PixelBox& box, float nearest) { return ask(box, nearest, WholeBox{}, Untold{}); }
+    PyramidQuery ask(const PixelBox& box, float nearest);
     /// The same of a shape inside the box (TriangleCover): only cells that it overlaps are asked, and of pixels those that it
     /// covers. told(CellWrite) is called right after each cell that is written on the way. Defined in pyramid_told.h.
     template <class Shape, class Told>
@@ -112,6 +116,13 @@ public:
     /// The pixels of the tile that holds (x, y), those outside the region included.
     PixelBox tileAt(int x, int y) const;
 
+    /// At most so many tiles are met by a box.
+    static std::size_t tilesIn(const PixelBox& box)
+    {
+        const auto side = [](int length) { return static_cast<std::size_t>((length >> kTileLevel) + 2); };
+        return side(box.x1 - box.x0) * side(box.y1 - box.y0);
+    }
+
     int               levels() const { return kTileLevel + static_cast<int>(m_levels.size()); }
     /// Stored values of a level from kTileLevel up, stale ones as they are.
     GridView<const float> stored(int level) const;
@@ -125,6 +136,10 @@ private:
     };
 
     PyramidQuery askAtCorners(const PixelBox& box, float nearest) const;
+    template <class Shape>
+    bool showsAtMiddle(const PixelBox& box, float nearest, const Shape& shape) const;
+    template <class Shape, class Told>
+    bool cellsHide(PyramidQuery& query, const Shape& shape, const Told& told);
     bool         isBehind(float nearest, float value) const { return nearest < value || (m_fault == Fault::EqualIsHidden && nearest == value); }
     float        kept(float a, float b) const { return (m_fault == Fault::NearestInCells) == (a < b) ? b : a; }
 
@@ -152,7 +167,8 @@ private:
     int                     m_firstRow = 0;
     int                     m_endRow   = 0;
     int                     m_width    = 0;
-    bool                    m_isComplete = false;
+    bool                    m_isComplete  = false;
+    bool                    m_readsPixels = false;  // a question may look at the picture: it is this frame's, and no rule is broken
     std::vector<Level>      m_levels;  // from kTileLevel up
     std::vector<std::array<int, 2>> m_changed;      // tiles that the triangle at hand has changed
     int                     m_cellsRead = 0;  // by the query at hand
@@ -163,7 +179,7 @@ private:
 
 extern template void         Pyramid::push(const PixelBox& box, const Untold& told);
 extern template void         Pyramid::pushFrom(const PixelBox& box, PushOrder order, const Untold& told);
-extern template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const WholeBox& shape, const Untold& told);
-extern template PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const TriangleCover& shape, const Untold& told);
+extern template bool         Pyramid::cellsHide(PyramidQuery& query, const WholeBox& shape, const Untold& told);
+extern template bool         Pyramid::cellsHide(PyramidQuery& query, const TriangleCover& shape, const Untold& told);
 
 }  // namespace zscope

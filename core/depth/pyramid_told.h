@@ -13,30 +13,61 @@
 
 namespace zscope {
 
+/// The quick answers: what is stored says yes, or a pixel in the middle says no. Inlined where it is asked; what they leave
+/// undecided is not.
 template <class Shape, class Told>
-PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Shape& shape, const Told& told)
+[[gnu::always_inline]] inline PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Shape& shape, const Told& told)
 {
     if (m_fault == Fault::CornersOnly) return askAtCorners(box, nearest);
-    const int width = box.x1 - box.x0, height = box.y1 - box.y0;
     const int y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow, x0 = box.x0, x1 = box.x1 - 1;
-    const auto   longest = static_cast<unsigned>(std::max(width, height));
-    PyramidQuery query{box, nearest, static_cast<int>(std::bit_width(longest)) - 1, 0, true, 0};
+    const auto   longest = static_cast<unsigned>(std::max(x1 - x0, y1 - y0)) + 1;
+    PyramidQuery query{box, nearest, static_cast<int>(std::bit_width(longest)) - 1, std::numeric_limits<float>::infinity(), true, 0};
     int&         level = query.level;
     if ((x1 >> level) - (x0 >> level) > 1 || (y1 >> level) - (y0 >> level) > 1) ++level;
     level = std::clamp(level, kTileLevel, levels() - 1);
 
-    m_cellsRead = 0;
-    query.value = std::numeric_limits<float>::infinity();
+    const Grid<float>& farthest = at(level).farthest;
     for (int y = y0 >> level; y <= y1 >> level; ++y) {
         for (int x = x0 >> level; x <= x1 >> level; ++x) {
             if (!shape.overlaps(pixelsOf(level, x, y, box))) continue;
-            query.hidden = query.hidden && cellHides(level, x, y, box, nearest, shape, told);
-            query.value  = std::min(query.value, at(level).farthest.at(x, y));
+            query.value = std::min(query.value, farthest.at(x, y));
+            ++query.cells;
+        }
+    }
+    if (query.cells == 0)
+        query.value = 0;
+    else if (!isBehind(nearest, query.value))
+        query.hidden = !showsAtMiddle(box, nearest, shape) && cellsHide(query, shape, told);
+    return query;
+}
+
+/// True if the pixel in the middle is enough to know that something could be seen.
+template <class Shape>
+bool Pyramid::showsAtMiddle(const PixelBox& box, float nearest, const Shape& shape) const
+{
+    if (!m_readsPixels) return false;
+    const int x = (box.x0 + box.x1) / 2, y = (box.y0 + box.y1) / 2;
+    return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->depthRow(y)[x]));
+}
+
+/// Cell by cell, each brought up to date if it must be. The query's value becomes what they hold then.
+template <class Shape, class Told>
+bool Pyramid::cellsHide(PyramidQuery& query, const Shape& shape, const Told& told)
+{
+    const PixelBox& box = query.box;
+    const int       level = query.level, y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow;
+    bool            hidden = true;
+    m_cellsRead = 0;
+    query.value = std::numeric_limits<float>::infinity();
+    for (int y = y0 >> level; y <= y1 >> level; ++y) {
+        for (int x = box.x0 >> level; x <= (box.x1 - 1) >> level; ++x) {
+            if (!shape.overlaps(pixelsOf(level, x, y, box))) continue;
+            hidden      = hidden && cellHides(level, x, y, box, query.nearest, shape, told);
+            query.value = std::min(query.value, at(level).farthest.at(x, y));
         }
     }
     query.cells = m_cellsRead;
-    if (query.cells == 0) query.value = 0;
-    return query;
+    return hidden;
 }
 
 template <class Told>
@@ -55,12 +86,14 @@ bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float near
 {
     ++m_cellsRead;
     if (isBehind(nearest, at(level).farthest.at(x, y))) return true;
-    if (at(level).stale.at(x, y) && isBehind(nearest, refresh(level, x, y, told))) return true;
+    const PixelBox within = pixelsOf(level, x, y, box);
+    const bool     isFew  = level == kTileLevel && m_readsPixels && (within.x1 - within.x0) * (within.y1 - within.y0) <= kFewPixels;
+    if (!isFew && at(level).stale.at(x, y) && isBehind(nearest, refresh(level, x, y, told))) return true;
 
     // Undecided: something in the cell is as far or farther. Is it inside the shape?
     if (level == kTileLevel && m_isComplete) return false;  // its pixels are another frame's now
     if (level == kTileLevel && m_isMasked) return false;  // its pixels are nobody's to read
-    if (level == kTileLevel) return pixelsHide(pixelsOf(level, x, y, box), nearest, shape);
+    if (level == kTileLevel) return pixelsHide(within, nearest, shape);
     const int below = level - 1;
     const int x0 = std::max(2 * x, box.x0 >> below), x1 = std::min(2 * x + 1, (box.x1 - 1) >> below);
     const int y0 = std::max(2 * y, (box.y0 - m_firstRow) >> below), y1 = std::min(2 * y + 1, (box.y1 - 1 - m_firstRow) >> below);

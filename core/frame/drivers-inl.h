@@ -72,14 +72,17 @@ struct ScanConvert {
     }
 
 private:
+    static constexpr std::uint64_t kWorthAsking = 32;
+
     template <Keep kKeep, class FragmentsOf>
     DrawnTriangles convert(TriangleList& triangles, const FragmentsOf& fragmentsOf) const
     {
         using Fragments = decltype(fragmentsOf(ScreenTriangle{}));
         // A large triangle may hide the next one; of small ones all are asked first, so that they can be drawn together.
-        const bool     asksInTurn = occlusion.asksTriangles && triangles.hasLarge();
+        const bool     asks       = asksTriangles(triangles);
+        const bool     asksInTurn = asks && triangles.hasLarge();
         DrawnTriangles all;
-        if (occlusion.asksTriangles && !asksInTurn)
+        if (asks && !asksInTurn)
             for (std::size_t i = 0; i < triangles.count; ++i) dropIfHidden(triangles, i, all);
 
         if constexpr (drawsBlocks<Fragments>()) {
@@ -123,6 +126,9 @@ private:
         finder.add(0, triangles.count, [&](std::size_t i) { draw<kKeep>(triangles[i], fragmentsOf); });
         testBlocks<kKeep>(triangles, blocks, stripe.visible, probe);
         if (occlusion.afterDrawing != AfterDrawing::MarkStale) return;
+        // Little triangles in many places of few tiles: their tiles at once.
+        const PixelBox reach = triangles.reach();
+        if (Pyramid::tilesIn(reach) <= triangles.count) return occlusion.pyramid->touched(reach);
         for (std::size_t i = 0; i < triangles.count; ++i)
             if (!triangles.isHidden(i)) occlusion.pyramid->touched(triangles.box(i));
     }
@@ -162,34 +168,42 @@ private:
         Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
     }
 
+    /// Where nodes are asked about, their triangles are once more only if they have kWorthAsking pixels or more on average: of
+    /// smaller ones a question costs more than the pixels that it could save.
+    bool asksTriangles(const TriangleList& triangles) const
+    {
+        if (!occlusion.asksTriangles || !occlusion.asksNodes) return occlusion.asksTriangles;
+        std::uint64_t pixels = 0;
+        for (std::size_t i = 0; i < triangles.count; ++i) pixels += pixelsOf(triangles.box(i));
+        return pixels >= kWorthAsking * triangles.count;
+    }
+
     void dropIfHidden(TriangleList& triangles, std::size_t i, DrawnTriangles& all) const
     {
-        if (!isHidden(triangles[i])) return;
+        if (!isHidden(triangles, i)) return;
         triangles.kind[i] |= TriangleList::kHidden;
         ++all.hidden;
         all.hiddenPixels += pixelsOf(triangles.box(i));
     }
 
-    template <class Shape>
-    PyramidQuery ask(const ScreenTriangle& triangle, const Shape& shape) const
+    bool isHidden(const TriangleList& triangles, std::size_t i) const
     {
-        return askPyramid(*occlusion.pyramid, triangle.box, triangle.depth.nearest, shape, rules, probe);
+        const auto ask = [&](const auto& shape) {
+            return askPyramid(*occlusion.pyramid, triangles.box(i), triangles.nearest[i], shape, rules, probe);
+        };
+        const PyramidQuery query = occlusion.asksByShape ? ask(TriangleCover(triangles[i], rules.notOwned())) : ask(WholeBox{});
+        const TriangleId   id{triangles.id[i]};
+        probe(PyramidAsked{query, nullptr, id});
+        if (query.hidden)
+            probe(TriangleHidden{id, query});
+        else
+            probe(TrianglePassed{id, query});
+        return query.hidden;
     }
 
     static std::uint64_t pixelsOf(const PixelBox& box)
     {
         return static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0);
-    }
-    bool isHidden(const ScreenTriangle& triangle) const
-    {
-        const PyramidQuery query = occlusion.asksByShape ? ask(triangle, TriangleCover(triangle, rules.notOwned()))
-                                                         : ask(triangle, WholeBox{});
-        probe(PyramidAsked{query, nullptr, triangle.id});
-        if (query.hidden)
-            probe(TriangleHidden{triangle.id, query});
-        else
-            probe(TrianglePassed{triangle.id, query});
-        return query.hidden;
     }
 };
 

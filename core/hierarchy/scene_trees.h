@@ -13,7 +13,7 @@ namespace zscope {
 class SceneTrees {
 public:
     static constexpr std::uint32_t kInstanceLeaf = 4;
-    static constexpr std::uint32_t kTriangleLeaf = 256;
+    static constexpr std::uint32_t kTriangleLeaf = 512;
 
     SceneTrees(const Scene& scene, TreeKind kind);
 

@@ -148,15 +148,18 @@ TEST(Pyramid, D3EveryCellOfAnySizeIsTheMinimumOfThePixelsThatExistOnceAQueryNeed
             for (int y = 0; y < stored.height; ++y)
                 for (int x = 0; x < stored.width; ++x) {
                     const PixelBox box   = screen.cell(level, x, y);
-                    const auto     query = screen.pyramid.ask(box, 2.0f);  // nothing hides that: all of it is looked at
-                    ASSERT_FALSE(query.hidden);
+                    // Hidden by a hair, so that no pixel denies it: all of it is looked at.
+                    const auto query = screen.pyramid.ask(box, std::nextafter(screen.farthest(box), 0.0f));
+                    ASSERT_TRUE(query.hidden);
                     if (query.level != level) continue;  // a cell that the border cuts is asked about further down
+                    const bool isFew = (box.x1 - box.x0) * (box.y1 - box.y0) <= Pyramid::kFewPixels;
+                    if (level == Pyramid::kTileLevel && isFew) continue;  // read without their tile
                     ++refreshed;
                     ASSERT_EQ(stored.at(x, y), screen.farthest(box)) << width << 'x' << height << ", level " << level;
                     ASSERT_EQ(query.value, screen.farthest(box));
                 }
         }
-        EXPECT_GT(refreshed, 0);
+        EXPECT_TRUE(refreshed > 0 || width * height <= Pyramid::kFewPixels) << width << 'x' << height;
         expectNoCellTooNear(screen);
     }
 }
