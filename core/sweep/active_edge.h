@@ -35,23 +35,24 @@ public:
     }
     /// A wide one: `side` stands at `place` in the edge table.
     ActiveEdge(const ScreenSide& side, std::uint32_t polygon, int line, int lastLine, std::uint32_t place, std::uint32_t winding)
-        : ActiveEdge(LineCrossing(), polygon, lastLine, place, winding)
+        : ActiveEdge(placed(side, line), polygon, lastLine, place, winding)
     {
         m_wide = 1;
-        placeWide(side, line);
     }
 
     /// True if such a side must be wide.
     static bool isTooTall(const ScreenSide& side) { return std::abs(side.ya - side.yb) >= static_cast<double>(LineCrossing::kTallest); }
 
-    void nextLine() { m_crossing.nextLine(); }
-    /// For wide edges only, instead of nextLine().
-    void placeWide(const ScreenSide& side, int line)
+    /// Where it meets the line at hand.
+    LineCrossing crossing() const { return m_crossing; }
+    void         standAt(LineCrossing crossing) { m_crossing = crossing; }
+    /// Where a wide edge meets a line that it crosses; the others step.
+    static LineCrossing placed(const ScreenSide& side, int line)
     {
-        const EdgeStepper<std::int64_t> exact = stepper<std::int64_t>(side, line, line);
-        const std::int64_t              x     = std::clamp(exact.x(), -kFarAway, kFarAway);
-        const double fraction = static_cast<double>(exact.fraction()) / static_cast<double>(exact.dy());
-        m_crossing            = LineCrossing::standing(x, fraction, side.ya > side.yb);
+        const EdgeStepper<std::int64_t> exact    = stepper<std::int64_t>(side, line, line);
+        const std::int64_t              x        = std::clamp(exact.x(), -kFarAway, kFarAway);
+        const double                    fraction = static_cast<double>(exact.fraction()) / static_cast<double>(exact.dy());
+        return LineCrossing::standing(x, fraction, side.ya > side.yb);
     }
 
     /// The exact stepper of a side at a line it crosses, computed from its ends.

@@ -2,14 +2,15 @@
 //
 // Order      by the crossing with the line's centre, as finely as LineCrossing holds it, so that crossings less than a
 //            hundred-thousandth of a subpixel apart may stand either way, which moves no pixel
-// Cost       per line one pass to drop, step and re-sort, and one merge of the newcomers, from the right, in place.
-//            Sorting is by insertion, as neighbours rarely change places, until that has moved more edges than sorting
-//            the line outright would: never worse than n log n
+// Cost       per line one pass that drops, steps and merges with the newcomers, from one list to another: what is read was not
+//            just written. Sorting is by insertion, as neighbours rarely change places, until that has moved more edges than
+//            sorting the line outright would: never worse than n log n
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/sweep/active_edge.h"
@@ -20,99 +21,100 @@ namespace zscope {
 
 class ActiveEdges {
 public:
-    void clear() { m_edges.clear(); }
+    void clear() { m_edges.count = 0; }
 
-    /// Moves on to line y: edges whose last line lies above it leave, the others step, and those that have crossed
-    /// change places.
+    /// Moves on to line y: edges whose last line lies above it leave, the others step, those of the table's bucket for the line
+    /// enter, and all stand from left to right.
     template <class Rules, class Probe>
     void advanceTo(int y, const EdgeTable& table, const Rules& rules, const Probe& probe)
     {
-        std::size_t  kept = 0;
-        NearlySorted order(m_edges, rules.sortsActiveEdges());
-        for (const ActiveEdge& edge : m_edges) {
+        const bool                        sorts    = rules.sortsActiveEdges();
+        const std::span<const ActiveEdge> entering = inOrder(table.startingAt(y), sorts);
+        NearlySorted order(m_next, m_edges.count + entering.size(), sorts);
+        std::size_t  entered = 0;
+        const auto   enter   = [&] {
+            probe(EdgeEntered{entering[entered], entering[entered].polygon()});
+            order.append(entering[entered], entering[entered].crossing());
+            ++entered;
+        };
+        for (const ActiveEdge& edge : m_edges.view()) {
             if (edge.lastLine() < y) {
                 probe(EdgeLeft{edge, edge.polygon()});
                 continue;
             }
-            ActiveEdge& stepped = m_edges[kept];
-            stepped             = edge;
-            if (stepped.isWide())
-                stepped.placeWide(table.sideOf(stepped), y);
-            else
-                stepped.nextLine();
-            order.include(kept++);
+            const LineCrossing now = edge.isWide() ? ActiveEdge::placed(table.sideOf(edge), y) : edge.crossing().onNextLine();
+            while (sorts && entered < entering.size() && entering[entered].crossing().isLeftOf(now)) enter();
+            order.append(edge, now);
         }
-        m_edges.erase(m_edges.begin() + static_cast<std::ptrdiff_t>(kept), m_edges.end());
+        while (entered < entering.size()) enter();
         order.finish();
+        std::swap(m_edges, m_next);
     }
 
-    /// Adds the edges of the table's bucket for line y, each in its place.
-    template <class Rules, class Probe>
-    void admit(int y, const EdgeTable& table, const Rules& rules, const Probe& probe)
-    {
-        const std::span<const ActiveEdge> starting = table.startingAt(y);
-        m_newcomers.assign(starting.begin(), starting.end());
-        NearlySorted order(m_newcomers, rules.sortsActiveEdges());
-        for (std::size_t i = 0; i < m_newcomers.size(); ++i) {
-            probe(EdgeEntered{m_newcomers[i], m_newcomers[i].polygon()});
-            order.include(i);
-        }
-        order.finish();
-        if (rules.sortsActiveEdges())
-            mergeNewcomers();
-        else
-            m_edges.insert(m_edges.end(), m_newcomers.begin(), m_newcomers.end());
-    }
-
-    std::span<const ActiveEdge> view() const { return m_edges; }
-    std::size_t bytes() const { return (m_edges.capacity() + m_newcomers.capacity()) * sizeof(ActiveEdge); }
+    std::span<const ActiveEdge> view() const { return m_edges.view(); }
+    std::size_t                 bytes() const { return m_edges.bytes() + m_next.bytes() + m_entering.bytes(); }
 
 private:
+    /// A vector that knows its size before it is filled, so that appending is storing.
+    struct List {
+        std::vector<ActiveEdge> edges;
+        std::size_t             count = 0;
+
+        void begin(std::size_t most)
+        {
+            if (edges.size() < most) edges.resize(2 * most);
+            count = 0;
+        }
+        std::span<const ActiveEdge> view() const { return std::span(edges).first(count); }
+        std::size_t                 bytes() const { return edges.capacity() * sizeof(ActiveEdge); }
+    };
+
     /// Insertion sort that gives up, and sorts outright at the end, once it has moved four times as many edges as there are.
     class NearlySorted {
     public:
-        NearlySorted(std::vector<ActiveEdge>& edges, bool sorts) : m_edges(edges), m_movesLeft(4 * edges.size()), m_sorts(sorts) {}
+        /// Fills `list` anew with at most `most` edges.
+        NearlySorted(List& list, std::size_t most, bool sorts) : m_list(list), m_movesLeft(4 * most + 1), m_sorts(sorts) { list.begin(most); }
 
-        /// The edges before `place` stand in order (or sorting by insertion has been given up): the one that stands there joins them.
-        void include(std::size_t place)
+        void append(const ActiveEdge& edge, LineCrossing crossing)
         {
-            if (place > 0 && m_edges[place].isLeftOf(m_edges[place - 1]) && m_sorts) moveLeft(place);
+            ActiveEdge* const place = m_list.edges.data() + m_list.count++;
+            *place                  = edge;
+            place->standAt(crossing);
+            if (m_list.count > 1 && crossing.isLeftOf(place[-1].crossing()) && m_sorts) moveLeft(m_list.count - 1);
         }
         void finish()
         {
             if (m_movesLeft > 0 || !m_sorts) return;
-            std::ranges::sort(m_edges, [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
+            std::ranges::sort(m_list.edges.begin(), m_list.edges.begin() + static_cast<std::ptrdiff_t>(m_list.count),
+                              [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
         }
 
     private:
         void moveLeft(std::size_t place)
         {
-            const ActiveEdge edge = m_edges[place];
-            for (; place > 0 && edge.isLeftOf(m_edges[place - 1]) && m_movesLeft > 0; --place, --m_movesLeft) m_edges[place] = m_edges[place - 1];
-            m_edges[place] = edge;
+            std::vector<ActiveEdge>& edges = m_list.edges;
+            const ActiveEdge         edge  = edges[place];
+            for (; place > 0 && edge.isLeftOf(edges[place - 1]) && m_movesLeft > 0; --place, --m_movesLeft) edges[place] = edges[place - 1];
+            edges[place] = edge;
         }
 
-        std::vector<ActiveEdge>& m_edges;
-        std::size_t              m_movesLeft;
-        bool                     m_sorts;
+        List&       m_list;
+        std::size_t m_movesLeft;
+        bool        m_sorts;
     };
 
-    /// The rightmost of both lists goes to the end, and so on, until the newcomers are used up.
-    void mergeNewcomers()
+    /// The edges of a bucket, which stand by pixels, by their places.
+    std::span<const ActiveEdge> inOrder(std::span<const ActiveEdge> bucket, bool sorts)
     {
-        std::size_t old = m_edges.size(), fresh = m_newcomers.size();
-        m_edges.insert(m_edges.end(), m_newcomers.begin(), m_newcomers.end());
-        while (fresh > 0) {
-            const std::size_t to = old + fresh - 1;
-            if (old > 0 && m_newcomers[fresh - 1].isLeftOf(m_edges[old - 1]))
-                m_edges[to] = m_edges[--old];
-            else
-                m_edges[to] = m_newcomers[--fresh];
-        }
+        NearlySorted order(m_entering, bucket.size(), sorts);
+        for (const ActiveEdge& edge : bucket) order.append(edge, edge.crossing());
+        order.finish();
+        return m_entering.view();
     }
 
-    std::vector<ActiveEdge> m_edges;      // from left to right
-    std::vector<ActiveEdge> m_newcomers;  // scratch
+    List m_edges;     // from left to right
+    List m_next;      // of the next line; scratch
+    List m_entering;  // likewise
 };
 
 }  // namespace zscope

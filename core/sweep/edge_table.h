@@ -2,7 +2,7 @@
 //
 // Lines      a band [firstLine, endLine) of the picture; an edge that begins above the band starts at firstLine
 // Edges      only those that cross the centre of a line; horizontal edges never do. Inside a bucket they are ordered by
-//            the pixel they enter at, so that the active edge table only has to merge them
+//            the quarter of a pixel they enter at, so that the active edge table only has to merge them
 // Sides      of wide edges, which are placed from them on every line; of the others only if somebody looks on
 // Polygons   triangles after set-up (one that the near plane cut in two is two parts with one id), or faces as they were read
 // Cost       two counting sorts, the first of numbers, the second of edges: linear in edges, lines and columns
@@ -32,7 +32,7 @@ public:
         m_keepsSides = sides == Sides::All;
         m_firstLine  = firstLine;
         m_endLine    = endLine;
-        m_width      = width;
+        m_columns    = std::min(width << kColumnBits, 0xFFFE);
         m_partCount  = 0;
         m_edgeCount  = 0;
         m_sides.clear();
@@ -58,7 +58,7 @@ public:
     {
         m_edges[m_edgeCount]    = edge;
         m_starts[m_edgeCount++] = {static_cast<std::uint16_t>(line - m_firstLine),
-                                   static_cast<std::uint16_t>(std::clamp(edge.firstPixel(), -1, m_width) + 1)};
+                                   static_cast<std::uint16_t>(std::clamp<std::int64_t>(edge.crossing().column(kColumnBits), -1, m_columns) + 1)};
     }
     /// The place of a side, which is kept if it must be.
     std::uint32_t add(const ScreenSide& side, bool isWide)
@@ -75,7 +75,7 @@ public:
             m_byLine.resize(m_edges.size());
         }
         const std::span<const Start> starts = std::span(m_starts).first(m_edgeCount);
-        countInto(m_bounds, &Start::column, m_width + 2);
+        countInto(m_bounds, &Start::column, m_columns + 2);
         for (std::uint32_t i = 0; i < starts.size(); ++i) m_byColumn[m_bounds[starts[i].column]++] = i;
 
         countInto(m_bounds, &Start::line, m_endLine - m_firstLine);
@@ -124,9 +124,11 @@ public:
 
 private:
     static constexpr std::size_t kMost = ActiveEdge::kMaxSide;
-    static_assert(kMaxPictureSide + 2 <= 0xFFFF);
+    static constexpr int         kColumnBits = 2;
+    static_assert(kMaxPictureSide <= 0xFFFF);
 
-    /// Where an edge enters, counted from the band's first line and from one pixel left of the picture.
+    /// Where an edge enters, counted from the band's first line and, in quarters of a pixel, from one left of the picture; the
+    /// right end of the widest pictures is one column.
     struct Start {
         std::uint16_t line, column;
     };
@@ -142,7 +144,7 @@ private:
 
     int                        m_firstLine  = 0;
     int                        m_endLine    = 0;
-    int                        m_width      = 0;
+    int                        m_columns    = 0;  // of the picture
     bool                       m_keepsSides = false;
     std::size_t                m_partCount  = 0;
     std::size_t                m_edgeCount  = 0;

@@ -3,7 +3,7 @@
 // Positions  one multiplication by 1/dy finds where an edge meets its first line, and what is added on every line (LineCrossing says
 //            how exact that is)
 // Lanes      the same side of neighbouring triangles; what is stored in the table is stored one by one
-// Cost       per side some ten nanoseconds in one lane, two in eight
+// Cost       one division per side, and storing it
 #if defined(ZSCOPE_ENTER_EDGES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_ENTER_EDGES_INL_H
 #undef ZSCOPE_ENTER_EDGES_INL_H

@@ -35,10 +35,12 @@ public:
         return crossing;
     }
 
-    void nextLine() { m_x += m_step; }
+    LineCrossing onNextLine() const { return {m_x + m_step, m_step}; }
 
     /// The first pixel whose centre is not left of the crossing.
     int firstPixel() const { return static_cast<int>(m_x >> (kShift + 8)); }
+    /// The same in 1/2^bits pixel.
+    std::int64_t column(int bits) const { return m_x >> (kShift + 8 - bits); }
     /// The crossing in subpixels, rounded down.
     std::int64_t x() const { return (m_x + kToPixel) >> kShift; }
     bool         isLeftOf(const LineCrossing& other) const { return m_x < other.m_x; }

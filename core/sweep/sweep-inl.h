@@ -29,7 +29,6 @@ void sweep(const EdgeTable& edges, ActiveEdges& active, ActivePolygons& polygons
     for (int y = edges.firstLine(); y < edges.endLine() && !progress.cancelled(); ++y) {
         if (probe.leavesOut(Checkpoint::Line)) continue;
         active.advanceTo(y, edges, rules, probe);
-        active.admit(y, edges, rules, probe);
         probe(ScanlineReady{y, active.view()});
         resolve.line(y, active.view(), polygons, probe);
         probe(ScanlineFinished{y});

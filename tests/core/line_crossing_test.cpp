@@ -40,7 +40,7 @@ int expectExact(const Edge& e, int height)
     if (first >= end) return 0;
     const Wide   dx = Wide{e.xb} - e.xa, dy = Wide{e.yb} - e.ya;
     LineCrossing closing = crossingOf(e, first), opening = crossingOf(e, first, true);
-    for (int y = first; y < end; ++y, closing.nextLine(), opening.nextLine()) {
+    for (int y = first; y < end; ++y, closing = closing.onNextLine(), opening = opening.onNextLine()) {
         const Wide run = dx * (Wide{256} * y + 128 - e.ya);
         const Wide x   = e.xa + floorOf(run, dy), rest = run - floorOf(run, dy) * dy;
         const Wide pixel = -floorOf(-((x - 128) * dy + rest), 256 * dy);  // 256 i + 128 >= x + rest / dy
