@@ -6,7 +6,7 @@
 // Order      octree: the eye's octant first, then across one splitting plane, two, three. An affine placement keeps planes
 //            planes, so the eye is taken into the tree's own space. What straddles the planes has no exact place between
 //            the octants: it comes before the first octant whose box is farther from the eye. BVH: the nearer box first.
-//            Instances of one node: the nearer box first. Triangles of one batch, where they are large: the nearer first
+//            Instances and batches of one node: the nearer box first. Triangles of one batch, where they are large: the nearer first
 // Recall     with a memory of the last frame: what it saw is drawn first, unasked, in the order in which it came then; the
 //            visit that follows judges it again, to learn whether it stays remembered, but does not draw it twice (NodeMemory)
 // Promise    skips only what cannot win a pixel (StripeVolume, NodeReach, Pyramid); a node that reaches before the near
@@ -22,7 +22,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -131,7 +133,7 @@ private:
         });
     }
 
-    /// The node's own triangles, batch by batch.
+    /// The node's own triangles, batch by batch, the nearest box first.
     DrawnTriangles drawOwn(const PlacedTree& placed, const TreeNode& node)
     {
         const Mesh&        mesh    = m_scene.meshOf(placed.instance);
@@ -139,7 +141,8 @@ private:
         const Affine*      toWorld = placed.toWorld.isIdentity() ? nullptr : &placed.toWorld;
         DrawnTriangles     all;
         m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size() - batches.triangleCount())});
-        for (const Batch& batch : batches.batches) {
+        for (const WaitingBatch& next : inOrder(placed, batches)) {
+            const Batch& batch = batches.batches[next.batch];
             if (m_stripe.progress.cancelled()) break;
             if (m_probe.leavesOut(Checkpoint::Batch)) continue;
             m_clock.lap(Stage::Cull);
@@ -149,6 +152,21 @@ private:
             all.add(m_consume(m_scratch.triangles));
         }
         return all;
+    }
+
+    std::span<const WaitingBatch> inOrder(const PlacedTree& placed, const MeshBatches& batches)
+    {
+        std::vector<WaitingBatch>& waiting = m_scratch.batches;
+        waiting.clear();
+        for (std::uint32_t b = 0; b < batches.batches.size(); ++b) {
+            const double away = distance(placed.eye, batches.batches[b].bounds);
+            waiting.push_back({away >= 0 ? away : 0, b});  // a flat placement has no place for the eye
+        }
+        const double sign = m_rules.visitsFarFirst() ? -1 : 1;
+        std::ranges::sort(waiting, [sign](const WaitingBatch& a, const WaitingBatch& b) {
+            return std::pair(sign * a.distance, a.batch) < std::pair(sign * b.distance, b.batch);
+        });
+        return waiting;
     }
 
     /// The order of large triangles: one that is hidden saves more pixels than its place costs. The parts of a clipped triangle

@@ -44,6 +44,12 @@ struct WaitingInstance {
     InstanceId instance;
 };
 
+/// A batch of a node that is being drawn, likewise.
+struct WaitingBatch {
+    double        distance;
+    std::uint32_t batch;  // into MeshBatches::batches
+};
+
 /// Scratch memory of one thread, reused frame after frame.
 struct StripeScratch {
     ScreenVertices   vertices;
@@ -58,12 +64,13 @@ struct StripeScratch {
     BlendScratch     blend;    // scenes with transparent surfaces only
     NodeMemory       memory;   // methods with coherence only
 
-    std::vector<WaitingInstance> instances;  // hierarchical methods only
+    std::vector<WaitingInstance> instances;  // hierarchical methods only, like the next
+    std::vector<WaitingBatch>    batches;
 
     std::size_t bytes() const
     {
         return sizeof(*this) + triangles.bytes() + sorted.capacity() * sizeof(ScreenTriangle) + blocks.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
-               instances.capacity() * sizeof(WaitingInstance) + pyramid.bytes() +
+               instances.capacity() * sizeof(WaitingInstance) + batches.capacity() * sizeof(WaitingBatch) + pyramid.bytes() +
                blend.bytes() + memory.bytes();
     }
 };

@@ -140,6 +140,29 @@ TEST(VisitOrder, OfTheInstancesIsFrontToBackToo)
     EXPECT_GT(pairs, 1000u);
 }
 
+TEST(VisitOrder, OfTheBatchesOfANodeIsFrontToBackToo)
+{
+    // Quads that cover the picture, in one node of several batches: whatever is nearest comes first and hides the rest.
+    std::array<std::uint64_t, 2> tested{};
+    for (const bool fromBack : {false, true}) {
+        auto loaded = loadScene(fromBack ? "builtin:layers?count=200&order=back" : "builtin:layers?count=200");
+        ASSERT_TRUE(loaded.ok());
+        DrawRequest request;
+        request.scene    = std::make_shared<const PreparedScene>(std::make_shared<const Scene>(*std::move(loaded)));
+        request.camera   = cameraAt({0, 0, 0}, {0, 0, -1});
+        request.pipeline = findPreset("hzb-octree")->pipeline;
+        Renderer                renderer;
+        const Result<FrameWork> work = renderer.count(request);
+        ASSERT_TRUE(work.ok());
+        for (const NamedCount& count : work->counters)
+            if (count.name == "pixels_tested") tested[fromBack] = count.value;
+        const Tree& tree = treesOf(*request.scene, TreeKind::Octree).mesh(MeshId{0});
+        ASSERT_GT(tree.batchesOf(tree.root(), *request.scene->scene().meshes[0]).batches.size(), 1u);
+    }
+    EXPECT_GT(tested[0], 0u);
+    EXPECT_EQ(tested[0], tested[1]);
+}
+
 TEST(VisitOrder, TheCriterionSeesAWrongOrder)
 {
     // The eye beyond the upper corner: octant 7 may hide octant 0, and not the other way round.
