@@ -24,7 +24,7 @@ inline constexpr std::array kCullChoices{
     ChoiceEntry{"frustum", "What lies outside the view"},
     ChoiceEntry{"nodes", "Also nodes that the pyramid hides"},
     ChoiceEntry{"triangles", "Also triangles that the pyramid hides"},
-    ChoiceEntry{"nodes-triangles", "Also nodes and triangles that the pyramid hides"},
+    ChoiceEntry{"nodes-triangles", "Also nodes that the pyramid hides, and triangles that are not small"},
 };
 
 inline constexpr std::array kUpkeepChoices{
