@@ -168,11 +168,12 @@ private:
         Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
     }
 
-    /// Where nodes are asked about, their triangles are once more only if they have kWorthAsking pixels or more on average: of
-    /// smaller ones a question costs more than the pixels that it could save.
+    /// Where nodes are asked about and questions bring cells up to date, triangles of such a node are asked about only if they
+    /// have kWorthAsking pixels or more on average: of smaller ones a question costs more than the pixels that it could save.
     bool asksTriangles(const TriangleList& triangles) const
     {
-        if (!occlusion.asksTriangles || !occlusion.asksNodes) return occlusion.asksTriangles;
+        if (!occlusion.asksNodes || occlusion.afterDrawing != AfterDrawing::MarkStale) return occlusion.asksTriangles;
+        if (!occlusion.asksTriangles) return false;
         std::uint64_t pixels = 0;
         for (std::size_t i = 0; i < triangles.count; ++i) pixels += pixelsOf(triangles.box(i));
         return pixels >= kWorthAsking * triangles.count;
