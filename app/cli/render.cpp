@@ -38,7 +38,7 @@ std::uint64_t coveredPixels(const VisibilityBuffer& visible)
     std::uint64_t covered = 0;
     for (int y = 0; y < visible.height(); ++y)
         covered += static_cast<std::uint64_t>(visible.width()
-                                              - std::count(visible.rankRow(y), visible.rankRow(y) + visible.width(), 0u));
+                                              - std::count_if(visible.row(y), visible.row(y) + visible.width(), [](PixelKey key) { return rankOf(key) == 0; }));
     return covered;
 }
 

@@ -108,7 +108,7 @@ PyramidQuery Pyramid::askAtCorners(const PixelBox& box, float nearest) const
     PyramidQuery query{box, nearest, 0, std::numeric_limits<float>::infinity(), true, 4};
     for (const int y : {box.y0, box.y1 - 1})
         for (const int x : {box.x0, box.x1 - 1})
-            query.value = std::min(query.value, m_visible->isReadable(x, y) ? m_visible->depthRow(y)[x] : m_visible->empty());
+            query.value = std::min(query.value, m_visible->isReadable(x, y) ? m_visible->storedAt(x, y) : m_visible->empty());
     query.hidden = isBehind(nearest, query.value);
     return query;
 }
@@ -121,21 +121,19 @@ float Pyramid::farthestPixel(int tileX, int tileY) const
     if (m_fault == Fault::OddPadded && (x1 - x0 < kTile || y1 - y0 < kTile)) return std::numeric_limits<float>::infinity();
     if (!m_visible->isReadable(x0, y0)) return m_visible->empty();
     if (x1 - x0 < kTile || m_fault == Fault::NearestInCells) {
-        float all = m_visible->depthRow(y0)[x0];
+        float all = m_visible->storedAt(x0, y0);
         for (int y = y0; y < y1; ++y)
-            for (int x = x0; x < x1; ++x) all = kept(all, m_visible->depthRow(y)[x]);
+            for (int x = x0; x < x1; ++x) all = kept(all, m_visible->storedAt(x, y));
         return all;
     }
     // Column by column, then across: eight minima side by side, which the compiler keeps in vectors.
-    std::array<float, kTile> least;
-    std::copy_n(m_visible->depthRow(y0) + x0, kTile, least.begin());
-    for (int y = y0 + 1; y < y1; ++y) {
-        const float* row = m_visible->depthRow(y) + x0;
-        for (std::size_t x = 0; x < kTile; ++x) least[x] = row[x] < least[x] ? row[x] : least[x];
+    std::array<std::int32_t, kTile> least;  // upper halves of keys, which compare as depths do
+    least.fill(std::numeric_limits<std::int32_t>::max());
+    for (int y = y0; y < y1; ++y) {
+        const PixelKey* row = m_visible->row(y) + x0;
+        for (std::size_t x = 0; x < kTile; ++x) least[x] = std::min(least[x], static_cast<std::int32_t>(row[x] >> 32));
     }
-    for (std::size_t half = kTile / 2; half > 0; half /= 2)
-        for (std::size_t x = 0; x < half; ++x) least[x] = least[x + half] < least[x] ? least[x + half] : least[x];
-    return least[0];
+    return depthOf(PixelKey{std::ranges::min(least)} << 32);
 }
 
 GridView<const float> Pyramid::stored(int level) const

@@ -109,9 +109,9 @@ bool Pyramid::pixelsHide(const PixelBox& box, float nearest, const Shape& shape)
 {
     if (!m_visible->isReadable(box.x0, box.y0)) return false;  // nothing is drawn here
     for (int y = box.y0; y < box.y1; ++y) {
-        const float* depth = m_visible->depthRow(y);
+        const PixelKey* row = m_visible->row(y);
         for (int x = box.x0; x < box.x1; ++x)
-            if (!isBehind(nearest, depth[x]) && shape.covers(x, y)) return false;
+            if (!isBehind(nearest, depthOf(row[x])) && shape.covers(x, y)) return false;
     }
     return true;
 }

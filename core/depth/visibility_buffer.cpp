@@ -12,9 +12,7 @@ void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encodi
     m_width  = width;
     m_height = height;
     m_stride = static_cast<std::size_t>((width + 2 * kRowPadding - 1) / kRowPadding * kRowPadding);
-    const std::size_t lines = m_stride * static_cast<std::size_t>((height + 1) / 2 * 2) / (sizeof(CacheLine<float>) / sizeof(float));
-    m_depth.resize(lines);
-    m_rank.resize(lines + kRankShift);
+    m_keys.resize(m_stride * static_cast<std::size_t>((height + 1) / 2 * 2) * sizeof(PixelKey) / sizeof(CacheLine));
     m_tiles.reset((width + kTileWidth - 1) / kTileWidth, (height + kTileLines - 1) / kTileLines, Tile::Stale);
 }
 
@@ -39,10 +37,8 @@ void VisibilityBuffer::finishRows(int first, int end)
 void VisibilityBuffer::clearTile(int x, int y)
 {
     const int left = x * kTileWidth, width = std::min(kTileWidth, static_cast<int>(m_stride) - left);
-    for (int line = y * kTileLines; line < std::min((y + 1) * kTileLines, m_height); ++line) {
-        std::fill_n(depthRow(line) + left, width, empty());
-        std::fill_n(rankRow(line) + left, width, 0u);
-    }
+    for (int line = y * kTileLines; line < std::min((y + 1) * kTileLines, m_height); ++line)
+        std::fill_n(row(line) + left, width, keyOf(empty(), 0));
 }
 
 Picture pictureOf(const VisibilityBuffer& visible)

@@ -1,8 +1,8 @@
 // The picture before it has colours: per pixel the depth of the winner and which triangle it is.
 //
+// Keys       a pixel's depth and triangle are one number (core/depth/pixel_key.h), the larger of two is the winner's
 // Depth      n/z as float32 (or as DepthEncoding says), larger is nearer. Background holds a value just below
 //            everything that may be kept, which makes the far test free; depthAt() reports it as 0
-// Rank       triangle id + 1; 0 is background. On equal depth the lower rank wins, so background never does
 // Rows       padded to kRowPadding values, so that a vector may be loaded at any pixel of the picture; and an odd number of
 //            rows to an even one. What is written there is read by nobody
 // Emptying   costs what was drawn, not what there is: tiles of kTileWidth x kTileLines pixels know whether they were drawn
@@ -19,6 +19,7 @@
 
 #include "core/base/depth_format.h"
 #include "core/base/grid.h"
+#include "core/depth/pixel_key.h"
 #include "core/geometry/pixel_box.h"
 
 namespace zscope {
@@ -61,20 +62,22 @@ public:
     int   height() const { return m_height; }
     float empty() const { return m_encoding.empty; }
 
-    /// Values from a pixel to the one below it.
+    /// Keys from a pixel to the one below it.
     std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(m_stride); }
 
-    float*               depthRow(int y) { return m_depth.data()->values + offset(y); }
-    const float*         depthRow(int y) const { return m_depth.data()->values + offset(y); }
-    std::uint32_t*       rankRow(int y) { return m_rank.data()[kRankShift].values + offset(y); }
-    const std::uint32_t* rankRow(int y) const { return m_rank.data()[kRankShift].values + offset(y); }
+    PixelKey*       row(int y) { return m_keys.data()->keys + offset(y); }
+    const PixelKey* row(int y) const { return m_keys.data()->keys + offset(y); }
 
+    /// 0 is background, else triangle id + 1.
+    std::uint32_t rankAt(int x, int y) const { return rankOf(row(y)[x]); }
+    /// Depth as the encoding stores it.
+    float storedAt(int x, int y) const { return depthOf(row(y)[x]); }
     /// Depth as it is reported: near/z, 0 for background.
-    float depthAt(int x, int y) const { return rankRow(y)[x] == 0 ? 0.0f : m_encoding.depthOf(depthRow(y)[x]); }
+    float depthAt(int x, int y) const { return rankAt(x, y) == 0 ? 0.0f : m_encoding.depthOf(storedAt(x, y)); }
     /// Triangle id, or -1 for background.
-    std::int64_t idAt(int x, int y) const { return static_cast<std::int64_t>(rankRow(y)[x]) - 1; }
+    std::int64_t idAt(int x, int y) const { return static_cast<std::int64_t>(rankAt(x, y)) - 1; }
 
-    std::size_t bytes() const { return m_depth.capacity() * sizeof(m_depth[0]) + m_rank.capacity() * sizeof(m_rank[0]); }
+    std::size_t bytes() const { return m_keys.capacity() * sizeof(m_keys[0]); }
 
 private:
     enum class Tile : std::uint8_t {
@@ -92,23 +95,18 @@ private:
     void clearTile(int x, int y);
 
     /// A cache line: rows begin on one, so that no aligned vector crosses a border.
-    template <class T>
     struct alignas(64) CacheLine {
-        T values[64 / sizeof(T)];
+        PixelKey keys[64 / sizeof(PixelKey)];
     };
-    /// Lines before the first rank. Large allocations begin at the same place of a page; a processor that compares the low
-    /// twelve bits of addresses would take the rank of a pixel for its depth, and wait.
-    static constexpr std::size_t kRankShift = 32;
 
     std::size_t offset(int y) const { return static_cast<std::size_t>(y) * m_stride; }
 
-    int                                   m_width  = 0;
-    int                                   m_height = 0;
-    std::size_t                           m_stride = 0;  // >= m_width + kRowPadding
-    DepthEncoding                         m_encoding;
-    Grid<Tile>                            m_tiles;
-    std::vector<CacheLine<float>>         m_depth;  // m_stride * m_height values, rounded up to even rows
-    std::vector<CacheLine<std::uint32_t>> m_rank;   // likewise, after kRankShift lines
+    int                    m_width  = 0;
+    int                    m_height = 0;
+    std::size_t            m_stride = 0;  // >= m_width + kRowPadding
+    DepthEncoding          m_encoding;
+    Grid<Tile>             m_tiles;
+    std::vector<CacheLine> m_keys;  // m_stride * m_height of them, rounded up to even rows
 };
 
 /// The reported picture, as the files ids.npy and depth.npy hold it.

@@ -39,7 +39,7 @@ template <class Scan, class Rules, class Probe>
 struct ScanConvert {
     const Pass&      pass;
     const Stripe&    stripe;
-    BlockList&       blocks;
+    WindowList&      windows;
     const Occlusion& occlusion;
     StageClock&      clock;
     const Rules&     rules;
@@ -85,7 +85,7 @@ private:
         if (asks && !asksInTurn)
             for (std::size_t i = 0; i < triangles.count; ++i) dropIfHidden(triangles, i, all);
 
-        if constexpr (drawsBlocks<Fragments>()) {
+        if constexpr (drawsWindows<Fragments>()) {
             if (!asksInTurn && !needsEachAtOnce()) {
                 drawTogether<kKeep>(triangles, fragmentsOf);
                 all.drawn = static_cast<std::uint32_t>(triangles.count) - all.hidden;
@@ -98,16 +98,16 @@ private:
             ++all.drawn;
             const ScreenTriangle triangle = triangles[i];
             probe(TriangleReached{triangle});
-            if (!drawByBlocks<kKeep, Fragments>(triangles, i)) draw<kKeep>(triangle, fragmentsOf);
+            if (!drawByWindows<kKeep, Fragments>(triangles, i)) draw<kKeep>(triangle, fragmentsOf);
             if (!pass.tiles) keepTrue(occlusion, triangle, rules, probe);
             probe(TriangleFinished{triangle.id});
         }
         return all;
     }
 
-    /// True if such fragments may be drawn by blocks.
+    /// True if such fragments may be drawn by windows.
     template <class Fragments>
-    static constexpr bool drawsBlocks()
+    static constexpr bool drawsWindows()
     {
         return std::is_same_v<Scan, HalfSpace> && Rules::kExact && Fragments::kMoment == ShadingMoment::Never;
     }
@@ -122,9 +122,9 @@ private:
     template <Keep kKeep, class FragmentsOf>
     void drawTogether(const TriangleList& triangles, const FragmentsOf& fragmentsOf) const
     {
-        BlockFinder finder(triangles, rules.notOwned(), blocks);
+        WindowFinder finder(triangles, windows);
         finder.add(0, triangles.count, [&](std::size_t i) { draw<kKeep>(triangles[i], fragmentsOf); });
-        testBlocks<kKeep>(triangles, blocks, stripe.visible, probe);
+        testWindows<kKeep>(triangles, windows, stripe.visible, probe);
         if (occlusion.afterDrawing != AfterDrawing::MarkStale) return;
         // Little triangles in many places of few tiles: their tiles at once.
         const PixelBox reach = triangles.reach();
@@ -133,16 +133,16 @@ private:
             if (!triangles.isHidden(i)) occlusion.pyramid->touched(triangles.box(i));
     }
 
-    /// False if the triangle is none of those that are drawn by blocks.
+    /// False if the triangle is none of those that are drawn by windows.
     template <Keep kKeep, class Fragments>
-    bool drawByBlocks(const TriangleList& triangles, std::size_t i) const
+    bool drawByWindows(const TriangleList& triangles, std::size_t i) const
     {
-        if constexpr (!drawsBlocks<Fragments>()) return false;
+        if constexpr (!drawsWindows<Fragments>()) return false;
         if (pass.tiles) return false;
         bool        isDrawn = true;
-        BlockFinder finder(triangles, rules.notOwned(), blocks);
+        WindowFinder finder(triangles, windows);
         finder.add(i, i + 1, [&](std::size_t) { isDrawn = false; });
-        testBlocks<kKeep>(triangles, blocks, stripe.visible, probe);
+        testWindows<kKeep>(triangles, windows, stripe.visible, probe);
         return isDrawn;
     }
 
@@ -217,13 +217,13 @@ void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratc
     scratch.memory.begin(trees);
     probe(PassStarted{1});
     const Occlusion blind;
-    const Convert   drawAll{pass, stripe, scratch.blocks, blind, clock, rules, probe};
+    const Convert   drawAll{pass, stripe, scratch.windows, blind, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, probe, &scratch.memory).drawRemembered();
     scratch.pyramid.allTouched();
     clock.lap(Stage::Upkeep);
 
     probe(PassStarted{2});
-    const Convert drawUnhidden{pass, stripe, scratch.blocks, occlusion, clock, rules, probe};
+    const Convert drawUnhidden{pass, stripe, scratch.windows, occlusion, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, occlusion, clock, drawUnhidden, rules, probe, &scratch.memory).visitScene();
     scratch.memory.finish();
 }
@@ -233,7 +233,7 @@ template <class Scan, class Rules, class Probe>
 void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, StripeScratch& scratch,
               const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
 {
-    const ScanConvert<Scan, Rules, Probe> convert{pass, stripe, scratch.blocks, occlusion, clock, rules, probe};
+    const ScanConvert<Scan, Rules, Probe> convert{pass, stripe, scratch.windows, occlusion, clock, rules, probe};
     if (pipeline.order == Order::Submitted) {
         visitAsSubmitted(stripe, scratch, clock, convert, rules, probe);
         return;

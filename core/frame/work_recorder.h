@@ -156,7 +156,7 @@ public:
     void shadedOnce(const VisibilityBuffer& visible)
     {
         for (int y = 0; y < visible.height(); ++y)
-            for (int x = 0; x < visible.width(); ++x) m_fragmentsShaded += visible.rankRow(y)[x] != 0;
+            for (int x = 0; x < visible.width(); ++x) m_fragmentsShaded += visible.rankAt(x, y) != 0;
     }
     void observe(const FragmentsJudged& e)
     {

@@ -39,7 +39,7 @@ struct FaceScratch {
     std::size_t bytes() const
     {
         return view.capacity() * sizeof(dvec3) + screen.capacity() * sizeof(ScreenCorner) + where.capacity() * sizeof(Where) +
-               sides.capacity() * sizeof(ScreenSide) + fates.capacity() * sizeof(EarFate) + parts.bytes();
+               sides.capacity() * sizeof(ScreenSide) + fates.capacity() * sizeof(EarFate);
     }
 };
 

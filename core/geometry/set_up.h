@@ -1,6 +1,7 @@
 // From a batch's vertices to the list of triangles that reach the pixels of a region.
 //
-// Plain      batches wholly in front of the near plane and inside the guard band: corners by index
+// Plain      batches wholly in front of the near plane and inside the guard band: corners by index (set_up-inl.h does several
+//            triangles side by side)
 // Careful    the others: each triangle from its positions, cut at the near plane, every corner checked
 // Promise    each triangle's fate is told once (TriangleSetUp); parts keep the triangle's id
 #pragma once
@@ -22,23 +23,20 @@ struct BatchPlace {
     TriangleId idOf(std::uint32_t triangle) const { return {firstTriangle + mesh.meshTriangle[triangle]}; }
 };
 
+/// One triangle of a plain batch.
 template <class Rules, class Probe>
-[[gnu::always_inline]] inline void setUpPlain(const BatchPlace& place, const ScreenVertices& vertices, FaceCulling culling, const PixelBox& region,
-                const Rules& rules, TriangleList& out, const Probe& probe)
+[[gnu::always_inline]] inline void setUpOne(const BatchPlace& place, std::uint32_t t, const ScreenVertices& vertices, FaceCulling culling,
+                                            const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe)
 {
-    const std::uint32_t first   = place.batch.firstTriangle;
-    const auto&         corners = place.mesh.corners;
-    out.reserve(out.count + place.batch.triangleCount);
-    for (std::uint32_t t = first; t < first + place.batch.triangleCount; ++t) {
-        ScreenTriangle made;
-        const SetUp    fate = setUpTriangle(vertices.corner(corners[0][t]), vertices.corner(corners[1][t]),
-                                            vertices.corner(corners[2][t]), place.idOf(t), false, culling, region, rules, made);
-        if (fate == SetUp::Drawn) {
-            made.patterned = place.mesh.isPatterned(t);
-            out.add(made);
-        }
-        probe(TriangleSetUp{place.idOf(t), fate, false, false});
+    const auto&    corners = place.mesh.corners;
+    ScreenTriangle made;
+    const SetUp    fate = setUpTriangle(vertices.corner(corners[0][t]), vertices.corner(corners[1][t]), vertices.corner(corners[2][t]),
+                                        place.idOf(t), false, culling, region, rules, made);
+    if (fate == SetUp::Drawn) {
+        made.patterned = place.mesh.isPatterned(t);
+        out.add(made);
     }
+    probe(TriangleSetUp{place.idOf(t), fate, false, false});
 }
 
 /// `view` must lie at or beyond the near plane.
@@ -89,7 +87,6 @@ SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId d
         if (partFate == SetUp::Drawn) {
             wide           = wide || made.wide;
             made.patterned = patterned;
-            out.reserve(out.count + 1);
             out.add(made);
         }
         if (fate != SetUp::Drawn) fate = partFate;

@@ -89,6 +89,11 @@ struct VertexStage {
             hn::StoreU(wide(d), d64, out.d.data() + i);
             hn::StoreU(xs, d64, out.xs.data() + i);
             hn::StoreU(ys, d64, out.ys.data() + i);
+            if constexpr (Rules::kExact) {
+                const hn::Rebind<std::int32_t, F64> i32;
+                hn::StoreU(hn::DemoteTo(i32, xs), i32, out.sx.data() + i);
+                hn::StoreU(hn::DemoteTo(i32, ys), i32, out.sy.data() + i);
+            }
         }
         out.plain = hn::GetLane(hn::MaxOfLanes(d64, worst)) == 0;
     }

@@ -1,8 +1,13 @@
 // The screen triangles of one batch, structure of arrays, so that lanes write and read several of them side by side.
 //
-// Columns    one vector per number of a ScreenTriangle, entry i of each is triangle i; corners are turned as there
-// Room       whole vectors may be stored from the entry after the last: reserve() leaves kBatchPadding entries behind it
+// Columns    one array per number of a triangle, entry i of each is triangle i; corners are turned as in ScreenTriangle
+// Compact    triangles whose sides are below kCompactSide and whose corners are whole numbers carry their edges too, in float32, which
+//            holds them exactly: an edge value at a pixel centre is 256 times an integer plus what it is at the first pixel.
+//            Divided by 256 and rounded down it keeps its sign, and is an integer below 2^24
+// Room       fixed: a batch's triangles, each of which the near plane may cut in two. Whole vectors may be stored from the entry
+//            after the last
 // Cost       putting one ScreenTriangle together reads twenty columns: for whoever takes triangles one by one
+// Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #pragma once
 
 #include <algorithm>
@@ -16,38 +21,53 @@
 
 namespace zscope {
 
+/// Sides of compact triangles stay below this, in subpixels along each axis: 64 pixels.
+inline constexpr std::int32_t kCompactSide = 16384;
+inline bool isCompact(const ScreenTriangle& t)
+{
+    const auto reach = [](const std::array<double, 3>& at) { return std::max({at[0], at[1], at[2]}) - std::min({at[0], at[1], at[2]}); };
+    return std::max(reach(t.x), reach(t.y)) < kCompactSide;
+}
+/// Compact triangles become pixels by windows of so many pixels and lines, the first of them at (x0, top).
+inline constexpr int kWindowSide = 4;
+
 struct TriangleList {
-    static constexpr std::int64_t kLarge = 256;
+    static constexpr std::int64_t kLarge    = 256;
+    static constexpr std::size_t  kCapacity = 2 * kBatchTriangles;
 
     enum Kind : std::int32_t {
         kFront     = 1,  // as ScreenTriangle::front, wide, patterned
         kWide      = 2,
         kPatterned = 4,
-        kHidden    = 8,  // found hidden after set-up: is not to be drawn
+        kHidden    = 8,   // found hidden after set-up: is not to be drawn
+        kCompact   = 16,  // its corners are in sx and sy, not in x and y, and its edges, top and centres are there
     };
 
-    std::size_t                         count = 0;
-    std::array<std::vector<double>, 3>  x, y;               // snapped corners
-    std::vector<double>                 a, b, c;            // of the depth plane
-    std::vector<float>                  farthest, nearest;  // likewise
-    std::vector<std::uint32_t>          id;
-    std::vector<std::int32_t>           x0, y0, x1, y1;     // box
-    std::vector<std::int32_t>           kind;
+    template <class T>
+    using Column = std::array<T, kCapacity + kBatchPadding>;
+
+    std::size_t count = 0;
+
+    alignas(64) std::array<Column<std::int32_t>, 3> sx, sy;  // snapped corners of compact triangles
+    alignas(64) std::array<Column<double>, 3> x, y;          // of the others
+    alignas(64) Column<double> a, b, c;                      // of the depth plane
+    alignas(64) Column<float> farthest, nearest;             // likewise
+    alignas(64) Column<std::uint32_t> id;
+    alignas(64) Column<std::int32_t> x0, y0, x1, y1;         // box
+    alignas(64) Column<std::int32_t> kind;
+
+    // Of compact triangles.
+    alignas(64) Column<std::int32_t> top;                               // first line of their windows
+    alignas(64) std::array<Column<float>, 3> origin, perPixel, perLine;  // edges, counted from pixel (x0, top)
+    alignas(64) std::array<Column<std::int32_t>, 3> vertex;             // corners as they were given: positions in the batch
 
     bool isEmpty() const { return count == 0; }
     void clear() { count = 0; }
 
-    /// Room for so many triangles in all. What is in the list stays.
-    void reserve(std::size_t capacity)
-    {
-        if (id.size() >= capacity + kBatchPadding) return;
-        forEachColumn([size = 2 * capacity + kBatchPadding](auto& column) { column.resize(size); });
-    }
-
     /// There must be room. Always inlined, so that each instruction set gets it in its own instructions.
     [[gnu::always_inline]] void add(const ScreenTriangle& t)
     {
-        assert(count < id.size());
+        assert(count < kCapacity);
         for (std::size_t i = 0; i < 3; ++i) {
             x[i][count] = t.x[i];
             y[i][count] = t.y[i];
@@ -83,11 +103,11 @@ struct TriangleList {
     /// True if one of them has a box of kLarge pixels or more.
     bool hasLarge() const
     {
-        for (std::size_t i = 0; i < count; ++i)
-            if (std::int64_t{x1[i] - x0[i]} * (y1[i] - y0[i]) >= kLarge) return true;
-        return false;
+        std::int64_t largest = 0;
+        for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::int64_t{x1[i] - x0[i]} * (y1[i] - y0[i]));
+        return largest >= kLarge;
     }
-    /// `scratch` is used to put them together.
+    /// `scratch` is used to put them together. Afterwards none is compact.
     template <class IsBefore>
     void sort(std::vector<ScreenTriangle>& scratch, const IsBefore& isBefore)
     {
@@ -99,43 +119,24 @@ struct TriangleList {
     }
 
     PixelBox box(std::size_t i) const { return {x0[i], y0[i], x1[i], y1[i]}; }
-    bool     isHidden(std::size_t i) const { return (kind[i] & kHidden) != 0; }
+    bool     is(Kind what, std::size_t i) const { return (kind[i] & what) != 0; }
+    bool     isHidden(std::size_t i) const { return is(kHidden, i); }
 
     ScreenTriangle operator[](std::size_t i) const
     {
         assert(i < count);
-        return {.x         = {x[0][i], x[1][i], x[2][i]},
-                .y         = {y[0][i], y[1][i], y[2][i]},
-                .depth     = {a[i], b[i], c[i], farthest[i], nearest[i]},
-                .id        = {id[i]},
-                .box       = box(i),
-                .wide      = (kind[i] & kWide) != 0,
-                .front     = (kind[i] & kFront) != 0,
-                .patterned = (kind[i] & kPatterned) != 0};
+        ScreenTriangle t{.x         = {x[0][i], x[1][i], x[2][i]},
+                         .y         = {y[0][i], y[1][i], y[2][i]},
+                         .depth     = {a[i], b[i], c[i], farthest[i], nearest[i]},
+                         .id        = {id[i]},
+                         .box       = box(i),
+                         .wide      = is(kWide, i),
+                         .front     = is(kFront, i),
+                         .patterned = is(kPatterned, i)};
+        if (is(kCompact, i))
+            for (std::size_t k = 0; k < 3; ++k) t.x[k] = sx[k][i], t.y[k] = sy[k][i];
+        return t;
     }
-
-    std::size_t bytes() const
-    {
-        std::size_t all = 0;
-        forEachColumn([&all](const auto& column) { all += column.capacity() * sizeof(column[0]); });
-        return all;
-    }
-
-private:
-    template <class Self, class Each>
-    static void visitColumns(Self& self, const Each& each)
-    {
-        for (auto& column : self.x) each(column);
-        for (auto& column : self.y) each(column);
-        each(self.a), each(self.b), each(self.c);
-        each(self.farthest), each(self.nearest);
-        each(self.id), each(self.kind);
-        each(self.x0), each(self.y0), each(self.x1), each(self.y1);
-    }
-    template <class Each>
-    void forEachColumn(const Each& each) { visitColumns(*this, each); }
-    template <class Each>
-    void forEachColumn(const Each& each) const { visitColumns(*this, each); }
 };
 
 }  // namespace zscope

@@ -22,7 +22,7 @@ void forEveryDepth(const VisibilityBuffer& visible, const Each& each)
 {
     for (int y = 0; y < visible.height(); ++y)
         for (int x = 0; x < visible.width(); ++x)
-            if (visible.rankRow(y)[x] != 0) each(visible.depthAt(x, y));
+            if (visible.rankAt(x, y) != 0) each(visible.depthAt(x, y));
 }
 
 /// From the farthest (dark) to the nearest (light); background near black.
@@ -35,7 +35,7 @@ Grid<std::uint32_t> depth(const LayerSource& source)
     Grid<std::uint32_t>     picture(visible.width(), visible.height(), kBackground);
     for (int y = 0; y < visible.height(); ++y)
         for (int x = 0; x < visible.width(); ++x)
-            if (visible.rankRow(y)[x] != 0) picture.at(x, y) = cividis(partOf(visible.depthAt(x, y), range));
+            if (visible.rankAt(x, y) != 0) picture.at(x, y) = cividis(partOf(visible.depthAt(x, y), range));
     return picture;
 }
 
@@ -68,7 +68,7 @@ Grid<std::uint32_t> ids(const LayerSource& source)
     Grid<std::uint32_t>     picture(visible.width(), visible.height(), kBackgroundColour);
     for (int y = 0; y < visible.height(); ++y)
         for (int x = 0; x < visible.width(); ++x)
-            if (const std::uint32_t rank = visible.rankRow(y)[x]; rank != 0) picture.at(x, y) = colourOfId(rank);
+            if (const std::uint32_t rank = visible.rankAt(x, y); rank != 0) picture.at(x, y) = colourOfId(rank);
     return picture;
 }
 

@@ -46,7 +46,7 @@ private:
     void look(StepIndex step)
     {
         const std::int64_t id    = m_visible.idAt(m_pixel.x, m_pixel.y);
-        const float        value = m_visible.depthRow(m_pixel.y)[m_pixel.x];
+        const float        value = m_visible.storedAt(m_pixel.x, m_pixel.y);
         const float        before = m_seen == 1 ? m_visible.empty() : m_value;
         // A pre-pass keeps depths without ids, which the picture reports as background; they are a change all the same.
         if (id == m_id && value == before && !m_isBlended) {

@@ -26,7 +26,7 @@ Grid<float> halved(const Grid<float>& below)
 Grid<float> depthsOf(const VisibilityBuffer& visible)
 {
     Grid<float> depths(visible.width(), visible.height());
-    for (int y = 0; y < visible.height(); ++y) std::copy_n(visible.depthRow(y), visible.width(), depths.view().row(y).begin());
+    for (int y = 0; y < visible.height(); ++y) std::transform(visible.row(y), visible.row(y) + visible.width(), depths.view().row(y).begin(), depthOf);
     return depths;
 }
 

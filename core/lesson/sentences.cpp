@@ -14,7 +14,7 @@ std::uint64_t coveredPixels(const VisibilityBuffer& visible)
 {
     std::uint64_t covered = 0;
     for (int y = 0; y < visible.height(); ++y)
-        for (int x = 0; x < visible.width(); ++x) covered += visible.rankRow(y)[x] != 0;
+        for (int x = 0; x < visible.width(); ++x) covered += visible.rankAt(x, y) != 0;
     return covered;
 }
 

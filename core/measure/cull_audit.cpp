@@ -164,9 +164,8 @@ private:
     {
         const float stored = m_encoding.stored(nearest);
         for (int y = box.y0; y < box.y1; ++y) {
-            const float* depth = m_finished.depthRow(y);
             for (int x = box.x0; x < box.x1; ++x)
-                if (!(stored < depth[x])) return false;
+                if (!(stored < m_finished.storedAt(x, y))) return false;
         }
         return true;
     }

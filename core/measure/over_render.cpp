@@ -24,7 +24,8 @@ OverRender overRenderOf(const FrameWork& work, const VisibilityBuffer& visible)
 
     std::vector<std::uint32_t> ranks;  // of covered pixels, then each once
     for (int y = 0; y < visible.height(); ++y)
-        std::copy_if(visible.rankRow(y), visible.rankRow(y) + visible.width(), std::back_inserter(ranks), [](std::uint32_t rank) { return rank != 0; });
+        for (int x = 0; x < visible.width(); ++x)
+            if (const std::uint32_t rank = visible.rankAt(x, y); rank != 0) ranks.push_back(rank);
     figures.pixelsCovered = ranks.size();
     std::ranges::sort(ranks);
     figures.trianglesVisible = static_cast<std::uint64_t>(std::unique(ranks.begin(), ranks.end()) - ranks.begin());

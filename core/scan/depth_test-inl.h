@@ -2,7 +2,8 @@
 //
 // Depth      float64 until it is stored; limited to the corners' depths, then rounded to float32 (the order does not
 //            matter: rounding is monotone and the limits are float32 values)
-// Winner     larger depth; on equal depth the lower rank. Not-covered lanes offer kNotCovered, which never wins
+// Winner     the larger key (core/depth/pixel_key.h): larger depth, on equal depth the lower rank. Lanes that are not covered keep
+//            what they have
 // Patterns   a fragment in a hole does not exist, one in a relief lies farther than its triangle. Early depth tests first, looks
 //            up what passed before anything is written, and tests what was moved again; shading first looks up all
 // Far        free: background holds a value just below everything that may be kept
@@ -29,31 +30,57 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using F64   = hn::ScalableTag<double>;
 using F32   = hn::Rebind<float, F64>;
+using I32   = hn::Rebind<std::int32_t, F64>;
 using U32   = hn::Rebind<std::uint32_t, F64>;
+using I64   = hn::Rebind<PixelKey, F64>;
 using Vec64 = hn::Vec<F64>;
+using Keys  = hn::Vec<I64>;
 
 /// Pixels tested side by side.
 inline int laneCount() { return static_cast<int>(hn::Lanes(F64())); }
 
-/// Below every depth a buffer can hold.
-inline constexpr double kNotCovered = -2;
-
 /// Rounded to float32 and back: the result of one float32 operation on float32 values, whichever way it was computed.
 inline Vec64 inFloat32(Vec64 value) { return hn::PromoteTo(F64(), hn::DemoteTo(F32(), value)); }
 
-/// The lanes whose fragment takes the pixel from who holds it. `empty` is the depth of background.
-template <Keep kKeep, class D, class Depths, class Ranks>
-HWY_INLINE hn::Mask<D> winners(D d32, Depths depth, Depths stored, Ranks rank, Ranks holder, [[maybe_unused]] float empty)
+/// The upper halves of the keys of stored depths, their lower halves 0. `kMayBeNegative`: if not, a float32's own bits are in order.
+template <bool kMayBeNegative>
+HWY_INLINE Keys upperHalves(hn::Vec<F32> depth)
 {
-    if constexpr (kKeep == Keep::DepthOnly) {
-        return depth > stored;
-    } else if constexpr (kKeep == Keep::Equal) {
-        const auto one  = hn::Set(hn::Rebind<std::uint32_t, D>(), 1u);  // makes background, which nobody has claimed yet, the highest rank
-        const auto kept = depth > hn::Set(d32, empty);  // a depth that the far test dropped equals background's
-        return hn::And(hn::And(depth == stored, kept), hn::RebindMask(d32, rank - one < holder - one));
-    } else {
-        return hn::Or(depth > stored, hn::And(depth == stored, hn::RebindMask(d32, rank < holder)));
-    }
+    auto bits = hn::BitCast(I32(), depth);
+    if constexpr (kMayBeNegative) bits = hn::Xor(bits, hn::And(hn::ShiftRight<31>(bits), hn::Set(I32(), 0x7FFFFFFF)));
+    return hn::ShiftLeft<32>(hn::PromoteTo(I64(), bits));
+}
+
+/// The lower half of the keys of fragments: the triangle, or nobody if only depths are kept.
+template <Keep kKeep>
+constexpr PixelKey lowerHalf(std::uint32_t rank)
+{
+    return keyOf(0, kKeep == Keep::DepthOnly ? 0 : rank);
+}
+
+/// Pixels that no triangle has claimed: rank 0.
+inline hn::Mask<I64> isNobodys(Keys held)
+{
+    const auto lower = hn::Set(I64(), 0xFFFFFFFF);
+    return hn::And(held, lower) == lower;
+}
+
+/// A mask of colours from one of keys.
+inline hn::Mask<U32> narrowed(hn::Mask<I64> mask)
+{
+    const hn::Rebind<std::uint64_t, F64> u64;
+    return hn::MaskFromVec(hn::TruncateTo(U32(), hn::BitCast(u64, hn::VecFromMask(I64(), mask))));
+}
+
+/// The lanes whose fragment takes the pixel from who holds it. `empty` is the depth of background.
+template <Keep kKeep>
+HWY_INLINE hn::Mask<I64> winners(Keys offered, Keys held, [[maybe_unused]] float empty)
+{
+    if constexpr (kKeep != Keep::Equal) return offered > held;
+    // After a pre-pass: of those with the depth that it left, the lowest rank. A depth that the far test dropped equals background's.
+    const auto sameDepth = hn::AndNot(hn::Set(I64(), 0xFFFFFFFF), hn::Xor(offered, held)) == hn::Zero(I64());
+    const auto better    = hn::Or(offered > held, isNobodys(held));
+    return hn::And(hn::And(sameDepth, better), offered > hn::Set(I64(), keyOf(empty, 0)));
 }
 
 /// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c.
@@ -62,7 +89,13 @@ class DepthTest {
 public:
     /// `empty` is the depth of the background of the buffer that is tested against.
     DepthTest(const DepthPlane& plane, std::uint32_t rank, float empty, const Rules& rules)
-        : m_a(plane.a), m_farthest(plane.farthest), m_nearest(plane.nearest), m_rank(rank), m_empty(empty), m_rules(rules)
+        : m_a(plane.a),
+          m_farthest(plane.farthest),
+          m_nearest(plane.nearest),
+          m_lower(lowerHalf<kKeep>(rank)),
+          m_rank(rank),
+          m_empty(empty),
+          m_rules(rules)
     {
     }
 
@@ -78,125 +111,116 @@ public:
         return hn::Set(F64(), m_a) * centres;
     }
 
-    /// Offers the covered lanes at depthRow[0..], rankRow[0..]; they are the pixels x, x + 1, ... of line y.
+    /// Offers the covered lanes at row[0..]; they are the pixels x, x + 1, ... of line y.
     template <class Fragments, class Probe>
-    void offer(Vec64 column, double line, hn::Mask<F64> covered, float* depthRow, std::uint32_t* rankRow,
-               [[maybe_unused]] int x, [[maybe_unused]] int y, [[maybe_unused]] const Fragments& fragments,
-               const Probe& probe) const
+    void offer(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, [[maybe_unused]] int x, [[maybe_unused]] int y,
+               [[maybe_unused]] const Fragments& fragments, const Probe& probe) const
     {
         if constexpr (Fragments::kPatterned) {
-            offerPatterned(column, line, covered, depthRow, rankRow, x, y, fragments, probe);
+            offerPatterned(column, line, covered, row, x, y, fragments, probe);
         } else {
             constexpr ShadingMoment kShading = Fragments::kMoment;
-            const F64  d64;
-            const F32  d32;
             const U32  u32;
-            const auto z     = stored(limited(column + hn::Set(d64, line)));
-            const auto depth = hn::DemoteTo(d32, hn::IfThenElse(covered, z, hn::Set(d64, kNotCovered)));
+            const auto offered = keysOf(limited(column + hn::Set(F64(), line)));
 
             [[maybe_unused]] auto colours = hn::Undefined(u32);
             if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
 
-            const auto stored = hn::LoadU(d32, depthRow);
-            const auto holder = hn::LoadU(u32, rankRow);
-            const auto won    = wins(depth, stored, holder);
-            keep(won, depth, stored, holder, depthRow, rankRow);
+            const auto held = hn::LoadU(I64(), row);
+            const auto won  = hn::And(hn::RebindMask(I64(), covered), wins(offered, held));
+            hn::StoreU(hn::IfThenElse(won, offered, held), I64(), row);
 
             if constexpr (kShading == ShadingMoment::BeforeTest) {
-                fragments.keep(u32, hn::RebindMask(u32, won), colours, x, y);
+                fragments.keep(u32, narrowed(won), colours, x, y);
             } else if constexpr (kShading == ShadingMoment::AfterTest) {
-                if (!hn::AllFalse(d32, won)) fragments.keep(u32, hn::RebindMask(u32, won), fragments.colours(u32, x, y), x, y);
+                if (!hn::AllFalse(I64(), won)) fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
             }
 
             if constexpr (Probe::listens) {
                 static_assert(!Probe::listens || hn::MaxLanes(F64()) == 1, "a run that is listened to uses one lane");
-                if (hn::AllFalse(d64, covered)) return;
-                const bool wins = !hn::AllFalse(d32, won);
-                probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = hn::GetLane(depth), .won = wins,
-                                  .rivalRank = hn::GetLane(holder), .rivalDepth = hn::GetLane(stored), .keep = kKeep,
+                if (hn::AllFalse(F64(), covered)) return;
+                const bool     wins  = !hn::AllFalse(I64(), won);
+                const PixelKey rival = hn::GetLane(held);
+                probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = depthOf(hn::GetLane(offered)), .won = wins,
+                                  .rivalRank = rankOf(rival), .rivalDepth = depthOf(rival), .keep = kKeep,
                                   .shaded = kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins)});
             }
         }
     }
 
     /// Stores the first `count` lanes (all of them if there are fewer) without a test.
-    void store(Vec64 column, double line, int count, float* depthRow, std::uint32_t* rankRow) const
+    void store(Vec64 column, double line, int count, PixelKey* row) const
     {
-        const F32  d32;
-        const U32  u32;
-        const auto depth  = hn::DemoteTo(d32, stored(limited(column + hn::Set(F64(), line))));
-        const auto inside = hn::Iota(d32, 0.0f) < hn::Set(d32, static_cast<float>(count));
-        hn::StoreU(hn::IfThenElse(inside, depth, hn::LoadU(d32, depthRow)), d32, depthRow);
-        hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, inside), hn::Set(u32, m_rank), hn::LoadU(u32, rankRow)), u32, rankRow);
+        const auto inside = hn::RebindMask(I64(), hn::Iota(F64(), 0.0) < hn::Set(F64(), count));
+        const auto keys   = keysOf(limited(column + hn::Set(F64(), line)));
+        hn::StoreU(hn::IfThenElse(inside, keys, hn::LoadU(I64(), row)), I64(), row);
     }
 
 private:
     /// offer() for fragments that a pattern may discard or move. It never moves them nearer, so if a fragment fails where its
     /// triangle is, it fails; if it passes there, the pattern is looked up and it is tested where it is.
     template <class Fragments, class Probe>
-    void offerPatterned(Vec64 column, double line, hn::Mask<F64> covered, float* depthRow, std::uint32_t* rankRow, int x, int y,
-                        const Fragments& fragments, const Probe& probe) const
+    void offerPatterned(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, int x, int y, const Fragments& fragments,
+                        const Probe& probe) const
     {
         constexpr bool kShadesFirst = Fragments::kMoment == ShadingMoment::BeforeTest;
         const F64  d64;
-        const F32  d32;
         const U32  u32;
+        const auto inside = hn::RebindMask(I64(), covered);
         const auto flat   = limited(column + hn::Set(d64, line));
-        const auto bound  = hn::DemoteTo(d32, hn::IfThenElse(covered, stored(flat), hn::Set(d64, kNotCovered)));
-        const auto before = hn::LoadU(d32, depthRow);
-        const auto holder = hn::LoadU(u32, rankRow);
+        const auto bound  = keysOf(flat);
+        const auto held   = hn::LoadU(I64(), row);
         const bool moves  = fragments.moves();
 
-        const auto looked = kShadesFirst ? bound > hn::Set(d32, kNotCovered) : moves ? mayWin(bound, before, holder) : wins(bound, before, holder);
-        auto       depth  = bound;
+        const auto looked  = kShadesFirst ? inside : hn::And(inside, moves ? mayWin(bound, held) : wins(bound, held));
+        auto       offered = bound;
         auto       exists = looked, won = looked;
-        if (!hn::AllFalse(d32, looked)) {
-            const auto one = hn::IfThenElseZero(fragments.discarded(d64, x, y), hn::Set(d64, 1.0));
-            exists         = hn::AndNot(hn::DemoteTo(d32, one) > hn::Zero(d32), looked);
-            if (moves) depth = hn::DemoteTo(d32, hn::IfThenElse(covered, stored(fragments.moved(d64, flat, x, y)), hn::Set(d64, kNotCovered)));
-            won = hn::And(exists, wins(depth, before, holder));
-            keep(won, depth, before, holder, depthRow, rankRow);
+        if (!hn::AllFalse(I64(), looked)) {
+            exists = hn::AndNot(hn::RebindMask(I64(), fragments.discarded(d64, x, y)), looked);
+            if (moves) offered = keysOf(fragments.moved(d64, flat, x, y));
+            won = hn::And(exists, wins(offered, held));
+            hn::StoreU(hn::IfThenElse(won, offered, held), I64(), row);
             if constexpr (Fragments::kMoment != ShadingMoment::Never)
-                if (!hn::AllFalse(d32, exists)) fragments.keep(u32, hn::RebindMask(u32, won), fragments.colours(u32, x, y), x, y);
+                if (!hn::AllFalse(I64(), exists)) fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
         }
 
         if constexpr (Probe::listens) {
             if (hn::AllFalse(d64, covered)) return;
-            const bool isLookedAt = !hn::AllFalse(d32, looked), isThere = !hn::AllFalse(d32, exists);
-            probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = hn::GetLane(depth), .won = !hn::AllFalse(d32, won),
-                              .rivalRank = hn::GetLane(holder), .rivalDepth = hn::GetLane(before), .keep = kKeep,
+            const bool     isLookedAt = !hn::AllFalse(I64(), looked), isThere = !hn::AllFalse(I64(), exists);
+            const PixelKey rival = hn::GetLane(held);
+            probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = depthOf(hn::GetLane(offered)),
+                              .won = !hn::AllFalse(I64(), won), .rivalRank = rankOf(rival), .rivalDepth = depthOf(rival), .keep = kKeep,
                               .shaded    = kShadesFirst || (Fragments::kMoment != ShadingMoment::Never && isThere),
-                              .discarded = isLookedAt && !isThere, .moved = isThere && moves, .unmovedDepth = hn::GetLane(bound)});
+                              .discarded = isLookedAt && !isThere, .moved = isThere && moves, .unmovedDepth = depthOf(hn::GetLane(bound))});
         }
     }
 
-    void keep(hn::Mask<F32> won, hn::Vec<F32> depth, hn::Vec<F32> before, hn::Vec<U32> holder, float* depthRow, std::uint32_t* rankRow) const
+    /// The keys of fragments of the triangle at these depths.
+    Keys keysOf(Vec64 z) const
     {
-        const F32 d32;
-        const U32 u32;
-        if constexpr (kKeep != Keep::Equal) hn::StoreU(hn::IfThenElse(won, depth, before), d32, depthRow);
-        if constexpr (kKeep != Keep::DepthOnly)
-            hn::StoreU(hn::IfThenElse(hn::RebindMask(u32, won), hn::Set(u32, m_rank), holder), u32, rankRow);
+        return hn::Or(upperHalves<!Rules::kExact>(hn::DemoteTo(F32(), stored(z))), hn::Set(I64(), m_lower));
     }
 
     /// False only for a depth that no farther one wins from, either.
-    hn::Mask<F32> mayWin(hn::Vec<F32> depth, hn::Vec<F32> stored, hn::Vec<U32> holder) const
+    hn::Mask<I64> mayWin(Keys offered, Keys held) const
     {
         if constexpr (kKeep == Keep::Equal)
-            return depth >= stored;
+            return hn::Not(held > hn::Or(offered, hn::Set(I64(), 0xFFFFFFFF)));
         else
-            return wins(depth, stored, holder);
+            return wins(offered, held);
     }
 
-    hn::Mask<F32> wins(hn::Vec<F32> depth, hn::Vec<F32> stored, hn::Vec<U32> holder) const
+    hn::Mask<I64> wins(Keys offered, Keys held) const
     {
-        const F32 d32;
-        if constexpr (!Rules::kExact && kKeep == Keep::Nearest)
-            if (m_rules.firstComerKeepsTie()) return depth > stored;
-        if constexpr (!Rules::kExact && kKeep == Keep::Equal)
-            if (m_rules.firstComerKeepsTie())
-                return hn::And(hn::And(depth == stored, depth > hn::Set(d32, m_empty)), hn::RebindMask(d32, holder == hn::Zero(U32())));
-        return winners<kKeep>(d32, depth, stored, hn::Set(U32(), m_rank), holder, m_empty);
+        if constexpr (!Rules::kExact && kKeep != Keep::DepthOnly) {
+            if (m_rules.firstComerKeepsTie()) {
+                if constexpr (kKeep == Keep::Equal)
+                    return hn::And(winners<kKeep>(offered, held, m_empty), isNobodys(held));
+                else
+                    return hn::AndNot(hn::Set(I64(), 0xFFFFFFFF), offered) > held;  // the lowest key of its depth
+            }
+        }
+        return winners<kKeep>(offered, held, m_empty);
     }
 
     Vec64 limited(Vec64 z) const
@@ -231,6 +255,7 @@ private:
     }
 
     double        m_a, m_farthest, m_nearest;
+    PixelKey      m_lower;  // half of all its keys
     std::uint32_t m_rank;
     float         m_empty;
     const Rules&  m_rules;
@@ -250,12 +275,11 @@ void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, 
               const Rules& rules, const Probe& probe, const Fragments& fragments = {})
 {
     const DepthTest<kKeep, Rules> test(plane, rankOfSpan, visible.empty(), rules);
-    const double                  line  = lineDepth(plane, y, rules);
-    float*                        depth = visible.depthRow(y);
-    std::uint32_t*                rank  = visible.rankRow(y);
+    const double                  line = lineDepth(plane, y, rules);
+    PixelKey*                     row  = visible.row(y);
     for (int x = x0; x < x1; x += laneCount()) {
         const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
-        test.offer(test.column(x, x0), line, covered, depth + x, rank + x, x, y, fragments, probe);
+        test.offer(test.column(x, x0), line, covered, row + x, x, y, fragments, probe);
     }
 }
 
@@ -275,10 +299,9 @@ void storeSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0,
                const Rules& rules)
 {
     const DepthTest<Keep::Nearest, Rules> test(plane, rankOfSpan, visible.empty(), rules);
-    const double                          line  = lineDepth(plane, y, rules);
-    float*                                depth = visible.depthRow(y);
-    std::uint32_t*                        rank  = visible.rankRow(y);
-    for (int x = x0; x < x1; x += laneCount()) test.store(test.column(x, x0), line, x1 - x, depth + x, rank + x);
+    const double                          line = lineDepth(plane, y, rules);
+    PixelKey*                             row  = visible.row(y);
+    for (int x = x0; x < x1; x += laneCount()) test.store(test.column(x, x0), line, x1 - x, row + x);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -1,7 +1,7 @@
 // Scan conversion by half-spaces: a pixel is inside a triangle if it lies on the inner side of all three edges.
 //
 // Edges      values are integers below 2^53 (core/geometry/half_plane.h), so float64 lanes hold them exactly
-// Small      triangles without a long side are tested by blocks, in float32 (blocks-inl.h)
+// Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments are shaded
 // Tiles      the box of the others is cut into tiles of one vector by kTileLines lines, line of tiles after line of tiles. A
 //            tile wholly on the outer side of one edge is skipped, one on the inner side of all edges needs no edge values
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
@@ -21,9 +21,9 @@
 
 #include "core/depth/pyramid_told.h"
 #include "core/geometry/half_plane.h"
-#include "core/scan/blocks-inl.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/edge_walk-inl.h"
+#include "core/scan/windows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
@@ -42,14 +42,20 @@ struct HalfSpace {
         const PixelBox&                box    = triangle.box;
         const std::array<HalfPlane, 3> planes = halfPlanesOf(triangle, rules.notOwned());
         const DepthTest<kKeep, Rules>  test(triangle.depth, triangle.rank(), visible.empty(), rules);
-        // Small ones in the order of their blocks, so that a step shows the same pixel whether fragments are shaded or not.
-        const int lines = isCompact(triangle) ? kBlockLines : kTileLines;
-        for (int y = box.y0; y < box.y1; y += lines) {
+        if constexpr (kLanes == 1) {  // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
+            if (isCompact(triangle)) {
+                forEachPixelByWindows(box, [&](int x, int y) {
+                    fillTile(triangle, planes, test, test.column(x, box.x0), x, y, y + 1, fragments, visible, rules, probe);
+                });
+                return;
+            }
+        }
+        for (int y = box.y0; y < box.y1; y += kTileLines) {
             for (int x = box.x0 & -laneCount(); x < box.x1; x += laneCount()) {
                 const int right = x - box.x0, down = y - box.y0;
-                const int lastRight = right + laneCount() - 1, lastDown = down + lines - 1;
+                const int lastRight = right + laneCount() - 1, lastDown = down + kTileLines - 1;
                 if (areOutside(planes, right, down, lastRight, lastDown)) continue;
-                const int end = std::min(y + lines, box.y1);
+                const int end = std::min(y + kTileLines, box.y1);
                 if (areInside(planes, right, down, lastRight, lastDown))
                     fillWholeTile(triangle, test, x, y, end, fragments, visible, rules, probe);
                 else
@@ -92,6 +98,15 @@ struct HalfSpace {
     }
 
 private:
+    template <class Each>
+    static void forEachPixelByWindows(const PixelBox& box, const Each& each)
+    {
+        for (int top = box.y0; top < box.y1; top += kWindowSide)
+            for (int left = box.x0; left < box.x1; left += kWindowSide)
+                for (int y = top; y < std::min(top + kWindowSide, box.y1); ++y)
+                    for (int x = left; x < std::min(left + kWindowSide, box.x1); ++x) each(x, y);
+    }
+
     /// The nearest depth that the triangle could store in `box`. Its expression is monotone in x and in y, roundings
     /// included, so a corner of the box has it.
     template <class Rules>
@@ -111,7 +126,7 @@ private:
         const auto column = test.column(x, triangle.box.x0);
         const auto all    = hn::FirstN(F64(), hn::Lanes(F64()));
         for (; y < end; ++y)
-            test.offer(column, lineDepth(triangle.depth, y, rules), all, visible.depthRow(y) + x, visible.rankRow(y) + x, x, y,
+            test.offer(column, lineDepth(triangle.depth, y, rules), all, visible.row(y) + x, x, y,
                        fragments, probe);
     }
 
@@ -132,7 +147,7 @@ private:
         for (; y < end; ++y) {
             const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
             if (!hn::AllFalse(d64, inside)) {
-                test.offer(column, lineDepth(triangle.depth, y, rules), inside, visible.depthRow(y) + x, visible.rankRow(y) + x, x,
+                test.offer(column, lineDepth(triangle.depth, y, rules), inside, visible.row(y) + x, x,
                            y, fragments, probe);
             }
             e0 = e0 + down0;

@@ -20,29 +20,43 @@ namespace zscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-inline void baseColoursFromTable(const std::uint32_t* rank, int width, const std::uint32_t* table, std::uint32_t* colour)
+/// The ranks in as many keys as there are lanes.
+template <class U32>
+hn::Vec<U32> ranksAt(U32 u32, const PixelKey* keys)
+{
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (hn::MaxLanes(U32()) > 1) {
+        const auto* halves = reinterpret_cast<const std::uint32_t*>(keys);  // lower, upper, lower, upper, ...
+        return hn::Not(hn::ConcatEven(u32, hn::LoadU(u32, halves + hn::Lanes(u32)), hn::LoadU(u32, halves)));
+    }
+#endif
+    return hn::Set(u32, rankOf(*keys));
+}
+
+inline void baseColoursFromTable(const PixelKey* keys, int width, const std::uint32_t* table, std::uint32_t* colour)
 {
     const hn::ScalableTag<std::uint32_t> u32;
     const int                            lanes = static_cast<int>(hn::Lanes(u32));
     int                                  x     = 0;
     for (; x + lanes <= width; x += lanes) {
-        const auto ranks = hn::LoadU(u32, rank + x);
-        if (hn::AllTrue(u32, ranks == hn::Set(u32, rank[x]))) {
-            hn::StoreU(hn::Set(u32, table[rank[x]]), u32, colour + x);
+        const auto          ranks = ranksAt(u32, keys + x);
+        const std::uint32_t first = rankOf(keys[x]);
+        if (hn::AllTrue(u32, ranks == hn::Set(u32, first))) {
+            hn::StoreU(hn::Set(u32, table[first]), u32, colour + x);
             continue;
         }
         hn::StoreU(hn::GatherIndex(u32, table, hn::BitCast(hn::RebindToSigned<decltype(u32)>(), ranks)), u32, colour + x);
     }
-    for (; x < width; ++x) colour[x] = table[rank[x]];
+    for (; x < width; ++x) colour[x] = table[rankOf(keys[x])];
 }
 
 /// Without a table: one computation per run of pixels that show the same triangle.
-inline void baseColoursByRuns(const Painter& painter, const std::uint32_t* rank, int width, std::uint32_t* colour)
+inline void baseColoursByRuns(const Painter& painter, const PixelKey* keys, int width, std::uint32_t* colour)
 {
     std::uint32_t lastRank = 0, lastColour = kBackgroundColour;
     for (int x = 0; x < width; ++x) {
-        if (rank[x] != lastRank) {
-            lastRank   = rank[x];
+        if (rankOf(keys[x]) != lastRank) {
+            lastRank   = rankOf(keys[x]);
             lastColour = painter.baseColour(lastRank);
         }
         colour[x] = lastColour;
@@ -51,11 +65,11 @@ inline void baseColoursByRuns(const Painter& painter, const std::uint32_t* rank,
 
 /// The fragment shader over the base colours of the pixels [x, width) of line y, those of the background left as they are.
 template <class U32>
-int shadeRow(U32 u32, const std::uint32_t* rank, int x, int width, int y, int operations, std::uint32_t* colour)
+int shadeRow(U32 u32, const PixelKey* keys, int x, int width, int y, int operations, std::uint32_t* colour)
 {
     const int lanes = static_cast<int>(hn::Lanes(u32));
     for (; x + lanes <= width; x += lanes) {
-        const auto ranks = hn::LoadU(u32, rank + x);
+        const auto ranks = ranksAt(u32, keys + x);
         const auto shows = ranks != hn::Zero(u32);
         if (hn::AllFalse(u32, shows)) continue;
         const auto base = hn::LoadU(u32, colour + x);
@@ -67,15 +81,15 @@ int shadeRow(U32 u32, const std::uint32_t* rank, int x, int width, int y, int op
 /// Pixels [x0, x1) of line y.
 inline void shadeSpan(const Painter& painter, const VisibilityBuffer& visible, int x0, int x1, int y)
 {
-    const std::uint32_t* rank   = visible.rankRow(y);
-    std::uint32_t*       colour = painter.colour.row(y).data();
+    const PixelKey* keys   = visible.row(y);
+    std::uint32_t*  colour = painter.colour.row(y).data();
     if (painter.table.isComplete())
-        baseColoursFromTable(rank + x0, x1 - x0, painter.table.data(), colour + x0);
+        baseColoursFromTable(keys + x0, x1 - x0, painter.table.data(), colour + x0);
     else
-        baseColoursByRuns(painter, rank + x0, x1 - x0, colour + x0);
+        baseColoursByRuns(painter, keys + x0, x1 - x0, colour + x0);
     if (painter.operations == 0) return;
-    const int rest = shadeRow(hn::ScalableTag<std::uint32_t>(), rank, x0, x1, y, painter.operations, colour);
-    shadeRow(hn::CappedTag<std::uint32_t, 1>(), rank, rest, x1, y, painter.operations, colour);
+    const int rest = shadeRow(hn::ScalableTag<std::uint32_t>(), keys, x0, x1, y, painter.operations, colour);
+    shadeRow(hn::CappedTag<std::uint32_t, 1>(), keys, rest, x1, y, painter.operations, colour);
 }
 
 /// Lines [first, end), which are whole lines of tiles or end with the picture. Tiles that nothing was drawn to are background,

@@ -69,7 +69,7 @@ private:
     /// The fragments of the line between two columns that are nearer than the opaque depth, column by column.
     void collect(int y, int x0, int x1, const ActivePolygons& polygons)
     {
-        const float* opaque = m_visible.depthRow(y);
+        const PixelKey* opaque = m_visible.row(y);
         m_scratch.found.clear();
         m_scratch.columns.assign(static_cast<std::size_t>(x1 - x0) + 1, 0);
         for (const BlendScratch::Span& span : m_scratch.spans) {
@@ -79,7 +79,7 @@ private:
             for (int x = std::max(span.x0, x0); x < std::min(span.x1, x1); ++x) {
                 const double z     = std::min(std::max(plane.a * (x + 0.5) + line, double{plane.farthest}), double{plane.nearest});
                 const float  depth = m_rules.stored(z);
-                if (!(depth > opaque[x])) continue;
+                if (!(depth > depthOf(opaque[x]))) continue;
                 m_scratch.found.push_back({x, depth, span.part, polygon.rank()});
                 ++m_scratch.columns[static_cast<std::size_t>(x - x0)];
             }

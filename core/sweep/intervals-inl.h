@@ -184,11 +184,11 @@ private:
     void tellRuns(int y, int x0, int x1, const Probe& probe) const
     {
         if constexpr (Probe::listens) {
-            const std::uint32_t* rank = m_visible.rankRow(y);
+            const auto rank = [&](int x) { return m_visible.rankAt(x, y); };
             for (int x = x0; x < x1;) {
                 int end = x + 1;
-                while (end < x1 && rank[end] == rank[x]) ++end;
-                if (rank[x] != 0) probe(SpanFilled{y, x, end, TriangleId{rank[x] - 1}});
+                while (end < x1 && rank(end) == rank(x)) ++end;
+                if (rank(x) != 0) probe(SpanFilled{y, x, end, TriangleId{rank(x) - 1}});
                 x = end;
             }
         }

@@ -13,7 +13,7 @@
 #include "core/geometry/prepared_scene.h"
 #include "core/geometry/screen_vertices.h"
 #include "core/geometry/triangle_list.h"
-#include "core/scan/block_list.h"
+#include "core/scan/window_list.h"
 #include "core/sweep/active_edges.h"
 #include "core/sweep/active_polygons.h"
 #include "core/sweep/blend_scratch.h"
@@ -55,7 +55,7 @@ struct StripeScratch {
     ScreenVertices   vertices;
     TriangleList     triangles;                           // of the batch at hand
     std::vector<ScreenTriangle> sorted;                   // likewise, to put them in another order
-    BlockList        blocks;                              // likewise, of small triangles
+    WindowList       windows;                             // likewise, of compact triangles
     EdgeTable        edges;                               // sweep methods only, like the next two
     ActiveEdges      active;
     ActivePolygons   polygons;
@@ -69,7 +69,7 @@ struct StripeScratch {
 
     std::size_t bytes() const
     {
-        return sizeof(*this) + triangles.bytes() + sorted.capacity() * sizeof(ScreenTriangle) + blocks.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
+        return sizeof(*this) + sorted.capacity() * sizeof(ScreenTriangle) + windows.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
                instances.capacity() * sizeof(WaitingInstance) + batches.capacity() * sizeof(WaitingBatch) + pyramid.bytes() +
                blend.bytes() + memory.bytes();
     }

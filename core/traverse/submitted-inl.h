@@ -10,7 +10,7 @@
 #define ZSCOPE_SUBMITTED_INL_H
 #endif
 
-#include "core/geometry/set_up.h"
+#include "core/geometry/set_up-inl.h"
 #include "core/geometry/stripe_volume.h"
 #include "core/geometry/transform-inl.h"
 #include "core/probe/probe.h"
@@ -29,10 +29,11 @@ void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stri
     clock.lap(Stage::Transform);
 
     scratch.triangles.clear();
+    const PixelBox region = stripe.region();
     if (scratch.vertices.plain)
-        setUpPlain(place, scratch.vertices, stripe.culling, stripe.region(), rules, scratch.triangles, probe);
+        PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe).run();
     else
-        setUpCarefully(place, stripe.projection, stripe.culling, stripe.region(), rules, scratch.triangles, probe);
+        setUpCarefully(place, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe);
     clock.lap(Stage::Setup);
 }
 

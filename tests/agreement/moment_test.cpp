@@ -72,7 +72,7 @@ std::uint64_t covered(const Frame& frame)
 {
     std::uint64_t pixels = 0;
     for (int y = 0; y < frame.visible.height(); ++y)
-        for (int x = 0; x < frame.visible.width(); ++x) pixels += frame.visible.rankRow(y)[x] != 0;
+        for (int x = 0; x < frame.visible.width(); ++x) pixels += frame.visible.rankAt(x, y) != 0;
     return pixels;
 }
 
@@ -125,7 +125,7 @@ TEST(Moment, WhatShadingCostsReachesTheLastBitOfBlueAndNothingElse)
         for (int y = 0; y < 48; ++y) {
             for (int x = 0; x < 64; ++x) {
                 const std::uint32_t difference = free.colour.at(x, y) ^ paid.back().colour.at(x, y);
-                EXPECT_LE(difference, free.visible.rankRow(y)[x] == 0 ? 0u : 1u) << x << ", " << y;
+                EXPECT_LE(difference, free.visible.rankAt(x, y) == 0 ? 0u : 1u) << x << ", " << y;
                 changed += difference;
             }
         }

@@ -24,7 +24,7 @@ struct Screen {
         visible.resize(width, height, DepthEncoding::withBackground(kEmpty));
         visible.clearRows(0, height);
         for (int y = 0; y < height; ++y)
-            if (y < firstRow || y >= endRow) std::fill_n(visible.depthRow(y), width, outside);
+            if (y < firstRow || y >= endRow) std::fill_n(visible.row(y), width, keyOf(outside, 0));
         pyramid.reset(visible, firstRow, endRow);
     }
     Screen(int width, int height) : Screen(width, height, 0, height, 0) {}
@@ -36,14 +36,14 @@ struct Screen {
     {
         visible.open(box);
         for (int y = box.y0; y < box.y1; ++y)
-            for (int x = box.x0; x < box.x1; ++x) visible.depthRow(y)[x] = std::max(visible.depthRow(y)[x], depth);
+            for (int x = box.x0; x < box.x1; ++x) visible.row(y)[x] = std::max(visible.row(y)[x], keyOf(depth, 0));
         pyramid.touched(box);
     }
     float farthest(const PixelBox& box) const
     {
         float least = std::numeric_limits<float>::infinity();
         for (int y = box.y0; y < box.y1; ++y)
-            for (int x = box.x0; x < box.x1; ++x) least = std::min(least, visible.depthRow(y)[x]);
+            for (int x = box.x0; x < box.x1; ++x) least = std::min(least, visible.storedAt(x, y));
         return least;
     }
     /// The pixels of a cell that exist.
@@ -138,7 +138,7 @@ TEST(Pyramid, D3EveryCellOfAnySizeIsTheMinimumOfThePixelsThatExistOnceAQueryNeed
         Random    random(static_cast<std::uint64_t>(width + height));
         Screen    screen(width, height, first, height, 0.0f);
         for (int y = first; y < height; ++y)
-            for (int x = 0; x < width; ++x) screen.visible.depthRow(y)[x] = static_cast<float>(random.between(0.1, 1));
+            for (int x = 0; x < width; ++x) screen.visible.row(y)[x] = keyOf(static_cast<float>(random.between(0.1, 1)), 0);
         screen.pyramid.allTouched();
         int refreshed = 0;
         for (int level = Pyramid::kTileLevel; level < screen.pyramid.levels(); ++level) {
@@ -258,7 +258,7 @@ TEST(Pyramid, PushingKeepsEveryCellTheMinimumOfItsPixelsAndStopsAtTheFirstLevelT
             for (int i = 0; i < steps; ++i) {
                 const PixelBox box   = screen.anyBox(random);
                 const auto     depth = static_cast<float>(i + 1) / static_cast<float>(steps);
-                for (int y = box.y0; y < box.y1; ++y) std::fill_n(screen.visible.depthRow(y) + box.x0, box.x1 - box.x0, depth);
+                for (int y = box.y0; y < box.y1; ++y) std::fill_n(screen.visible.row(y) + box.x0, box.x1 - box.x0, keyOf(depth, 0));
                 std::vector<CellWrite> writes;
                 const auto             told = [&writes](const CellWrite& write) { writes.push_back(write); };
                 if (fromFarthest)
@@ -300,7 +300,7 @@ TEST(Pyramid, ACompleteOneAnswersByItsCellsAloneHoweverThePixelsChange)
     EXPECT_TRUE(screen.pyramid.hides({3, 0, 60, 16}, 0.25f)) << "whole tiles of what was drawn, though the pixels are empty now";
     EXPECT_FALSE(screen.pyramid.hides({3, 0, 60, 18}, 0.25f)) << "a tile that was half drawn hides nothing, nor does its drawn half";
     EXPECT_FALSE(screen.pyramid.hides({3, 0, 60, 16}, 0.5f));
-    for (int y = 0; y < 41; ++y) std::fill_n(next.depthRow(y), 67, 0.9f);
+    for (int y = 0; y < 41; ++y) std::fill_n(next.row(y), 67, keyOf(0.9f, 0));
     EXPECT_FALSE(screen.pyramid.hides({3, 24, 60, 32}, 0.25f)) << "nothing was there";
     VisibilityBuffer wider;
     wider.resize(68, 41, DepthEncoding::withBackground(kEmpty));

@@ -123,12 +123,12 @@ TEST(TriangleQuery, HidesATriangleExactlyIfEveryPixelItCoversIsNearer)
         Pyramid pyramid;
         pyramid.reset(visible, 0, kRegion.y1);
         // Most of the picture is filled; a few rectangles stay far.
-        for (int y = 0; y < kRegion.y1; ++y) std::fill_n(visible.depthRow(y), kRegion.x1, 0.5f);
+        for (int y = 0; y < kRegion.y1; ++y) std::fill_n(visible.row(y), kRegion.x1, keyOf(0.5f, 0));
         for (int hole = 0; hole < 4; ++hole) {
             PixelBox box = boxIn(random, kRegion);
             box.x1       = std::min(box.x1, box.x0 + 9);
             box.y1       = std::min(box.y1, box.y0 + 9);
-            for (int y = box.y0; y < box.y1; ++y) std::fill_n(visible.depthRow(y) + box.x0, box.x1 - box.x0, 0.1f);
+            for (int y = box.y0; y < box.y1; ++y) std::fill_n(visible.row(y) + box.x0, box.x1 - box.x0, keyOf(0.1f, 0));
         }
         pyramid.allTouched();
         for (int t = 0; t < 40; ++t) {
@@ -138,7 +138,7 @@ TEST(TriangleQuery, HidesATriangleExactlyIfEveryPixelItCoversIsNearer)
             bool        behind = true, boxBehind = true;
             for (int y = triangle.box.y0; y < triangle.box.y1; ++y)
                 for (int x = triangle.box.x0; x < triangle.box.x1; ++x) {
-                    const bool nearer = nearest < visible.depthRow(y)[x];
+                    const bool nearer = nearest < visible.storedAt(x, y);
                     boxBehind         = boxBehind && nearer;
                     behind            = behind && (nearer || !isInside(triangle, x, y));
                 }

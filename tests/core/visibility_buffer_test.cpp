@@ -36,7 +36,7 @@ void draw(VisibilityBuffer& buffer, const PixelBox& box)
 {
     buffer.open(box);
     for (int y = box.y0; y < box.y1; ++y)
-        for (int x = box.x0; x < box.x1; ++x) buffer.depthRow(y)[x] = 0.5f, buffer.rankRow(y)[x] = 7;
+        for (int x = box.x0; x < box.x1; ++x) buffer.row(y)[x] = keyOf(0.5f, 7);
 }
 
 TEST(VisibilityBuffer, ClearingRowsLeavesTheOthers)
@@ -74,8 +74,8 @@ TEST(VisibilityBuffer, WhatIsDrawnToIsEmptyBeforeAndEverythingElseIsAfterTheFram
                 for (int row = box.y0; row < box.y1; ++row)
                     for (int column = box.x0; column < box.x1; ++column) {
                         ASSERT_TRUE(buffer.isReadable(column, row));
-                        ASSERT_EQ(buffer.rankRow(row)[column], drawn.at(column, row) ? 7u : 0u);
-                        ASSERT_EQ(buffer.depthRow(row)[column], drawn.at(column, row) ? 0.5f : -1.0f);
+                        ASSERT_EQ(buffer.rankAt(column, row), drawn.at(column, row) ? 7u : 0u);
+                        ASSERT_EQ(buffer.storedAt(column, row), drawn.at(column, row) ? 0.5f : -1.0f);
                         drawn.at(column, row) = 1;
                     }
                 draw(buffer, box);
@@ -84,7 +84,7 @@ TEST(VisibilityBuffer, WhatIsDrawnToIsEmptyBeforeAndEverythingElseIsAfterTheFram
             for (int y = 0; y < height; ++y)
                 for (int x = 0; x < width; ++x) {
                     ASSERT_EQ(buffer.idAt(x, y), drawn.at(x, y) ? 6 : -1) << frame << ": " << x << ' ' << y;
-                    ASSERT_EQ(buffer.depthRow(y)[x], drawn.at(x, y) ? 0.5f : -1.0f);
+                    ASSERT_EQ(buffer.storedAt(x, y), drawn.at(x, y) ? 0.5f : -1.0f);
                 }
         }
     }
@@ -97,9 +97,9 @@ TEST(VisibilityBuffer, AVectorMayBeReadAtTheLastPixelOfEveryRow)
         buffer.resize(width, 3, DepthEncoding::withBackground(0.0f));
         buffer.clearRows(0, 3);
         for (int y = 0; y < 3; ++y) {
-            for (int past = 0; past < kRowPadding; ++past) buffer.rankRow(y)[width - 1 + past] = 99;  // asan watches
+            for (int past = 0; past < kRowPadding; ++past) buffer.row(y)[width - 1 + past] = 99;  // asan watches
             if (y > 0) {
-                EXPECT_GE(buffer.rankRow(y) - buffer.rankRow(y - 1), width + kRowPadding);
+                EXPECT_GE(buffer.row(y) - buffer.row(y - 1), width + kRowPadding);
             }
         }
         if (width > 1) {
@@ -112,7 +112,7 @@ TEST(VisibilityBuffer, TheLargestIdIsReportedAsItself)
 {
     VisibilityBuffer buffer;
     buffer.resize(1, 1, DepthEncoding::withBackground(0.0f));
-    buffer.rankRow(0)[0] = static_cast<std::uint32_t>(kMaxTriangles);  // rank of the last possible triangle
+    buffer.row(0)[0] = keyOf(0.5f, static_cast<std::uint32_t>(kMaxTriangles));  // rank of the last possible triangle
     EXPECT_EQ(buffer.idAt(0, 0), static_cast<std::int64_t>(kMaxTriangles) - 1);
 }
 

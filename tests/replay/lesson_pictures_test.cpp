@@ -46,7 +46,7 @@ float farthestOf(const VisibilityBuffer& visible, int level, int cellX, int cell
     const int size     = 1 << level;
     float     farthest = 2;
     for (int y = cellY * size; y < std::min((cellY + 1) * size, visible.height()); ++y)
-        for (int x = cellX * size; x < std::min((cellX + 1) * size, visible.width()); ++x) farthest = std::min(farthest, visible.depthRow(y)[x]);
+        for (int x = cellX * size; x < std::min((cellX + 1) * size, visible.width()); ++x) farthest = std::min(farthest, visible.storedAt(x, y));
     return farthest;
 }
 

@@ -32,7 +32,7 @@ std::vector<Shown> shownAt(Replay& replay, Grain grain, PixelPosition p)
     for (std::uint64_t k = 0; k < count; ++k) {
         const auto              state   = replay.at(grain, StepIndex{k});
         const VisibilityBuffer& visible = state->frame.visible;
-        all.push_back({visible.idAt(p.x, p.y), visible.depthRow(p.y)[p.x]});
+        all.push_back({visible.idAt(p.x, p.y), visible.storedAt(p.x, p.y)});
     }
     return all;
 }

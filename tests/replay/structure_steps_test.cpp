@@ -63,7 +63,7 @@ float farthestIn(const VisibilityBuffer& visible, const PixelBox& box)
 {
     float farthest = 2;
     for (int y = box.y0; y < std::min(box.y1, visible.height()); ++y)
-        for (int x = box.x0; x < std::min(box.x1, visible.width()); ++x) farthest = std::min(farthest, visible.depthRow(y)[x]);
+        for (int x = box.x0; x < std::min(box.x1, visible.width()); ++x) farthest = std::min(farthest, visible.storedAt(x, y));
     return farthest;
 }
 

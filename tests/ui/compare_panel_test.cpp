@@ -33,8 +33,7 @@ VisibilityBuffer bufferOf(const std::vector<std::pair<int, float>>& pixels)  // 
     buffer.clearRows(0, 1);
     for (std::size_t x = 0; x < pixels.size(); ++x) {
         if (pixels[x].first < 0) continue;
-        buffer.rankRow(0)[x]  = static_cast<std::uint32_t>(pixels[x].first) + 1;
-        buffer.depthRow(0)[x] = pixels[x].second;
+        buffer.row(0)[x] = keyOf(pixels[x].second, static_cast<std::uint32_t>(pixels[x].first) + 1);
     }
     return buffer;
 }

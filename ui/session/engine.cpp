@@ -23,12 +23,12 @@ void takeStock(DrawnFrame& drawn, std::uint64_t triangles)
     std::vector<bool> seen(triangles + 1, false);  // by rank
     const VisibilityBuffer& visible = drawn.frame.visible;
     for (int y = 0; y < visible.height(); ++y) {
-        const std::uint32_t* row = visible.rankRow(y);
         for (int x = 0; x < visible.width(); ++x) {
-            if (row[x] == 0) continue;
+            const std::uint32_t rank = visible.rankAt(x, y);
+            if (rank == 0) continue;
             ++drawn.coveredPixels;
-            if (seen[row[x]]) continue;
-            seen[row[x]] = true;
+            if (seen[rank]) continue;
+            seen[rank] = true;
             ++drawn.visibleTriangles;
         }
     }
@@ -233,14 +233,12 @@ QImage ghosted(const ShownStep& step, const DrawnFrame& finished)
     const auto& complete = finished.painted.width() > 0 ? finished.painted : finished.frame.colour;
     QImage      image(visible.width(), visible.height(), QImage::Format_RGB32);
     for (int y = 0; y < visible.height(); ++y) {
-        const std::uint32_t* now   = visible.rankRow(y);
-        const std::uint32_t* later = finished.frame.visible.rankRow(y);
         const auto           here  = colours.view().row(y);
         const auto           there = complete.view().row(y);
         auto*                out   = reinterpret_cast<QRgb*>(image.scanLine(y));
         for (int x = 0; x < visible.width(); ++x) {
             const auto at = static_cast<std::size_t>(x);
-            out[x]        = now[x] == 0 && later[x] != 0 ? mixed(there[at], here[at], kPale) : here[at];
+            out[x]        = visible.rankAt(x, y) == 0 && finished.frame.visible.rankAt(x, y) != 0 ? mixed(there[at], here[at], kPale) : here[at];
         }
     }
     return image;

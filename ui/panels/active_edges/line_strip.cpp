@@ -50,11 +50,11 @@ LineStripContents stripOf(const StepState& state)
         const bool isNow = state.event >= Grain::Span && state.span && span == *state.span;
         strip.offered.push_back({std::max(span.x0, strip.x0), std::min(span.x1, strip.x1), span.polygon.value, lane, isNow});
     }
-    const std::uint32_t* ranks = visible.rankRow(sweep.y);
+    const auto rank = [&](int x) { return visible.rankAt(x, sweep.y); };
     for (int x = strip.x0; x < strip.x1;) {
         int end = x + 1;
-        while (end < strip.x1 && ranks[end] == ranks[x]) ++end;
-        if (ranks[x] != 0) strip.owners.push_back({x, end, ranks[x] - 1, 0, false});
+        while (end < strip.x1 && rank(end) == rank(x)) ++end;
+        if (rank(x) != 0) strip.owners.push_back({x, end, rank(x) - 1, 0, false});
         x = end;
     }
     return strip;

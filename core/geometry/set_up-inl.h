@@ -1,0 +1,224 @@
+// Set-up of a plain batch, several triangles side by side: which of them reach pixels, their edges and their depth planes.
+//
+// Sieve      in int32 lanes, from snapped corners: turn, box, and whether any pixel centre lies in it. Most triangles end here.
+//            What is left is written densely, so that the lanes that follow have work
+// Edges      in int32 lanes: exact, because the sides of compact triangles are short. Then float32
+// Planes     in float64 lanes, in the order of depthPlane() (core/geometry/screen_triangle.h), nothing fused
+// One by one triangles with a long side, and all of them where rules are chosen at run time (corners need not be whole then)
+// Promise    each triangle's fate is told once (TriangleSetUp), and the list holds what setUpTriangle() would have made
+// Source     docs/correctness.md, Coverage, Depth and the winner
+#if defined(ZSCOPE_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_SET_UP_INL_H
+#undef ZSCOPE_SET_UP_INL_H
+#else
+#define ZSCOPE_SET_UP_INL_H
+#endif
+
+#include <array>
+
+#include <hwy/highway.h>
+
+#include "core/geometry/set_up.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class Rules, class Probe>
+class PlainSetUp {
+public:
+    PlainSetUp(const BatchPlace& place, const ScreenVertices& vertices, FaceCulling culling, const PixelBox& region, const Rules& rules,
+               TriangleList& out, const Probe& probe)
+        : m_place(place), m_vertices(vertices), m_culling(culling), m_region(region), m_rules(rules), m_out(out), m_probe(probe)
+    {
+    }
+
+    void run()
+    {
+        const std::uint32_t first = m_place.batch.firstTriangle, end = first + m_place.batch.triangleCount;
+        if constexpr (Rules::kExact) {
+            m_finished = m_out.count;
+            for (std::uint32_t t = first; t < end; t += static_cast<std::uint32_t>(hn::Lanes(D()))) sieve(t, end);
+            finish();
+        } else {
+            for (std::uint32_t t = first; t < end; ++t) setUpOne(m_place, t, m_vertices, m_culling, m_region, m_rules, m_out, m_probe);
+        }
+    }
+
+private:
+    using D    = hn::ScalableTag<std::int32_t>;
+    using DF   = hn::RebindToFloat<D>;
+    using V    = hn::Vec<D>;
+    using M    = hn::Mask<D>;
+    using F64  = hn::ScalableTag<double>;
+    using I32  = hn::Rebind<std::int32_t, F64>;
+    using I64  = hn::Rebind<std::int64_t, F64>;
+    using F32  = hn::Rebind<float, F64>;
+    using V64  = hn::Vec<F64>;
+    using Three = std::array<V, 3>;
+
+    static V all(std::int32_t value) { return hn::Set(D(), value); }
+    static V least(const Three& of) { return hn::Min(hn::Min(of[0], of[1]), of[2]); }
+    static V most(const Three& of) { return hn::Max(hn::Max(of[0], of[1]), of[2]); }
+    /// First pixel whose centre is at or beyond a snapped position.
+    static V firstCentreFrom(V snapped) { return hn::ShiftRight<8>(snapped + all(127)); }
+
+    /// The triangles t, t + 1, ... as far as they come before `end`.
+    void sieve(std::uint32_t t, std::uint32_t end)
+    {
+        const hn::Rebind<std::uint16_t, D> u16;
+        const auto& corners = m_place.mesh.corners;
+        Three       vertex, x, y;
+        for (std::size_t k = 0; k < 3; ++k) {
+            vertex[k] = hn::PromoteTo(D(), hn::LoadU(u16, corners[k].data() + t));
+            x[k]      = hn::GatherIndex(D(), m_vertices.sx.data(), vertex[k]);
+            y[k]      = hn::GatherIndex(D(), m_vertices.sy.data(), vertex[k]);
+        }
+        const auto x0 = least(x), x1 = most(x), y0 = least(y), y1 = most(y);
+        const auto isThere   = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - t));
+        const auto isCompact = hn::And(isThere, hn::Max(x1 - x0, y1 - y0) < all(kCompactSide));
+        const auto area      = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+        const auto isBack    = area > hn::Zero(D());
+
+        const auto left = hn::Max(all(m_region.x0), firstCentreFrom(x0)), right = hn::Min(all(m_region.x1), firstCentreFrom(x1));
+        const auto above = hn::Max(all(m_region.y0), firstCentreFrom(y0)), below = hn::Min(all(m_region.y1), firstCentreFrom(y1));
+        const auto hasCentre = hn::And(left < right, above < below);
+        const auto isTurned  = m_culling == FaceCulling::Back ? area < hn::Zero(D()) : area != hn::Zero(D());
+        // Windows begin where all of them end inside the region.
+        const auto lines = hn::And(below - above + all(kWindowSide - 1), all(-kWindowSide));
+        const auto top   = hn::Min(above, all(m_region.y1) - lines);
+        const auto fits  = hn::Not(top < all(m_region.y0));
+        const auto kept  = hn::And(hn::And(isCompact, hasCentre), hn::And(isTurned, fits));
+        const auto alone = hn::AndNot(hn::And(isCompact, fits), isThere);  // to be set up one by one
+
+        if (!hn::AllFalse(D(), kept)) {
+            const auto id   = hn::LoadU(hn::RebindToUnsigned<D>(), m_place.mesh.meshTriangle.data() + t);
+            const auto kind = hn::IfThenElse(isBack, all(TriangleList::kCompact), all(TriangleList::kCompact | TriangleList::kFront));
+            keep(kept, x[0], m_out.sx[0]), keep(kept, hn::IfThenElse(isBack, x[1], x[2]), m_out.sx[1]), keep(kept, hn::IfThenElse(isBack, x[2], x[1]), m_out.sx[2]);
+            keep(kept, y[0], m_out.sy[0]), keep(kept, hn::IfThenElse(isBack, y[1], y[2]), m_out.sy[1]), keep(kept, hn::IfThenElse(isBack, y[2], y[1]), m_out.sy[2]);
+            for (std::size_t k = 0; k < 3; ++k) keep(kept, vertex[k], m_out.vertex[k]);
+            keep(kept, left, m_out.x0), keep(kept, above, m_out.y0), keep(kept, right, m_out.x1), keep(kept, below, m_out.y1);
+            keep(kept, top, m_out.top);
+            keep(kept, kind, m_out.kind);
+            keep(kept, hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle)), m_out.id);
+            const std::size_t before = m_out.count;
+            m_out.count += hn::CountTrue(D(), kept);
+            if (!m_place.mesh.patterned.empty()) markPatterned(t, kept, before);
+        }
+        if constexpr (Probe::listens) {
+            static_assert(!Probe::listens || hn::MaxLanes(D()) == 1, "a run that is listened to uses one lane");
+            if (hn::AllFalse(D(), alone)) {
+                const bool  turns = !hn::AllTrue(D(), area == hn::Zero(D())), isCulled = turns && hn::AllFalse(D(), isTurned);
+                const SetUp fate  = !turns ? SetUp::Degenerate : isCulled ? SetUp::BackFacing : hn::AllFalse(D(), hasCentre) ? SetUp::NoPixelCentre : SetUp::Drawn;
+                m_probe(TriangleSetUp{m_place.idOf(t), fate, false, false});
+            }
+        }
+        if (hn::AllFalse(D(), alone)) return;
+        finish();
+        forEach(alone, [&](std::uint32_t lane) { setUpOne(m_place, t + lane, m_vertices, m_culling, m_region, m_rules, m_out, m_probe); });
+        m_finished = m_out.count;
+    }
+
+    template <class Column>
+    void keep(M kept, V values, Column& column) const
+    {
+        hn::StoreU(hn::Compress(values, kept), D(), reinterpret_cast<std::int32_t*>(column.data()) + m_out.count);
+    }
+
+    template <class Each>
+    static void forEach(M mask, const Each& each)
+    {
+        HWY_ALIGN std::array<std::int32_t, hn::MaxLanes(D())> lanes;
+        hn::Store(hn::IfThenElseZero(mask, all(1)), D(), lanes.data());
+        for (std::uint32_t lane = 0; lane < hn::Lanes(D()); ++lane)
+            if (lanes[lane] != 0) each(lane);
+    }
+
+    void markPatterned(std::uint32_t t, M kept, std::size_t at)
+    {
+        forEach(kept, [&](std::uint32_t lane) {
+            if (m_place.mesh.isPatterned(t + lane)) m_out.kind[at] |= TriangleList::kPatterned;
+            ++at;
+        });
+    }
+
+    /// Edges and planes of what the sieve has left.
+    void finish()
+    {
+        for (std::size_t i = m_finished; i < m_out.count; i += hn::Lanes(D())) findEdges(i);
+        for (std::size_t i = m_finished; i < m_out.count; i += hn::Lanes(F64())) findPlanes(i);
+        m_finished = m_out.count;
+    }
+
+    void findEdges(std::size_t i)
+    {
+        const auto at = [i](const auto& column) HWY_ATTR { return hn::LoadU(D(), column.data() + i); };
+        const Three x{at(m_out.sx[0]), at(m_out.sx[1]), at(m_out.sx[2])}, y{at(m_out.sy[0]), at(m_out.sy[1]), at(m_out.sy[2])};
+        const auto  px = hn::ShiftLeft<8>(at(m_out.x0)) + all(128), py = hn::ShiftLeft<8>(at(m_out.top)) + all(128);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            const auto        dx = x[next] - x[k], dy = y[next] - y[k];
+            const auto        owns = hn::Or(dy < hn::Zero(D()), hn::And(dy == hn::Zero(D()), dx > hn::Zero(D())));
+            const auto        edge = dx * (py - y[k]) - dy * (px - x[k]) - hn::IfThenElse(owns, hn::Zero(D()), all(1));
+            keepAsFloat(hn::ShiftRight<8>(edge), m_out.origin[k], i);
+            keepAsFloat(hn::Zero(D()) - dy, m_out.perPixel[k], i);
+            keepAsFloat(dx, m_out.perLine[k], i);
+        }
+    }
+    static void keepAsFloat(V value, TriangleList::Column<float>& column, std::size_t i)
+    {
+        hn::StoreU(hn::ConvertTo(DF(), value), DF(), column.data() + i);
+    }
+
+    void findPlanes(std::size_t i)
+    {
+        const F64  d64;
+        const auto gather = [&](const auto& from, std::size_t k) HWY_ATTR {
+            const auto index = hn::PromoteTo(I64(), hn::LoadU(I32(), m_out.vertex[k].data() + i));
+            return hn::GatherIndex(d64, from.data(), index);
+        };
+        const auto d0 = gather(m_vertices.d, 0), d1 = gather(m_vertices.d, 1), d2 = gather(m_vertices.d, 2);
+        auto       x0 = gather(m_vertices.x, 0), y0 = gather(m_vertices.y, 0);
+        auto       e1x = gather(m_vertices.x, 1) - x0, e1y = gather(m_vertices.y, 1) - y0;
+        auto       e2x = gather(m_vertices.x, 2) - x0, e2y = gather(m_vertices.y, 2) - y0;
+        auto       det = e1x * e2y - e2x * e1y;
+
+        const auto longest = hn::Max(hn::Max(hn::Abs(e1x), hn::Abs(e1y)), hn::Max(hn::Abs(e2x), hn::Abs(e2y)));
+        const auto isThin  = hn::Not(hn::Abs(det) > longest * hn::Set(d64, 0x1p-10));
+        if (!hn::AllFalse(d64, isThin)) {  // thinner than a quarter of a snapping step: the snapped plane
+            const auto pixels = hn::Set(d64, 1 / kSubpixels);
+            const auto sx = gather(m_vertices.xs, 0) * pixels, sy = gather(m_vertices.ys, 0) * pixels;
+            const auto choose = [&](V64 thin, V64& other) HWY_ATTR { other = hn::IfThenElse(isThin, thin, other); };
+            choose(gather(m_vertices.xs, 1) * pixels - sx, e1x), choose(gather(m_vertices.ys, 1) * pixels - sy, e1y);
+            choose(gather(m_vertices.xs, 2) * pixels - sx, e2x), choose(gather(m_vertices.ys, 2) * pixels - sy, e2y);
+            choose(sx, x0), choose(sy, y0);
+            det = e1x * e2y - e2x * e1y;
+        }
+        const auto nearest = hn::DemoteTo(F32(), hn::Max(hn::Max(d0, d1), d2));
+        const auto flat    = det == hn::Zero(d64);
+        const auto inv = hn::Set(d64, 1) / det;
+        const auto f1 = d1 - d0, f2 = d2 - d0;
+        const auto a = hn::IfThenZeroElse(flat, (f1 * e2y - f2 * e1y) * inv), b = hn::IfThenZeroElse(flat, (f2 * e1x - f1 * e2x) * inv);
+        const auto c = hn::IfThenElse(flat, hn::PromoteTo(d64, nearest), d0 - (a * x0 + b * y0));
+        hn::StoreU(a, d64, m_out.a.data() + i);
+        hn::StoreU(b, d64, m_out.b.data() + i);
+        hn::StoreU(c, d64, m_out.c.data() + i);
+        hn::StoreU(nearest, F32(), m_out.nearest.data() + i);
+        hn::StoreU(hn::DemoteTo(F32(), hn::Min(hn::Min(d0, d1), d2)), F32(), m_out.farthest.data() + i);
+    }
+
+    const BatchPlace&     m_place;
+    const ScreenVertices& m_vertices;
+    FaceCulling           m_culling;
+    const PixelBox&       m_region;
+    const Rules&          m_rules;
+    TriangleList&         m_out;
+    const Probe&          m_probe;
+    std::size_t           m_finished = 0;  // entries of the list whose edges and planes are there
+};
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_SET_UP_INL_H

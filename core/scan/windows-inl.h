@@ -1,0 +1,320 @@
+// Compact triangles to pixels by windows: a list of (triangle, window) that is worked off without asking which triangle comes next.
+//
+// Window     kWindowSide x kWindowSide pixels, the first one of a triangle at the corner of its box: most small triangles have only
+//            that one
+// Edges      float32, exact (core/geometry/triangle_list.h)
+// Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is monotone, so
+//            they may be applied after it
+// List       triangles of one batch, because a loop over one triangle's few windows is mispredicted at every triangle
+// Promise    the same pixels as HalfSpace and EdgeWalk. A window may reach beyond its triangle's box, never beyond the lines of the
+//            stripe, and to the right no farther than the picture's padding (core/depth/visibility_buffer.h)
+// Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
+#if defined(ZSCOPE_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_WINDOWS_INL_H
+#undef ZSCOPE_WINDOWS_INL_H
+#else
+#define ZSCOPE_WINDOWS_INL_H
+#endif
+
+#include <algorithm>
+#include <array>
+
+#include "core/geometry/triangle_list.h"
+#include "core/scan/depth_test-inl.h"
+#include "core/scan/window_list.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+/// From the compact triangles of a batch to the windows that they may cover.
+class WindowFinder {
+    using D  = hn::ScalableTag<std::int32_t>;
+    using DF = hn::RebindToFloat<D>;
+    using DU = hn::RebindToUnsigned<D>;
+    using VF = hn::Vec<DF>;
+
+    static hn::Vec<D> all(std::int32_t value) { return hn::Set(D(), value); }
+    template <class T>
+    static hn::Vec<hn::Rebind<T, D>> load(const TriangleList::Column<T>& column, std::size_t i)
+    {
+        return hn::LoadU(hn::Rebind<T, D>(), column.data() + i);
+    }
+
+public:
+    WindowFinder(const TriangleList& triangles, WindowList& list) : m_triangles(triangles), m_list(list) { list.clear(); }
+
+    /// The windows of the triangles [first, end) that are drawn by windows; calls others(i) for the rest, but for hidden ones.
+    template <class Others>
+    void add(std::size_t first, std::size_t end, const Others& others)
+    {
+        for (std::size_t i = first; i < end; i += hn::Lanes(D())) {
+            const auto isThere  = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - i));
+            const auto kind     = load(m_triangles.kind, i);
+            const auto special  = hn::And(kind, all(TriangleList::kPatterned | TriangleList::kCompact)) != all(TriangleList::kCompact);
+            const auto isDrawn  = hn::AndNot(hn::TestBit(kind, all(TriangleList::kHidden)), isThere);
+            const auto byWindows = hn::AndNot(special, isDrawn);
+            addWindows(i, byWindows);
+            forEach(hn::And(special, isDrawn), i, others);
+        }
+    }
+
+private:
+    template <class Each>
+    static void forEach(hn::Mask<D> mask, std::size_t first, const Each& each)
+    {
+        if (hn::AllFalse(D(), mask)) return;
+        HWY_ALIGN std::array<std::int32_t, hn::MaxLanes(D())> lanes;
+        hn::Store(hn::IfThenElseZero(mask, all(1)), D(), lanes.data());
+        for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
+            if (lanes[lane] != 0) each(first + lane);
+    }
+
+    /// The windows of those of the triangles i, i + 1, ... that `mask` names. Up to two by two of them are judged for all triangles
+    /// side by side; a triangle with more has its windows judged side by side.
+    void addWindows(std::size_t i, hn::Mask<D> mask)
+    {
+        if (hn::AllFalse(D(), mask)) return;
+        const auto width  = load(m_triangles.x1, i) - load(m_triangles.x0, i);
+        const auto height = load(m_triangles.y1, i) - load(m_triangles.top, i);
+        const auto isWide = width > all(kWindowSide), isHigh = height > all(kWindowSide);
+        const auto hasMore = hn::Max(width, height) > all(2 * kWindowSide);
+        const auto hasFew  = hn::AndNot(hasMore, mask);
+
+        std::array<VF, 3> best, across, below;  // per edge: at the innermost pixel of the first window; from window to window
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto perPixel = load(m_triangles.perPixel[k], i), perLine = load(m_triangles.perLine[k], i);
+            best[k]   = innermost(load(m_triangles.origin[k], i), perPixel, perLine);
+            across[k] = perPixel * hn::Set(DF(), kWindowSide);
+            below[k]  = perLine * hn::Set(DF(), kWindowSide);
+        }
+        m_list.reserve(4 * hn::Lanes(D()));
+        const auto owner = hn::Iota(DU(), static_cast<std::uint32_t>(i));
+        const auto place = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
+        const auto judge = [&](VF innermost, hn::Mask<D> exists, int right, int down) HWY_ATTR {
+            const auto kept = hn::RebindMask(DU(), hn::And(exists, hn::RebindMask(D(), innermost >= hn::Zero(DF()))));
+            const auto here = place + hn::Set(DU(), static_cast<std::uint32_t>(right + (down << 16)));
+            append(hn::Compress(owner, kept), hn::Compress(here, kept), hn::Set(DF(), static_cast<float>(right)),
+                   hn::Set(DF(), static_cast<float>(down)), hn::CountTrue(DU(), kept));
+        };
+        const auto moved = [](const std::array<VF, 3>& edge, const std::array<VF, 3>& by) HWY_ATTR {
+            return std::array<VF, 3>{edge[0] + by[0], edge[1] + by[1], edge[2] + by[2]};
+        };
+        const auto least = [](const std::array<VF, 3>& edge) HWY_ATTR { return hn::Min(hn::Min(edge[0], edge[1]), edge[2]); };
+        const auto isTiny = hn::RebindMask(DF(), hn::Not(hn::Max(width, height) > all(2)));
+        judge(hn::IfThenElse(isTiny, innermostOfFour(i), least(best)), hasFew, 0, 0);
+        const auto wide = hn::And(hasFew, isWide), high = hn::And(hasFew, isHigh);
+        if (!hn::AllFalse(D(), wide)) judge(least(moved(best, across)), wide, kWindowSide, 0);
+        if (!hn::AllFalse(D(), high)) {
+            const auto lower = moved(best, below);
+            judge(least(lower), high, 0, kWindowSide);
+            judge(least(moved(lower, across)), hn::And(high, isWide), kWindowSide, kWindowSide);
+        }
+        forEach(hn::And(mask, hasMore), i, [this](std::size_t t) { addMany(t); });
+    }
+
+    /// An edge's value at the pixel of a window that lies farthest inside, from that at the first one.
+    static VF innermost(VF first, VF perPixel, VF perLine)
+    {
+        const auto inward = hn::Max(perPixel, hn::Zero(DF())) + hn::Max(perLine, hn::Zero(DF()));
+        return hn::MulAdd(inward, hn::Set(DF(), kWindowSide - 1), first);
+    }
+
+    /// Of the first two by two pixels of the triangles i, i + 1, ..., the one that lies farthest inside: its least edge value.
+    VF innermostOfFour(std::size_t i) const
+    {
+        std::array<VF, 4> least;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto origin = load(m_triangles.origin[k], i), perPixel = load(m_triangles.perPixel[k], i), perLine = load(m_triangles.perLine[k], i);
+            const std::array<VF, 4> edge{origin, origin + perPixel, origin + perLine, origin + perPixel + perLine};
+            for (std::size_t pixel = 0; pixel < 4; ++pixel) least[pixel] = k == 0 ? edge[pixel] : hn::Min(least[pixel], edge[pixel]);
+        }
+        return hn::Max(hn::Max(least[0], least[1]), hn::Max(least[2], least[3]));
+    }
+
+    /// The windows of one triangle, line of windows after line of windows.
+    void addMany(std::size_t t)
+    {
+        const int columns = (m_triangles.x1[t] - m_triangles.x0[t] + kWindowSide - 1) / kWindowSide;
+        const int lines   = (m_triangles.y1[t] - m_triangles.top[t] + kWindowSide - 1) / kWindowSide;
+        const int lanes   = static_cast<int>(hn::Lanes(DF()));
+        m_list.reserve(static_cast<std::size_t>((columns + lanes) * lines));
+
+        const std::uint32_t place = static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16));
+        std::array<VF, 3>   start, across;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto set = [t](const TriangleList::Column<float>& column) HWY_ATTR { return hn::Set(DF(), column[t]); };
+            across[k] = set(m_triangles.perPixel[k]);
+            start[k]  = innermost(set(m_triangles.origin[k]), across[k], set(m_triangles.perLine[k]));
+        }
+        for (int line = 0; line < lines; ++line) {
+            const auto down = static_cast<float>(line * kWindowSide);
+            for (int column = 0; column < columns; column += lanes) {
+                const auto right  = hn::Iota(DF(), static_cast<float>(column)) * hn::Set(DF(), kWindowSide);
+                const auto edge   = [&](std::size_t k) HWY_ATTR {
+                    return hn::MulAdd(right, across[k], hn::MulAdd(hn::Set(DF(), down), hn::Set(DF(), m_triangles.perLine[k][t]), start[k]));
+                };
+                const auto inside = hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(DF());
+                const auto kept   = hn::And(inside, right < hn::Set(DF(), static_cast<float>(columns * kWindowSide)));
+                const auto there  = hn::Compress(right, kept);
+                const auto here   = hn::BitCast(DU(), hn::ConvertTo(D(), there)) + hn::Set(DU(), place + static_cast<std::uint32_t>(line * kWindowSide << 16));
+                append(hn::Set(DU(), static_cast<std::uint32_t>(t)), here, there, hn::Set(DF(), down), hn::CountTrue(DF(), kept));
+            }
+        }
+    }
+
+    /// The first `count` of these windows; `places` as in WindowList.
+    void append(hn::Vec<DU> owners, hn::Vec<DU> places, VF right, VF down, std::size_t count)
+    {
+        hn::StoreU(owners, DU(), m_list.owners.data() + m_list.count);
+        hn::StoreU(places, DU(), m_list.places.data() + m_list.count);
+        hn::StoreU(right, DF(), m_list.right.data() + m_list.count);
+        hn::StoreU(down, DF(), m_list.down.data() + m_list.count);
+        m_list.count += count;
+    }
+
+    const TriangleList& m_triangles;
+    WindowList&         m_list;
+};
+
+/// Pixels of a window are worked on in passes of so many: as many edges and depths in float32 as there are lanes of it, and so
+/// two vectors each of float64 and of keys.
+inline constexpr int kLanes       = static_cast<int>(hn::MaxLanes(F64()));
+inline constexpr int kPassPixels  = kLanes == 1 ? 1 : 2 * kLanes;
+inline constexpr int kPassColumns = std::min(kPassPixels, kWindowSide);
+inline constexpr int kPassLines   = kPassPixels / kPassColumns;
+
+#if HWY_TARGET == HWY_SCALAR
+using Pass32                    = F32;
+constexpr int pixelOfLane(int) { return 0; }
+#else
+using Pass32 = hn::Twice<F32>;
+/// Which pixel of its pass, line by line, a lane of float32 is. Interleaved with another vector, the first and second lane of every
+/// four go to the first vector of keys, the third and fourth to the second; those two are the upper and the lower half.
+constexpr int pixelOfLane(int lane) { return lane % 4 / 2 * kLanes + lane / 4 * 2 + lane % 2; }
+#endif
+
+/// Where the lanes of a pass lie in it.
+template <class T>
+struct PassLanes {
+    HWY_ALIGN std::array<T, kPassPixels> right{}, down{};
+
+    constexpr PassLanes()
+    {
+        for (int lane = 0; lane < kPassPixels; ++lane) {
+            right[static_cast<std::size_t>(lane)] = static_cast<T>(pixelOfLane(lane) % kWindowSide);
+            down[static_cast<std::size_t>(lane)]  = static_cast<T>(pixelOfLane(lane) / kWindowSide);
+        }
+    }
+};
+inline constexpr PassLanes<float>  kPassLanes32;
+inline constexpr PassLanes<double> kPassLanes64;
+
+/// As many keys as there are lanes: those of one line, or of two.
+#if HWY_TARGET == HWY_AVX3
+using LineKeys = hn::Half<I64>;
+inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t stride) { return hn::Combine(I64(), hn::LoadU(LineKeys(), row + stride), hn::LoadU(LineKeys(), row)); }
+inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t stride)
+{
+    hn::StoreU(hn::LowerHalf(LineKeys(), keys), LineKeys(), row);
+    hn::StoreU(hn::UpperHalf(LineKeys(), keys), LineKeys(), row + stride);
+}
+#else
+static_assert(kLanes <= kWindowSide);
+inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64(), row); }
+inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
+#endif
+
+/// Offers to as many pixels as there are lanes; those outside have a negative number in `inside`.
+template <Keep kKeep>
+HWY_INLINE hn::Mask<I64> offerKeys(Keys offered, Keys inside, float empty, PixelKey* row, std::ptrdiff_t stride)
+{
+    const auto held = loadKeys(row, stride);
+    const auto won  = hn::AndNot(inside < hn::Zero(I64()), winners<kKeep>(offered, held, empty));
+    storeKeys(hn::IfThenElse(won, offered, held), row, stride);
+    return won;
+}
+
+/// Tests window i of the list and stores what it wins.
+template <Keep kKeep, class Probe>
+HWY_INLINE void testWindow(const TriangleList& triangles, const WindowList& list, std::size_t i, PixelKey* picture, std::ptrdiff_t stride,
+                           float empty, [[maybe_unused]] int width, [[maybe_unused]] const Probe& probe)
+{
+    const F64    d64;
+    const Pass32 f32;
+    const hn::Rebind<std::uint32_t, Pass32> u32;
+
+    const std::size_t t = list.owners[i];
+    const int         x = static_cast<int>(list.places[i] & 0xFFFF), y = static_cast<int>(list.places[i] >> 16);
+    PixelKey* const   first = picture + y * stride + x;
+    const auto a = hn::Set(d64, triangles.a[t]), b = hn::Set(d64, triangles.b[t]), c = hn::Set(d64, triangles.c[t]);
+    const auto farthest = hn::Set(f32, triangles.farthest[t]), nearest = hn::Set(f32, triangles.nearest[t]);
+    const auto right = hn::Set(f32, list.right[i]), down = hn::Set(f32, list.down[i]);
+    const auto left = hn::Set(d64, list.centreX[i]), above = hn::Set(d64, list.centreY[i]);
+
+    for (int line = 0; line < kWindowSide; line += kPassLines) {
+        for (int column = 0; column < kWindowSide; column += kPassColumns) {
+            const auto toRight = hn::Load(f32, kPassLanes32.right.data()) + hn::Set(f32, static_cast<float>(column)) + right;
+            const auto toDown  = hn::Load(f32, kPassLanes32.down.data()) + hn::Set(f32, static_cast<float>(line)) + down;
+            const auto edge    = [&](std::size_t k) HWY_ATTR {
+                return hn::MulAdd(toDown, hn::Set(f32, triangles.perLine[k][t]),
+                                  hn::MulAdd(toRight, hn::Set(f32, triangles.perPixel[k][t]), hn::Set(f32, triangles.origin[k][t])));
+            };
+            // Its sign says whether a pixel is inside. It is never -0: sums that are zero are +0.
+            const auto least = hn::BitCast(u32, hn::Min(hn::Min(edge(0), edge(1)), edge(2)));
+            if constexpr (kLanes == 1)
+                if (hn::GetLane(least) >> 31 != 0 || x + column >= width) continue;
+
+            const auto depth = [&](int half) HWY_ATTR {
+                const auto lane = static_cast<std::size_t>(half * kLanes);
+                const auto px   = hn::Load(d64, kPassLanes64.right.data() + lane) + hn::Set(d64, column) + left;
+                const auto py   = hn::Load(d64, kPassLanes64.down.data() + lane) + hn::Set(d64, line) + above;
+                return hn::DemoteTo(F32(), a * px + (b * py + c));
+            };
+            PixelKey* const row = first + line * stride + column;
+#if HWY_TARGET == HWY_SCALAR
+            const auto z       = hn::Min(hn::Max(depth(0), farthest), nearest);
+            const auto offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id[t] + 1)));
+            if constexpr (Probe::listens) {
+                const PixelKey rival = *row;
+                const auto     won   = offerKeys<kKeep>(offered, hn::Zero(I64()), empty, row, stride);
+                probe(PixelTested{x + column, y + line, TriangleId{triangles.id[t]}, depthOf(hn::GetLane(offered)), !hn::AllFalse(I64(), won),
+                                  rankOf(rival), depthOf(rival), kKeep, false, false});
+            } else {
+                offerKeys<kKeep>(offered, hn::Zero(I64()), empty, row, stride);
+            }
+#else
+            static_assert(!Probe::listens, "a run that is listened to uses one lane");
+            const auto z      = hn::BitCast(u32, hn::Min(hn::Max(hn::Combine(f32, depth(1), depth(0)), farthest), nearest));
+            const auto rank   = hn::Set(u32, static_cast<std::uint32_t>(lowerHalf<kKeep>(triangles.id[t] + 1)));
+            const auto asKeys = [](auto halves) { return hn::BitCast(I64(), halves); };
+            offerKeys<kKeep>(asKeys(hn::InterleaveLower(u32, rank, z)), asKeys(hn::InterleaveLower(u32, least, least)), empty, row, stride);
+            offerKeys<kKeep>(asKeys(hn::InterleaveUpper(u32, rank, z)), asKeys(hn::InterleaveUpper(u32, least, least)), empty,
+                             row + kLanes / kWindowSide * stride + kLanes % kWindowSide, stride);
+#endif
+        }
+    }
+}
+
+/// Works the list off and empties it.
+template <Keep kKeep, class Probe>
+void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Probe& probe)
+{
+    PixelKey* const      picture = visible.row(0);
+    const std::ptrdiff_t stride  = visible.stride();
+    const std::size_t    count   = list.count;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(F64())) {
+        const auto place = hn::LoadU(U32(), list.places.data() + i);
+        const auto put   = [i](hn::Vec<U32> pixel, std::vector<double>& column) HWY_ATTR {
+            hn::StoreU(hn::PromoteTo(F64(), hn::BitCast(I32(), pixel)) + hn::Set(F64(), 0.5), F64(), column.data() + i);
+        };
+        put(hn::And(place, hn::Set(U32(), 0xFFFF)), list.centreX);
+        put(hn::ShiftRight<16>(place), list.centreY);
+    }
+    for (std::size_t i = 0; i < count; ++i) testWindow<kKeep>(triangles, list, i, picture, stride, visible.empty(), visible.width(), probe);
+    list.clear();
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_WINDOWS_INL_H
