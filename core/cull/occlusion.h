@@ -56,6 +56,27 @@ float farthestOver(const DepthPlane& plane, const PixelBox& pixels, const Rules&
     return rules.stored(z > plane.farthest ? std::min(z, double{plane.nearest}) : double{plane.farthest});
 }
 
+/// What scan conversion by tiles tells the pyramid of a triangle, where stale cells wait for a query; nobody if there is none that does.
+template <class Rules, class Probe>
+struct TileUpkeep {
+    Pyramid*          pyramid;  // or nullptr
+    const DepthPlane& plane;
+    bool              hasHoles;  // what it covers is not all drawn, or lies farther back
+    const Rules&      rules;
+    const Probe&      probe;
+
+    void touched(const PixelBox& box) const
+    {
+        if (pyramid) pyramid->touched(box);
+    }
+    void coveredTile(const PixelBox& tile) const
+    {
+        if (!pyramid) return;
+        if (hasHoles) return pyramid->touched(tile);
+        pyramid->coveredTile(tile.x0, tile.y0, farthestOver(plane, tile, rules), tellingOfCells(probe));
+    }
+};
+
 /// Asks by the rules.
 template <class Shape, class Rules, class Probe>
 PyramidQuery askPyramid(Pyramid& pyramid, const PixelBox& box, double nearest, const Shape& shape, const Rules& rules, const Probe& probe)

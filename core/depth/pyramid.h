@@ -8,7 +8,8 @@
 // Question   first what is stored, which may say yes; then the pixel in the middle of the box, which may say no and mostly does
 //            of what can be seen; then cell by cell
 // Upkeep     touched() marks the tiles under a box and their ancestors as stale, and stops where they already are; a
-//            stale cell is recomputed when a query meets it and neither its old value nor that pixel could answer. Or push(): the tiles are
+//            stale cell is recomputed when a query meets it and neither its old value nor that pixel could answer. A tile that one
+//            triangle covers whole takes its value from the triangle's plane (coveredTile()). Or push(): the tiles are
 //            recomputed at once, and from each of them its ancestors, up to the first that does not change. Or, if the
 //            pyramid was reset as masked, cover(): tiles know two depths and a mask, and no pixel is ever read
 // Promise    a cell is never nearer than the true farthest depth of its pixels: depths only grow, so an old value is
@@ -77,7 +78,11 @@ public:
 
     /// Depths inside `box`, which lies in the region, may have grown.
     void touched(const PixelBox& box);
-    /// The same, and every cell is brought up to date: after each tile its ancestors, as far as they change.
+    /// The tile that holds (x, y) has been drawn over as a whole by something that is nowhere beyond `farthest`: its depth is known
+    /// without reading a pixel.
+    template <class Told>
+    void coveredTile(int x, int y, float farthest, const Told& told);
+    /// The same as touched(), and every cell is brought up to date: after each tile its ancestors, as far as they change.
     template <class Told>
     void push(const PixelBox& box, const Told& told);
     /// The same, but all tiles first, so that the first way up from a group of tiles finds what the others would bring.

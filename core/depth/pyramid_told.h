@@ -47,7 +47,7 @@ bool Pyramid::showsAtMiddle(const PixelBox& box, float nearest, const Shape& sha
 {
     if (!m_readsPixels) return false;
     const int x = (box.x0 + box.x1) / 2, y = (box.y0 + box.y1) / 2;
-    return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->depthRow(y)[x]));
+    return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->storedAt(x, y)));
 }
 
 /// Cell by cell, each brought up to date if it must be. The query's value becomes what they hold then.
@@ -68,6 +68,19 @@ bool Pyramid::cellsHide(PyramidQuery& query, const Shape& shape, const Told& tol
     }
     query.cells = m_cellsRead;
     return hidden;
+}
+
+template <class Told>
+void Pyramid::coveredTile(int x, int y, float farthest, const Told& told)
+{
+    const int column = x >> kTileLevel, line = (y - m_firstRow) >> kTileLevel;
+    if (m_fault != Fault::None) return markStaleFrom(kTileLevel, column, line);  // whatever is wrong is wrong with pixels that are read
+    float& value = at(kTileLevel).farthest.at(column, line);
+    if (!(farthest > value)) return;
+    const float before = value;
+    value              = farthest;
+    markStaleFrom(kTileLevel + 1, column, line);
+    told(CellWrite{kTileLevel, column, line, before, value});
 }
 
 template <class Told>

@@ -48,8 +48,6 @@ struct ScanConvert {
     DrawnTriangles operator()(TriangleList& triangles) const
     {
         if (triangles.isEmpty()) return {};
-        stripe.visible.open(triangles.reach());
-
         const auto unshaded = [](const ScreenTriangle&) { return UnshadedFragments(); };
         const auto early    = [this](const ScreenTriangle& triangle) {
             return ShadedFragments<ShadingMoment::AfterTest>(*stripe.painter, triangle.rank());
@@ -99,7 +97,7 @@ private:
             const ScreenTriangle triangle = triangles[i];
             probe(TriangleReached{triangle});
             if (!drawByWindows<kKeep, Fragments>(triangles, i)) draw<kKeep>(triangle, fragmentsOf);
-            if (!pass.tiles) keepTrue(occlusion, triangle, rules, probe);
+            if (!pass.tiles && occlusion.afterDrawing != AfterDrawing::MarkStale) keepTrue(occlusion, triangle, rules, probe);
             probe(TriangleFinished{triangle.id});
         }
         return all;
@@ -122,15 +120,22 @@ private:
     template <Keep kKeep, class FragmentsOf>
     void drawTogether(const TriangleList& triangles, const FragmentsOf& fragmentsOf) const
     {
+        if (const PixelBox reach = triangles.reachOfCompact(); !reach.isEmpty()) {
+            stripe.visible.open(reach);
+            markStale(triangles, reach);
+        }
         WindowFinder finder(triangles, windows);
         finder.add(0, triangles.count, [&](std::size_t i) { draw<kKeep>(triangles[i], fragmentsOf); });
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);
+    }
+
+    /// What compact triangles may change: all of their reach, where it has fewer tiles than there are triangles.
+    void markStale(const TriangleList& triangles, const PixelBox& reach) const
+    {
         if (occlusion.afterDrawing != AfterDrawing::MarkStale) return;
-        // Little triangles in many places of few tiles: their tiles at once.
-        const PixelBox reach = triangles.reach();
         if (Pyramid::tilesIn(reach) <= triangles.count) return occlusion.pyramid->touched(reach);
         for (std::size_t i = 0; i < triangles.count; ++i)
-            if (!triangles.isHidden(i)) occlusion.pyramid->touched(triangles.box(i));
+            if (triangles.is(TriangleList::kCompact, i) && !triangles.isHidden(i)) occlusion.pyramid->touched(triangles.box(i));
     }
 
     /// False if the triangle is none of those that are drawn by windows.
@@ -139,11 +144,14 @@ private:
     {
         if constexpr (!drawsWindows<Fragments>()) return false;
         if (pass.tiles) return false;
-        bool        isDrawn = true;
+        bool         isDrawn = true;
         WindowFinder finder(triangles, windows);
         finder.add(i, i + 1, [&](std::size_t) { isDrawn = false; });
+        if (!isDrawn) return false;
+        stripe.visible.open(triangles.box(i));
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);
-        return isDrawn;
+        if (occlusion.afterDrawing == AfterDrawing::MarkStale) occlusion.pyramid->touched(triangles.box(i));
+        return true;
     }
 
     template <Keep kKeep, class FragmentsOf>
@@ -159,13 +167,18 @@ private:
     template <Keep kKeep, class Fragments>
     void fill(const ScreenTriangle& triangle, const Fragments& fragments) const
     {
-        if constexpr (kKeep == Keep::Nearest && std::is_same_v<Scan, HalfSpace>) {
-            if (pass.tiles) {
-                HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, tellingOfCells(probe), fragments, stripe.visible, rules, probe);
-                return;
+        const bool waits = occlusion.afterDrawing == AfterDrawing::MarkStale && !pass.tiles;
+        const TileUpkeep<Rules, Probe> upkeep{waits ? occlusion.pyramid : nullptr, triangle.depth, triangle.patterned, rules, probe};
+        if constexpr (std::is_same_v<Scan, HalfSpace>) {
+            if constexpr (kKeep == Keep::Nearest) {
+                if (pass.tiles) return HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, tellingOfCells(probe), fragments, stripe.visible, rules, probe);
             }
+            HalfSpace::fill<kKeep>(triangle, fragments, upkeep, stripe.visible, rules, probe);
+        } else {
+            stripe.visible.open(triangle.box);
+            Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
+            upkeep.touched(triangle.box);
         }
-        Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
     }
 
     /// Where nodes are asked about and questions bring cells up to date, triangles of such a node are asked about only if they
@@ -216,12 +229,9 @@ void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratc
     using Convert = ScanConvert<Scan, Rules, Probe>;
     scratch.memory.begin(trees);
     probe(PassStarted{1});
-    const Occlusion blind;
+    const Occlusion blind{.pyramid = occlusion.pyramid, .afterDrawing = occlusion.afterDrawing};
     const Convert   drawAll{pass, stripe, scratch.windows, blind, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, probe, &scratch.memory).drawRemembered();
-    scratch.pyramid.allTouched();
-    clock.lap(Stage::Upkeep);
-
     probe(PassStarted{2});
     const Convert drawUnhidden{pass, stripe, scratch.windows, occlusion, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, occlusion, clock, drawUnhidden, rules, probe, &scratch.memory).visitScene();
@@ -340,7 +350,6 @@ struct EnterEdges {
     void operator()(const ScreenTriangle& triangle) const
     {
         if (waiting.count == kWaiting) finish();
-        waiting.reserve(kWaiting);
         waiting.add(triangle);
     }
     void operator()(const ScreenFace& face, std::span<const ScreenSide> sides) const

@@ -14,6 +14,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/geometry/batches.h"
@@ -86,11 +87,13 @@ struct TriangleList {
         ++count;
     }
 
-    /// The boxes of all of them; the list is not empty.
-    PixelBox reach() const
+    /// The boxes of all that are compact; empty if none is.
+    PixelBox reachOfCompact() const
     {
-        PixelBox all = box(0);
-        for (std::size_t i = 1; i < count; ++i) all.include(box(i));
+        constexpr int kFar = std::numeric_limits<std::int32_t>::max();
+        PixelBox      all{kFar, kFar, -kFar, -kFar};
+        for (std::size_t i = 0; i < count; ++i)
+            if ((kind[i] & kCompact) != 0) all.include(box(i));
         return all;
     }
     /// True if their boxes have kLarge pixels or more on average.
@@ -120,22 +123,21 @@ struct TriangleList {
 
     PixelBox box(std::size_t i) const { return {x0[i], y0[i], x1[i], y1[i]}; }
     bool     is(Kind what, std::size_t i) const { return (kind[i] & what) != 0; }
+    double   cornerX(std::size_t k, std::size_t i) const { return is(kCompact, i) ? sx[k][i] : x[k][i]; }
+    double   cornerY(std::size_t k, std::size_t i) const { return is(kCompact, i) ? sy[k][i] : y[k][i]; }
     bool     isHidden(std::size_t i) const { return is(kHidden, i); }
 
     ScreenTriangle operator[](std::size_t i) const
     {
         assert(i < count);
-        ScreenTriangle t{.x         = {x[0][i], x[1][i], x[2][i]},
-                         .y         = {y[0][i], y[1][i], y[2][i]},
-                         .depth     = {a[i], b[i], c[i], farthest[i], nearest[i]},
-                         .id        = {id[i]},
-                         .box       = box(i),
-                         .wide      = is(kWide, i),
-                         .front     = is(kFront, i),
-                         .patterned = is(kPatterned, i)};
-        if (is(kCompact, i))
-            for (std::size_t k = 0; k < 3; ++k) t.x[k] = sx[k][i], t.y[k] = sy[k][i];
-        return t;
+        return {.x         = {cornerX(0, i), cornerX(1, i), cornerX(2, i)},
+                .y         = {cornerY(0, i), cornerY(1, i), cornerY(2, i)},
+                .depth     = {a[i], b[i], c[i], farthest[i], nearest[i]},
+                .id        = {id[i]},
+                .box       = box(i),
+                .wide      = is(kWide, i),
+                .front     = is(kFront, i),
+                .patterned = is(kPatterned, i)};
     }
 };
 

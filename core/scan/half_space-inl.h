@@ -2,8 +2,9 @@
 //
 // Edges      values are integers below 2^53 (core/geometry/half_plane.h), so float64 lanes hold them exactly
 // Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments are shaded
-// Tiles      the box of the others is cut into tiles of one vector by kTileLines lines, line of tiles after line of tiles. A
-//            tile wholly on the outer side of one edge is skipped, one on the inner side of all edges needs no edge values
+// Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when something is drawn to
+//            it, and those along the pyramid's. A tile wholly on the outer side of one edge is skipped, one on the inner side
+//            of all edges needs no edge values, and if it is drawn over as a whole the pyramid learns its depth from the plane
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
 //            is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no pixel
 //            writes to it
@@ -29,37 +30,38 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 struct HalfSpace {
-    static constexpr int kTileLines = 8;
-
-    template <Keep kKeep, class Fragments, class Rules, class Probe>
-    static void fill(const ScreenTriangle& triangle, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
-                     const Probe& probe)
+    /// `upkeep` is told what becomes of the pyramid's tiles: coveredTile(box) or touched(box), whose parameter lies in one tile, or
+    /// in any number of them for triangles that are wide or compact. Opens what is drawn to.
+    template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
+    static void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep, VisibilityBuffer& visible,
+                     const Rules& rules, const Probe& probe)
     {
+        const PixelBox& box = triangle.box;
         if (triangle.wide) {
+            visible.open(box);
             EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules, probe);
+            upkeep.touched(box);
             return;
         }
-        const PixelBox&                box    = triangle.box;
         const std::array<HalfPlane, 3> planes = halfPlanesOf(triangle, rules.notOwned());
         const DepthTest<kKeep, Rules>  test(triangle.depth, triangle.rank(), visible.empty(), rules);
         if constexpr (kLanes == 1) {  // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
             if (isCompact(triangle)) {
+                visible.open(box);
                 forEachPixelByWindows(box, [&](int x, int y) {
                     fillTile(triangle, planes, test, test.column(x, box.x0), x, y, y + 1, fragments, visible, rules, probe);
                 });
+                upkeep.touched(box);
                 return;
             }
         }
-        for (int y = box.y0; y < box.y1; y += kTileLines) {
-            for (int x = box.x0 & -laneCount(); x < box.x1; x += laneCount()) {
-                const int right = x - box.x0, down = y - box.y0;
-                const int lastRight = right + laneCount() - 1, lastDown = down + kTileLines - 1;
-                if (areOutside(planes, right, down, lastRight, lastDown)) continue;
-                const int end = std::min(y + kTileLines, box.y1);
-                if (areInside(planes, right, down, lastRight, lastDown))
-                    fillWholeTile(triangle, test, x, y, end, fragments, visible, rules, probe);
-                else
-                    fillTile(triangle, planes, test, test.column(x, box.x0), x, y, end, fragments, visible, rules, probe);
+        constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
+        for (int top = box.y0 / kLines * kLines; top < box.y1; top += kLines) {
+            for (int left = box.x0 / kWidth * kWidth; left < box.x1; left += kWidth) {
+                const PixelBox here{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kWidth, box.x1), std::min(top + kLines, box.y1)};
+                if (areOutsideIn(here, triangle, planes)) continue;
+                visible.open(here);
+                fillStoredTile(here, areInsideIn(here, triangle, planes), triangle, planes, test, fragments, upkeep, visible, rules, probe);
             }
         }
     }
@@ -69,6 +71,7 @@ struct HalfSpace {
     static void fillByTiles(const ScreenTriangle& triangle, Pyramid& tiles, const Told& told, const Fragments& fragments,
                             VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
+        visible.open(triangle.box);
         if (triangle.wide) {
             EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules, probe);
             tiles.touched(triangle.box);
@@ -98,6 +101,44 @@ struct HalfSpace {
     }
 
 private:
+    static bool areOutsideIn(const PixelBox& here, const ScreenTriangle& t, const std::array<HalfPlane, 3>& planes)
+    {
+        return areOutside(planes, here.x0 - t.box.x0, here.y0 - t.box.y0, here.x1 - 1 - t.box.x0, here.y1 - 1 - t.box.y0);
+    }
+    static bool areInsideIn(const PixelBox& here, const ScreenTriangle& t, const std::array<HalfPlane, 3>& planes)
+    {
+        return areInside(planes, here.x0 - t.box.x0, here.y0 - t.box.y0, here.x1 - 1 - t.box.x0, here.y1 - 1 - t.box.y0);
+    }
+
+    /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
+    template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
+    static void fillStoredTile(const PixelBox& stored, bool isInside, const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes,
+                               const DepthTest<kKeep, Rules>& test, const Fragments& fragments, const Upkeep& upkeep,
+                               VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    {
+        constexpr int kTile = 1 << Pyramid::kTileLevel;
+        static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
+        for (int left = stored.x0 & -kTile; left < stored.x1; left += kTile) {
+            const PixelBox here{std::max(left, stored.x0), stored.y0, std::min(left + kTile, stored.x1), stored.y1};
+            if (!isInside && areOutsideIn(here, triangle, planes)) continue;
+            const int  from = here.x0 & -laneCount();
+            const bool isWhole = isInside || areInsideIn(here, triangle, planes);
+            for (int x = from; x < here.x1; x += laneCount()) {
+                const auto column = test.column(x, triangle.box.x0);
+                // Edges may say no of pixels beside the box; where it ends inside a vector, they are asked.
+                if (isWhole && x >= here.x0 && x + laneCount() <= here.x1)
+                    fillWholeTile(triangle, test, column, x, here.y0, here.y1, fragments, visible, rules, probe);
+                else
+                    fillTile(triangle, planes, test, column, x, here.y0, here.y1, fragments, visible, rules, probe);
+            }
+            const bool fillsTile = (here.x1 - here.x0 == kTile || here.x1 == visible.width()) && here.x0 == left && here.y1 - here.y0 == kTile;
+            if (isWhole && fillsTile)
+                upkeep.coveredTile(here);
+            else
+                upkeep.touched(here);
+        }
+    }
+
     template <class Each>
     static void forEachPixelByWindows(const PixelBox& box, const Each& each)
     {
@@ -120,14 +161,12 @@ private:
 
     /// Lines [y, end) of the column of pixels x, x + 1, ..., all of them covered.
     template <Keep kKeep, class Fragments, class Rules, class Probe>
-    static void fillWholeTile(const ScreenTriangle& triangle, const DepthTest<kKeep, Rules>& test, int x, int y, int end,
+    static void fillWholeTile(const ScreenTriangle& triangle, const DepthTest<kKeep, Rules>& test, Vec64 column, int x, int y, int end,
                               const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
-        const auto column = test.column(x, triangle.box.x0);
-        const auto all    = hn::FirstN(F64(), hn::Lanes(F64()));
+        const auto all = hn::FirstN(F64(), hn::Lanes(F64()));
         for (; y < end; ++y)
-            test.offer(column, lineDepth(triangle.depth, y, rules), all, visible.row(y) + x, x, y,
-                       fragments, probe);
+            test.offer(column, lineDepth(triangle.depth, y, rules), all, visible.row(y) + x, x, y, fragments, probe);
     }
 
     /// Lines [y, end) of the column of pixels x, x + 1, ...
@@ -147,8 +186,7 @@ private:
         for (; y < end; ++y) {
             const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
             if (!hn::AllFalse(d64, inside)) {
-                test.offer(column, lineDepth(triangle.depth, y, rules), inside, visible.row(y) + x, x,
-                           y, fragments, probe);
+                test.offer(column, lineDepth(triangle.depth, y, rules), inside, visible.row(y) + x, x, y, fragments, probe);
             }
             e0 = e0 + down0;
             e1 = e1 + down1;

@@ -102,14 +102,19 @@ private:
     HWY_ATTR void several(const TriangleList& triangles, std::size_t at) const
     {
         const D d;
+        const hn::Rebind<std::int32_t, D> i32;
         HWY_ALIGN std::array<Lanes<std::int64_t>, 3> x, step;
         HWY_ALIGN std::array<Lanes<double>, 3>       first, end;
         HWY_ALIGN Lanes<double>                      tallest;
         auto                                         most = hn::Zero(d);
+        const auto isCompact = hn::PromoteTo(d, hn::And(hn::LoadU(i32, &triangles.kind[at]), hn::Set(i32, TriangleList::kCompact))) > hn::Zero(d);
+        const auto corners   = [&](const TriangleList::Column<std::int32_t>& whole, const TriangleList::Column<double>& other) HWY_ATTR {
+            return hn::IfThenElse(isCompact, hn::PromoteTo(d, hn::LoadU(i32, &whole[at])), hn::LoadU(d, &other[at]));
+        };
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t to = k < 2 ? k + 1 : 0;
-            const auto xa = hn::LoadU(d, &triangles.x[k][at]), ya = hn::LoadU(d, &triangles.y[k][at]);
-            const auto xb = hn::LoadU(d, &triangles.x[to][at]), yb = hn::LoadU(d, &triangles.y[to][at]);
+            const auto xa = corners(triangles.sx[k], triangles.x[k]), ya = corners(triangles.sy[k], triangles.y[k]);
+            const auto xb = corners(triangles.sx[to], triangles.x[to]), yb = corners(triangles.sy[to], triangles.y[to]);
             const auto runsDown = ya < yb;
             const Falling<hn::Vec<D>> edge{hn::IfThenElse(runsDown, xa, xb), hn::Min(ya, yb), hn::IfThenElse(runsDown, xb, xa), hn::Max(ya, yb)};
             const auto top = hn::Max(firstLineFrom(edge.yTop), hn::Set(d, m_table.firstLine()));
@@ -134,7 +139,7 @@ private:
             for (std::size_t k = 0; k < 3; ++k) {
                 if (!(first[k][lane] < end[k][lane])) continue;
                 const std::size_t to = k < 2 ? k + 1 : 0;
-                const std::uint32_t side = m_table.add(ScreenSide{triangles.x[k][i], triangles.y[k][i], triangles.x[to][i], triangles.y[to][i]}, false);
+                const std::uint32_t side = m_table.add(ScreenSide{triangles.cornerX(k, i), triangles.cornerY(k, i), triangles.cornerX(to, i), triangles.cornerY(to, i)}, false);
                 m_table.add(ActiveEdge(LineCrossing(x[k][lane], step[k][lane]), part, static_cast<int>(end[k][lane]) - 1, side,
                                        ActiveEdge::windingOf(Inside::EvenOdd, true)),
                             static_cast<int>(first[k][lane]));
