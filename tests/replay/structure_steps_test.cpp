@@ -154,9 +154,14 @@ TEST(StructureSteps, EveryUpdateLeavesTheFarthestDepthOfTheCellAndFollowsTheOneB
 {
     std::set<int>              levels;
     std::map<std::string, int> updates;  // per method, over all scenes: masked tiles of a small picture are seldom full
-    for (const SeenScene& seen : seenScenes()) {
+    // What is in plain view is answered by a pixel, without an update: there has to be something behind a wall.
+    std::vector<SeenScene> scenes = seenScenes();
+    scenes.push_back(builtinScene("layers?count=5&order=front", 37, 22));
+    scenes.push_back(builtinScene("wall-and-city?blocks=2", 37, 22));
+    for (const SeenScene& seen : scenes) {
         for (const Preset& preset : methods()) {
             if (!has(preset, Grain::Update) || preset.claim != Claim::Exact) continue;
+            if (&seen == &scenes.back() && preset.pipeline.coherence != Coherence::TwoPass) continue;  // long, and for it alone
             std::map<std::tuple<int, int, int>, float> held;
             const int events = forEveryEvent(seen, preset, Grain::Update, [&](const StepState& state) {
                 ASSERT_TRUE(state.hierarchy && state.hierarchy->update);
