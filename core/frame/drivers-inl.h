@@ -40,6 +40,7 @@ struct ScanConvert {
     const Pass&      pass;
     const Stripe&    stripe;
     WindowList&      windows;
+    SampleList&      samples;
     const Occlusion& occlusion;
     StageClock&      clock;
     const Rules&     rules;
@@ -126,6 +127,7 @@ private:
         }
         WindowFinder finder(triangles, windows);
         finder.add(0, triangles.count, [&](std::size_t i) { draw<kKeep>(triangles[i], fragmentsOf); });
+        testTiny<kKeep>(triangles, 0, triangles.count, samples, stripe.visible, probe);
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);
     }
 
@@ -149,6 +151,7 @@ private:
         finder.add(i, i + 1, [&](std::size_t) { isDrawn = false; });
         if (!isDrawn) return false;
         stripe.visible.open(triangles.box(i));
+        testTiny<kKeep>(triangles, i, i + 1, samples, stripe.visible, probe);
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);
         if (occlusion.afterDrawing == AfterDrawing::MarkStale) occlusion.pyramid->touched(triangles.box(i));
         return true;
@@ -230,10 +233,10 @@ void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratc
     scratch.memory.begin(trees);
     probe(PassStarted{1});
     const Occlusion blind{.pyramid = occlusion.pyramid, .afterDrawing = occlusion.afterDrawing};
-    const Convert   drawAll{pass, stripe, scratch.windows, blind, clock, rules, probe};
+    const Convert   drawAll{pass, stripe, scratch.windows, scratch.samples, blind, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, probe, &scratch.memory).drawRemembered();
     probe(PassStarted{2});
-    const Convert drawUnhidden{pass, stripe, scratch.windows, occlusion, clock, rules, probe};
+    const Convert drawUnhidden{pass, stripe, scratch.windows, scratch.samples, occlusion, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, occlusion, clock, drawUnhidden, rules, probe, &scratch.memory).visitScene();
     scratch.memory.finish();
 }
@@ -243,7 +246,7 @@ template <class Scan, class Rules, class Probe>
 void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, StripeScratch& scratch,
               const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
 {
-    const ScanConvert<Scan, Rules, Probe> convert{pass, stripe, scratch.windows, occlusion, clock, rules, probe};
+    const ScanConvert<Scan, Rules, Probe> convert{pass, stripe, scratch.windows, scratch.samples, occlusion, clock, rules, probe};
     if (pipeline.order == Order::Submitted) {
         visitAsSubmitted(stripe, scratch, clock, convert, rules, probe);
         return;

@@ -1,4 +1,4 @@
-// Windows of a batch's compact triangles that wait to become pixels.
+// Windows of a batch's compact triangles that wait to become pixels, and samples of those that are tiny.
 //
 // Room       grows to what a batch needs and stays there
 // Source     see windows-inl.h, which fills it and works it off
@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/depth/pixel_key.h"
 #include "core/geometry/batches.h"
 
 namespace zscope {
@@ -32,6 +33,25 @@ struct WindowList {
     }
 
     std::size_t bytes() const { return owners.capacity() * (2 * sizeof(std::uint32_t) + 2 * sizeof(float) + 2 * sizeof(double)); }
+};
+
+struct SampleList {
+    // Entry i is sample i.
+    std::size_t                count = 0;
+    std::vector<std::uint32_t> upper, lower;  // halves of keys
+    std::vector<std::uint32_t> places;        // x + 65536 y
+
+    void clear() { count = 0; }
+
+    /// Room for so many samples in all, and for whole vectors behind them.
+    void reserve(std::size_t samples)
+    {
+        if (upper.size() >= samples + kBatchPadding) return;
+        for (auto* column : {&upper, &lower, &places}) column->resize(samples + kBatchPadding);
+    }
+
+    PixelKey    key(std::size_t i) const { return static_cast<PixelKey>(std::uint64_t{upper[i]} << 32 | lower[i]); }
+    std::size_t bytes() const { return 3 * upper.capacity() * sizeof(std::uint32_t); }
 };
 
 }  // namespace zscope

@@ -1,5 +1,7 @@
 // Compact triangles to pixels by windows: a list of (triangle, window) that is worked off without asking which triangle comes next.
 //
+// Tiny       triangles with at most kTinySide x kTinySide pixels need no window: the same pixel of several of them is tested side by
+//            side, and what is covered is offered sample by sample
 // Window     kWindowSide x kWindowSide pixels, the first one of a triangle at the corner of its box: most small triangles have only
 //            that one
 // Edges      float32, exact (core/geometry/triangle_list.h)
@@ -18,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "core/geometry/triangle_list.h"
 #include "core/scan/depth_test-inl.h"
@@ -25,6 +28,8 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
+
+inline constexpr int kTinySide = 2;
 
 /// From the compact triangles of a batch to the windows that they may cover.
 class WindowFinder {
@@ -43,7 +48,7 @@ class WindowFinder {
 public:
     WindowFinder(const TriangleList& triangles, WindowList& list) : m_triangles(triangles), m_list(list) { list.clear(); }
 
-    /// The windows of the triangles [first, end) that are drawn by windows; calls others(i) for the rest, but for hidden ones.
+    /// The windows of the triangles [first, end) that are drawn by windows; calls others(i) for the rest, but for tiny and hidden ones.
     template <class Others>
     void add(std::size_t first, std::size_t end, const Others& others)
     {
@@ -78,7 +83,8 @@ private:
         const auto height = load(m_triangles.y1, i) - load(m_triangles.top, i);
         const auto isWide = width > all(kWindowSide), isHigh = height > all(kWindowSide);
         const auto hasMore = hn::Max(width, height) > all(2 * kWindowSide);
-        const auto hasFew  = hn::AndNot(hasMore, mask);
+        const auto hasFew  = hn::And(hn::AndNot(hasMore, mask), hn::Max(width, height) > all(kTinySide));
+        if (hn::AllFalse(D(), hn::Or(hasFew, hn::And(hasMore, mask)))) return;
 
         std::array<VF, 3> best, across, below;  // per edge: at the innermost pixel of the first window; from window to window
         for (std::size_t k = 0; k < 3; ++k) {
@@ -100,8 +106,7 @@ private:
             return std::array<VF, 3>{edge[0] + by[0], edge[1] + by[1], edge[2] + by[2]};
         };
         const auto least = [](const std::array<VF, 3>& edge) HWY_ATTR { return hn::Min(hn::Min(edge[0], edge[1]), edge[2]); };
-        const auto isTiny = hn::RebindMask(DF(), hn::Not(hn::Max(width, height) > all(2)));
-        judge(hn::IfThenElse(isTiny, innermostOfFour(i), least(best)), hasFew, 0, 0);
+        judge(least(best), hasFew, 0, 0);
         const auto wide = hn::And(hasFew, isWide), high = hn::And(hasFew, isHigh);
         if (!hn::AllFalse(D(), wide)) judge(least(moved(best, across)), wide, kWindowSide, 0);
         if (!hn::AllFalse(D(), high)) {
@@ -117,18 +122,6 @@ private:
     {
         const auto inward = hn::Max(perPixel, hn::Zero(DF())) + hn::Max(perLine, hn::Zero(DF()));
         return hn::MulAdd(inward, hn::Set(DF(), kWindowSide - 1), first);
-    }
-
-    /// Of the first two by two pixels of the triangles i, i + 1, ..., the one that lies farthest inside: its least edge value.
-    VF innermostOfFour(std::size_t i) const
-    {
-        std::array<VF, 4> least;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto origin = load(m_triangles.origin[k], i), perPixel = load(m_triangles.perPixel[k], i), perLine = load(m_triangles.perLine[k], i);
-            const std::array<VF, 4> edge{origin, origin + perPixel, origin + perLine, origin + perPixel + perLine};
-            for (std::size_t pixel = 0; pixel < 4; ++pixel) least[pixel] = k == 0 ? edge[pixel] : hn::Min(least[pixel], edge[pixel]);
-        }
-        return hn::Max(hn::Max(least[0], least[1]), hn::Max(least[2], least[3]));
     }
 
     /// The windows of one triangle, line of windows after line of windows.
@@ -291,6 +284,85 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const WindowList& list
             offerKeys<kKeep>(asKeys(hn::InterleaveUpper(u32, rank, z)), asKeys(hn::InterleaveUpper(u32, least, least)), empty,
                              row + kLanes / kWindowSide * stride + kLanes % kWindowSide, stride);
 #endif
+        }
+    }
+}
+
+/// Whether one fragment takes a pixel from who holds it, as winners() says.
+template <Keep kKeep>
+HWY_INLINE bool wins(PixelKey offered, PixelKey held, [[maybe_unused]] float empty)
+{
+    if constexpr (kKeep != Keep::Equal) return offered > held;
+    const bool isNobodys = rankOf(held) == 0;
+    return offered >> 32 == held >> 32 && (offered > held || isNobodys) && offered > keyOf(empty, 0);
+}
+
+/// The tiny triangles among [first, end), from their edges to the picture.
+template <Keep kKeep, class Probe>
+void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples, VisibilityBuffer& visible,
+              [[maybe_unused]] const Probe& probe)
+{
+    const F64 d64;
+    const F32 f32;
+    const I32 i32;
+    const U32 u32;
+    samples.clear();
+    samples.reserve(kTinySide * kTinySide * (end - first));
+    for (std::size_t i = first; i < end; i += hn::Lanes(d64)) {
+        const auto load   = [i](const TriangleList::Column<std::int32_t>& column) HWY_ATTR { return hn::LoadU(I32(), column.data() + i); };
+        const auto kind   = hn::And(load(triangles.kind), hn::Set(i32, TriangleList::kPatterned | TriangleList::kCompact | TriangleList::kHidden));
+        const auto width  = load(triangles.x1) - load(triangles.x0), height = load(triangles.y1) - load(triangles.top);
+        const auto isTiny = hn::And(kind == hn::Set(i32, TriangleList::kCompact), hn::Not(hn::Max(width, height) > hn::Set(i32, kTinySide)));
+        const auto isDrawn = hn::And(isTiny, hn::Iota(i32, 0) < hn::Set(i32, static_cast<std::int32_t>(end - i)));
+        if (hn::AllFalse(i32, isDrawn)) continue;
+
+        const auto a = hn::LoadU(d64, triangles.a.data() + i), b = hn::LoadU(d64, triangles.b.data() + i), c = hn::LoadU(d64, triangles.c.data() + i);
+        const auto farthest = hn::LoadU(f32, triangles.farthest.data() + i), nearest = hn::LoadU(f32, triangles.nearest.data() + i);
+        const auto rank  = hn::LoadU(u32, triangles.id.data() + i) + hn::Set(u32, 1);
+        const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::Not(rank);
+        const auto centreX = hn::PromoteTo(d64, load(triangles.x0)) + hn::Set(d64, 0.5), centreY = hn::PromoteTo(d64, load(triangles.top)) + hn::Set(d64, 0.5);
+        const auto place   = hn::BitCast(u32, load(triangles.x0) + hn::ShiftLeft<16>(load(triangles.top)));
+        for (int down = 0; down < kTinySide; ++down) {
+            const auto line = b * (centreY + hn::Set(d64, down)) + c;
+            for (int right = 0; right < kTinySide; ++right) {
+                const auto edge = [&](std::size_t k) HWY_ATTR {
+                    auto value = hn::LoadU(f32, triangles.origin[k].data() + i);
+                    if (right > 0) value = value + hn::LoadU(f32, triangles.perPixel[k].data() + i);
+                    if (down > 0) value = value + hn::LoadU(f32, triangles.perLine[k].data() + i);
+                    return value;
+                };
+                const auto inside  = hn::RebindMask(i32, hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(f32));
+                const auto exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
+                const auto covered = hn::And(hn::And(inside, exists), isDrawn);
+                if (hn::AllFalse(i32, covered)) continue;
+                const auto z    = hn::Min(hn::Max(hn::DemoteTo(f32, a * (centreX + hn::Set(d64, right)) + line), farthest), nearest);
+                const auto kept = hn::RebindMask(u32, covered);
+                const auto here = place + hn::Set(u32, static_cast<std::uint32_t>(right + (down << 16)));
+                hn::StoreU(hn::Compress(hn::BitCast(u32, z), kept), u32, samples.upper.data() + samples.count);
+                hn::StoreU(hn::Compress(lower, kept), u32, samples.lower.data() + samples.count);
+                hn::StoreU(hn::Compress(here, kept), u32, samples.places.data() + samples.count);
+                samples.count += hn::CountTrue(u32, kept);
+            }
+        }
+    }
+
+    PixelKey* const      picture = visible.row(0);
+    const std::ptrdiff_t stride  = visible.stride();
+    const float          empty   = visible.empty();
+    const std::size_t    count   = samples.count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::ptrdiff_t x = samples.places[i] & 0xFFFF, y = samples.places[i] >> 16;
+        const PixelKey       offered = samples.key(i);
+        PixelKey&            held    = picture[y * stride + x];
+        const bool           won     = wins<kKeep>(offered, held, empty);
+        if constexpr (Probe::listens) {
+            assert(end - first == 1);
+            const PixelKey rival = held;
+            if (won) held = offered;
+            probe(PixelTested{static_cast<int>(x), static_cast<int>(y), TriangleId{triangles.id[first]}, depthOf(offered), won, rankOf(rival),
+                              depthOf(rival), kKeep, false, false});
+        } else {
+            held = won ? offered : held;
         }
     }
 }
