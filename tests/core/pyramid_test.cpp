@@ -34,10 +34,28 @@ struct Screen {
     /// As triangles do: depths only grow.
     void draw(const PixelBox& box, float depth)
     {
+        write(box, depth);
+        pyramid.touched(box);
+    }
+    /// The same, by one who knows of each tile whether it was drawn over as a whole.
+    void drawByTiles(const PixelBox& box, float depth)
+    {
+        write(box, depth);
+        for (int y = (box.y0 - firstRow) >> Pyramid::kTileLevel; firstRow + (y << Pyramid::kTileLevel) < box.y1; ++y)
+            for (int x = box.x0 >> Pyramid::kTileLevel; x << Pyramid::kTileLevel < box.x1; ++x) {
+                const PixelBox tile = cell(Pyramid::kTileLevel, x, y);
+                const PixelBox drawn{std::max(tile.x0, box.x0), std::max(tile.y0, box.y0), std::min(tile.x1, box.x1), std::min(tile.y1, box.y1)};
+                if (drawn == tile)
+                    pyramid.coveredTile(tile.x0, tile.y0, depth, Untold{});
+                else
+                    pyramid.touched(drawn);
+            }
+    }
+    void write(const PixelBox& box, float depth)
+    {
         visible.open(box);
         for (int y = box.y0; y < box.y1; ++y)
             for (int x = box.x0; x < box.x1; ++x) visible.row(y)[x] = std::max(visible.row(y)[x], keyOf(depth, 0));
-        pyramid.touched(box);
     }
     float farthest(const PixelBox& box) const
     {
@@ -111,7 +129,11 @@ TEST(Pyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeAndStripe)
                     for (int i = 0; i < steps; ++i) {
                         // Depths come near in time, so that the pyramid changes at every step (D9).
                         const auto depth = static_cast<float>(static_cast<double>(i + 1) / steps * random.between(0.5, 1));
-                        screen.draw(random.below(8) == 0 ? screen.region() : screen.anyBox(random), depth);
+                        const PixelBox drawn = random.below(8) == 0 ? screen.region() : screen.anyBox(random);
+                        if (random.below(2) == 0)
+                            screen.drawByTiles(drawn, depth);
+                        else
+                            screen.draw(drawn, depth);
                         for (int q = 0; q < 3; ++q) {
                             const PixelBox box      = screen.anyBox(random);
                             const float    farthest = screen.farthest(box);
@@ -129,6 +151,22 @@ TEST(Pyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeAndStripe)
         }
     EXPECT_GT(answers[0], 1000);
     EXPECT_GT(answers[1], 1000);
+}
+
+TEST(Pyramid, ATileDrawnOverAsAWholeHidesWithoutAPixelOfItBeingRead)
+{
+    Screen screen(64, 32);
+    screen.drawByTiles({8, 8, 40, 24}, 0.5f);
+    std::fill_n(screen.visible.row(8), 64, keyOf(kEmpty, 0));  // whoever reads is misled
+    EXPECT_TRUE(screen.pyramid.hides({8, 8, 40, 24}, 0.4f));
+    EXPECT_FALSE(screen.pyramid.hides({8, 8, 41, 24}, 0.4f));
+    std::vector<CellWrite> told;
+    screen.pyramid.coveredTile(8, 8, 0.6f, [&told](const CellWrite& write) { told.push_back(write); });
+    screen.pyramid.coveredTile(8, 8, 0.55f, [&told](const CellWrite& write) { told.push_back(write); });  // no news
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_EQ(told[0].level, Pyramid::kTileLevel);
+    EXPECT_EQ(told[0].before, 0.5f);
+    EXPECT_EQ(told[0].after, 0.6f);
 }
 
 TEST(Pyramid, D3EveryCellOfAnySizeIsTheMinimumOfThePixelsThatExistOnceAQueryNeededIt)
