@@ -129,29 +129,28 @@ private:
     {
         const int columns = (m_triangles.x1[t] - m_triangles.x0[t] + kWindowSide - 1) / kWindowSide;
         const int lines   = (m_triangles.y1[t] - m_triangles.top[t] + kWindowSide - 1) / kWindowSide;
-        const int lanes   = static_cast<int>(hn::Lanes(DF()));
-        m_list.reserve(static_cast<std::size_t>((columns + lanes) * lines));
+        const int count   = columns * lines, lanes = static_cast<int>(hn::Lanes(DF()));
+        m_list.reserve(static_cast<std::size_t>(count + lanes));
 
         const std::uint32_t place = static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16));
-        std::array<VF, 3>   start, across;
+        std::array<VF, 3>   start, across, below;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto set = [t](const TriangleList::Column<float>& column) HWY_ATTR { return hn::Set(DF(), column[t]); };
             across[k] = set(m_triangles.perPixel[k]);
-            start[k]  = innermost(set(m_triangles.origin[k]), across[k], set(m_triangles.perLine[k]));
+            below[k]  = set(m_triangles.perLine[k]);
+            start[k]  = innermost(set(m_triangles.origin[k]), across[k], below[k]);
         }
-        for (int line = 0; line < lines; ++line) {
-            const auto down = static_cast<float>(line * kWindowSide);
-            for (int column = 0; column < columns; column += lanes) {
-                const auto right  = hn::Iota(DF(), static_cast<float>(column)) * hn::Set(DF(), kWindowSide);
-                const auto edge   = [&](std::size_t k) HWY_ATTR {
-                    return hn::MulAdd(right, across[k], hn::MulAdd(hn::Set(DF(), down), hn::Set(DF(), m_triangles.perLine[k][t]), start[k]));
-                };
-                const auto inside = hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(DF());
-                const auto kept   = hn::And(inside, right < hn::Set(DF(), static_cast<float>(columns * kWindowSide)));
-                const auto there  = hn::Compress(right, kept);
-                const auto here   = hn::BitCast(DU(), hn::ConvertTo(D(), there)) + hn::Set(DU(), place + static_cast<std::uint32_t>(line * kWindowSide << 16));
-                append(hn::Set(DU(), static_cast<std::uint32_t>(t)), here, there, hn::Set(DF(), down), hn::CountTrue(DF(), kept));
-            }
+        const auto side = hn::Set(DF(), kWindowSide), perLine = hn::Set(DF(), static_cast<float>(columns)), perColumn = hn::Set(DF(), 1 / static_cast<float>(columns));
+        for (int first = 0; first < count; first += lanes) {
+            const auto at    = hn::Iota(DF(), static_cast<float>(first));
+            const auto line  = hn::Floor((at + hn::Set(DF(), 0.5f)) * perColumn);
+            const auto right = (at - line * perLine) * side, down = line * side;
+            const auto edge  = [&](std::size_t k) HWY_ATTR { return hn::MulAdd(right, across[k], hn::MulAdd(down, below[k], start[k])); };
+            const auto inside = hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(DF());
+            const auto kept   = hn::And(inside, at < hn::Set(DF(), static_cast<float>(count)));
+            const auto rights = hn::Compress(right, kept), downs = hn::Compress(down, kept);
+            const auto here   = hn::BitCast(DU(), hn::ConvertTo(D(), rights) + hn::ShiftLeft<16>(hn::ConvertTo(D(), downs))) + hn::Set(DU(), place);
+            append(hn::Set(DU(), static_cast<std::uint32_t>(t)), here, rights, downs, hn::CountTrue(DF(), kept));
         }
     }
 
