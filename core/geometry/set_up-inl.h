@@ -95,13 +95,18 @@ private:
         if (!hn::AllFalse(D(), kept)) {
             const auto id   = hn::LoadU(hn::RebindToUnsigned<D>(), m_place.mesh.meshTriangle.data() + t);
             const auto kind = hn::IfThenElse(isBack, all(TriangleList::kCompact), all(TriangleList::kCompact | TriangleList::kFront));
-            keep(kept, x[0], m_out.sx[0]), keep(kept, hn::IfThenElse(isBack, x[1], x[2]), m_out.sx[1]), keep(kept, hn::IfThenElse(isBack, x[2], x[1]), m_out.sx[2]);
-            keep(kept, y[0], m_out.sy[0]), keep(kept, hn::IfThenElse(isBack, y[1], y[2]), m_out.sy[1]), keep(kept, hn::IfThenElse(isBack, y[2], y[1]), m_out.sy[2]);
-            for (std::size_t k = 0; k < 3; ++k) keep(kept, vertex[k], m_out.vertex[k]);
-            keep(kept, left, m_out.x0), keep(kept, above, m_out.y0), keep(kept, right, m_out.x1), keep(kept, below, m_out.y1);
-            keep(kept, top, m_out.top);
-            keep(kept, kind, m_out.kind);
-            keep(kept, hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle)), m_out.id);
+            // The order that puts them side by side, found once: to compress each column by itself costs more.
+            const auto order = hn::IndicesFromVec(D(), hn::Compress(hn::Iota(D(), 0), kept));
+            const auto keep  = [&](V values, auto& column) HWY_ATTR {
+                hn::StoreU(hn::TableLookupLanes(values, order), D(), reinterpret_cast<std::int32_t*>(column.data()) + m_out.count);
+            };
+            keep(x[0], m_out.sx[0]), keep(hn::IfThenElse(isBack, x[1], x[2]), m_out.sx[1]), keep(hn::IfThenElse(isBack, x[2], x[1]), m_out.sx[2]);
+            keep(y[0], m_out.sy[0]), keep(hn::IfThenElse(isBack, y[1], y[2]), m_out.sy[1]), keep(hn::IfThenElse(isBack, y[2], y[1]), m_out.sy[2]);
+            for (std::size_t k = 0; k < 3; ++k) keep(vertex[k], m_out.vertex[k]);
+            keep(left, m_out.x0), keep(above, m_out.y0), keep(right, m_out.x1), keep(below, m_out.y1);
+            keep(top, m_out.top);
+            keep(kind, m_out.kind);
+            keep(hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle)), m_out.id);
             const std::size_t before = m_out.count;
             m_out.count += hn::CountTrue(D(), kept);
             if (!m_place.mesh.patterned.empty()) markPatterned(t, kept, before);
@@ -118,12 +123,6 @@ private:
         finish();
         forEach(alone, [&](std::uint32_t lane) { setUpOne(m_place, t + lane, m_vertices, m_culling, m_region, m_rules, m_out, m_probe); });
         m_finished = m_out.count;
-    }
-
-    template <class Column>
-    void keep(M kept, V values, Column& column) const
-    {
-        hn::StoreU(hn::Compress(values, kept), D(), reinterpret_cast<std::int32_t*>(column.data()) + m_out.count);
     }
 
     template <class Each>

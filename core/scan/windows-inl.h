@@ -94,13 +94,13 @@ private:
             below[k]  = perLine * hn::Set(DF(), kWindowSide);
         }
         m_list.reserve(4 * hn::Lanes(D()));
-        const auto owner = hn::Iota(DU(), static_cast<std::uint32_t>(i));
         const auto place = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
         const auto judge = [&](VF innermost, hn::Mask<D> exists, int right, int down) HWY_ATTR {
             const auto kept = hn::RebindMask(DU(), hn::And(exists, hn::RebindMask(D(), innermost >= hn::Zero(DF()))));
             const auto here = place + hn::Set(DU(), static_cast<std::uint32_t>(right + (down << 16)));
-            append(hn::Compress(owner, kept), hn::Compress(here, kept), hn::Set(DF(), static_cast<float>(right)),
-                   hn::Set(DF(), static_cast<float>(down)), hn::CountTrue(DU(), kept));
+            const auto lanes = hn::Compress(hn::Iota(DU(), 0), kept);
+            append(lanes + hn::Set(DU(), static_cast<std::uint32_t>(i)), hn::TableLookupLanes(here, hn::IndicesFromVec(DU(), lanes)),
+                   hn::Set(DF(), static_cast<float>(right)), hn::Set(DF(), static_cast<float>(down)), hn::CountTrue(DU(), kept));
         };
         const auto moved = [](const std::array<VF, 3>& edge, const std::array<VF, 3>& by) HWY_ATTR {
             return std::array<VF, 3>{edge[0] + by[0], edge[1] + by[1], edge[2] + by[2]};
@@ -129,8 +129,8 @@ private:
     {
         const int columns = (m_triangles.x1[t] - m_triangles.x0[t] + kWindowSide - 1) / kWindowSide;
         const int lines   = (m_triangles.y1[t] - m_triangles.top[t] + kWindowSide - 1) / kWindowSide;
-        const int count   = columns * lines, lanes = static_cast<int>(hn::Lanes(DF()));
-        m_list.reserve(static_cast<std::size_t>(count + lanes));
+        const int count   = columns * lines, step = static_cast<int>(hn::Lanes(DF()));
+        m_list.reserve(static_cast<std::size_t>(count + step));
 
         const std::uint32_t place = static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16));
         std::array<VF, 3>   start, across, below;
@@ -141,14 +141,15 @@ private:
             start[k]  = innermost(set(m_triangles.origin[k]), across[k], below[k]);
         }
         const auto side = hn::Set(DF(), kWindowSide), perLine = hn::Set(DF(), static_cast<float>(columns)), perColumn = hn::Set(DF(), 1 / static_cast<float>(columns));
-        for (int first = 0; first < count; first += lanes) {
+        for (int first = 0; first < count; first += step) {
             const auto at    = hn::Iota(DF(), static_cast<float>(first));
             const auto line  = hn::Floor((at + hn::Set(DF(), 0.5f)) * perColumn);
             const auto right = (at - line * perLine) * side, down = line * side;
             const auto edge  = [&](std::size_t k) HWY_ATTR { return hn::MulAdd(right, across[k], hn::MulAdd(down, below[k], start[k])); };
             const auto inside = hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(DF());
             const auto kept   = hn::And(inside, at < hn::Set(DF(), static_cast<float>(count)));
-            const auto rights = hn::Compress(right, kept), downs = hn::Compress(down, kept);
+            const auto lanes  = hn::IndicesFromVec(DF(), hn::Compress(hn::Iota(D(), 0), hn::RebindMask(D(), kept)));
+            const auto rights = hn::TableLookupLanes(right, lanes), downs = hn::TableLookupLanes(down, lanes);
             const auto here   = hn::BitCast(DU(), hn::ConvertTo(D(), rights) + hn::ShiftLeft<16>(hn::ConvertTo(D(), downs))) + hn::Set(DU(), place);
             append(hn::Set(DU(), static_cast<std::uint32_t>(t)), here, rights, downs, hn::CountTrue(DF(), kept));
         }
@@ -336,10 +337,14 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
                 if (hn::AllFalse(i32, covered)) continue;
                 const auto z    = hn::Min(hn::Max(hn::DemoteTo(f32, a * (centreX + hn::Set(d64, right)) + line), farthest), nearest);
                 const auto kept = hn::RebindMask(u32, covered);
-                const auto here = place + hn::Set(u32, static_cast<std::uint32_t>(right + (down << 16)));
-                hn::StoreU(hn::Compress(hn::BitCast(u32, z), kept), u32, samples.upper.data() + samples.count);
-                hn::StoreU(hn::Compress(lower, kept), u32, samples.lower.data() + samples.count);
-                hn::StoreU(hn::Compress(here, kept), u32, samples.places.data() + samples.count);
+                const auto here  = place + hn::Set(u32, static_cast<std::uint32_t>(right + (down << 16)));
+                const auto order = hn::IndicesFromVec(u32, hn::Compress(hn::Iota(u32, 0), kept));
+                const auto put   = [&](hn::Vec<U32> values, std::vector<std::uint32_t>& column) HWY_ATTR {
+                    hn::StoreU(hn::TableLookupLanes(values, order), u32, column.data() + samples.count);
+                };
+                put(hn::BitCast(u32, z), samples.upper);
+                put(lower, samples.lower);
+                put(here, samples.places);
                 samples.count += hn::CountTrue(u32, kept);
             }
         }
