@@ -121,7 +121,7 @@ private:
     template <Keep kKeep, class FragmentsOf>
     void drawTogether(const TriangleList& triangles, const FragmentsOf& fragmentsOf) const
     {
-        if (const PixelBox reach = triangles.reachOfCompact(); !reach.isEmpty()) {
+        if (const PixelBox& reach = triangles.compactReach; !reach.isEmpty()) {
             stripe.visible.open(reach);
             markStale(triangles, reach);
         }

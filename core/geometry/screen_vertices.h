@@ -1,7 +1,11 @@
-// The vertices of one batch on the screen, structure of arrays, as the vertex stage leaves them.
+// The vertices of one batch on the screen, as the vertex stage leaves them.
+//
+// Layout     a triangle's corners lie anywhere in the batch. What is needed of a corner at one time therefore stands together, to be
+//            fetched by one load, and lanes are filled from such loads: gather instructions cost two to eight times as much
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "core/geometry/batches.h"
 #include "core/geometry/screen_triangle.h"
@@ -10,17 +14,20 @@ namespace zscope {
 
 struct ScreenVertices {
     static constexpr std::size_t kCapacity = kBatchVertices + kBatchPadding;
+    static constexpr std::size_t kRow      = 4;
 
-    alignas(64) std::array<double, kCapacity> x, y;    // unsnapped, pixels
-    alignas(64) std::array<double, kCapacity> d;       // n / z
-    alignas(64) std::array<double, kCapacity> xs, ys;  // snapped, 1/256 pixel
-    alignas(64) std::array<std::int32_t, kCapacity> sx, sy;  // likewise, where positions are snapped to whole numbers
+    alignas(64) std::array<double, kRow * kCapacity> rows;      // per vertex x, y (unsnapped, pixels), d (n / z), and d again
+    alignas(64) std::array<std::uint64_t, kCapacity> snapped;   // xs and ys, where they are whole numbers: int32 in the lower and upper half
+    alignas(64) std::array<double, kCapacity>        xs, ys;    // snapped, 1/256 pixel
 
     /// No vertex lies behind the near plane and none beyond the guard band. If false, the arrays may hold numbers
     /// without meaning, and each triangle is set up carefully from its positions instead.
     bool plain = false;
 
-    ScreenCorner corner(std::size_t i) const { return {x[i], y[i], d[i], xs[i], ys[i]}; }
+    ScreenCorner corner(std::size_t i) const { return {rows[kRow * i], rows[kRow * i + 1], rows[kRow * i + 2], xs[i], ys[i]}; }
+
+    /// out[i] becomes the snapped position of vertex places[i], for all i < count.
+    void fetchSnapped(const std::uint16_t* places, std::size_t count, std::uint64_t* out) const;
 };
 
 }  // namespace zscope

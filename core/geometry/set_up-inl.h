@@ -14,10 +14,15 @@
 #define ZSCOPE_SET_UP_INL_H
 #endif
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <tuple>
+#include <utility>
 
 #include <hwy/highway.h>
 
+#include "core/geometry/corner_rows-inl.h"
 #include "core/geometry/set_up.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,8 +44,13 @@ public:
         const std::uint32_t first = m_place.batch.firstTriangle, end = first + m_place.batch.triangleCount;
         if constexpr (Rules::kExact) {
             m_finished = m_out.count;
-            for (std::uint32_t t = first; t < end; t += static_cast<std::uint32_t>(hn::Lanes(D()))) sieve(t, end);
+            for (std::uint32_t t = first; t < end; t += kFetched) {
+                fetchCorners(t, std::min(end - t, kFetched));
+                for (std::uint32_t i = 0; i < kFetched && t + i < end; i += static_cast<std::uint32_t>(hn::Lanes(D()))) sieve(t, i, end);
+            }
             finish();
+            m_out.compactReach = {hn::GetLane(hn::MinOfLanes(D(), m_left)), hn::GetLane(hn::MinOfLanes(D(), m_above)),
+                                  hn::GetLane(hn::MaxOfLanes(D(), m_right)), hn::GetLane(hn::MaxOfLanes(D(), m_below))};
         } else {
             for (std::uint32_t t = first; t < end; ++t) setUpOne(m_place, t, m_vertices, m_culling, m_region, m_rules, m_out, m_probe);
         }
@@ -64,16 +74,35 @@ private:
     /// First pixel whose centre is at or beyond a snapped position.
     static V firstCentreFrom(V snapped) { return hn::ShiftRight<8>(snapped + all(127)); }
 
-    /// The triangles t, t + 1, ... as far as they come before `end`.
-    void sieve(std::uint32_t t, std::uint32_t end)
+    /// Snapped corners of the triangles [first, first + count), and of as many more as a vector may hold.
+    void fetchCorners(std::uint32_t first, std::uint32_t count)
     {
+        static_assert(hn::MaxLanes(D()) <= kBatchPadding && kFetched % hn::MaxLanes(D()) == 0);
+        const std::size_t whole = (count + hn::Lanes(D()) - 1) / hn::Lanes(D()) * hn::Lanes(D());
+        for (std::size_t k = 0; k < 3; ++k) m_vertices.fetchSnapped(m_place.mesh.corners[k].data() + first, whole, m_fetched[k].data());
+    }
+
+    /// x and y of the snapped positions that stand from `from` on.
+    static std::pair<V, V> halves(const std::uint64_t* from)
+    {
+#if HWY_TARGET == HWY_SCALAR
+        return {all(static_cast<std::int32_t>(*from)), all(static_cast<std::int32_t>(*from >> 32))};
+#else
+        const hn::ScalableTag<std::uint64_t> u64;
+        const auto lower = hn::BitCast(D(), hn::Load(u64, from)), upper = hn::BitCast(D(), hn::Load(u64, from + hn::Lanes(u64)));
+        return {hn::ConcatEven(D(), upper, lower), hn::ConcatOdd(D(), upper, lower)};
+#endif
+    }
+
+    /// The triangles that were fetched from place i on, as far as they come before `end`; the first one that was fetched is `first`.
+    void sieve(std::uint32_t first, std::uint32_t i, std::uint32_t end)
+    {
+        const std::uint32_t t = first + i;
         const hn::Rebind<std::uint16_t, D> u16;
-        const auto& corners = m_place.mesh.corners;
-        Three       vertex, x, y;
+        Three vertex, x, y;
         for (std::size_t k = 0; k < 3; ++k) {
-            vertex[k] = hn::PromoteTo(D(), hn::LoadU(u16, corners[k].data() + t));
-            x[k]      = hn::GatherIndex(D(), m_vertices.sx.data(), vertex[k]);
-            y[k]      = hn::GatherIndex(D(), m_vertices.sy.data(), vertex[k]);
+            vertex[k]             = hn::PromoteTo(D(), hn::LoadU(u16, m_place.mesh.corners[k].data() + t));
+            std::tie(x[k], y[k]) = halves(m_fetched[k].data() + i);
         }
         const auto x0 = least(x), x1 = most(x), y0 = least(y), y1 = most(y);
         const auto isThere   = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - t));
@@ -107,6 +136,10 @@ private:
             keep(top, m_out.top);
             keep(kind, m_out.kind);
             keep(hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle)), m_out.id);
+            const auto grow = [&](V& least, V& most, V from, V to) HWY_ATTR {
+                least = hn::Min(least, hn::IfThenElse(kept, from, least)), most = hn::Max(most, hn::IfThenElse(kept, to, most));
+            };
+            grow(m_left, m_right, left, right), grow(m_above, m_below, above, below);
             const std::size_t before = m_out.count;
             m_out.count += hn::CountTrue(D(), kept);
             if (!m_place.mesh.patterned.empty()) markPatterned(t, kept, before);
@@ -173,20 +206,22 @@ private:
     void findPlanes(std::size_t i)
     {
         const F64  d64;
-        const auto gather = [&](const auto& from, std::size_t k) HWY_ATTR {
-            const auto index = hn::PromoteTo(I64(), hn::LoadU(I32(), m_out.vertex[k].data() + i));
-            return hn::GatherIndex(d64, from.data(), index);
-        };
-        const auto d0 = gather(m_vertices.d, 0), d1 = gather(m_vertices.d, 1), d2 = gather(m_vertices.d, 2);
-        auto       x0 = gather(m_vertices.x, 0), y0 = gather(m_vertices.y, 0);
-        auto       e1x = gather(m_vertices.x, 1) - x0, e1y = gather(m_vertices.y, 1) - y0;
-        auto       e2x = gather(m_vertices.x, 2) - x0, e2y = gather(m_vertices.y, 2) - y0;
+        const auto corner = [&](std::size_t k) HWY_ATTR { return cornersAt(m_vertices, m_out.vertex[k].data() + i); };
+        const auto first = corner(0), second = corner(1), third = corner(2);
+        const auto d0 = first.d, d1 = second.d, d2 = third.d;
+        auto       x0 = first.x, y0 = first.y;
+        auto       e1x = second.x - x0, e1y = second.y - y0;
+        auto       e2x = third.x - x0, e2y = third.y - y0;
         auto       det = e1x * e2y - e2x * e1y;
 
         const auto longest = hn::Max(hn::Max(hn::Abs(e1x), hn::Abs(e1y)), hn::Max(hn::Abs(e2x), hn::Abs(e2y)));
         const auto isThin  = hn::Not(hn::Abs(det) > longest * hn::Set(d64, 0x1p-10));
         if (!hn::AllFalse(d64, isThin)) {  // thinner than a quarter of a snapping step: the snapped plane
             const auto pixels = hn::Set(d64, 1 / kSubpixels);
+            const auto gather = [&](const auto& from, std::size_t k) HWY_ATTR {
+                const auto index = hn::PromoteTo(I64(), hn::LoadU(I32(), m_out.vertex[k].data() + i));
+                return hn::GatherIndex(d64, from.data(), index);
+            };
             const auto sx = gather(m_vertices.xs, 0) * pixels, sy = gather(m_vertices.ys, 0) * pixels;
             const auto choose = [&](V64 thin, V64& other) HWY_ATTR { other = hn::IfThenElse(isThin, thin, other); };
             choose(gather(m_vertices.xs, 1) * pixels - sx, e1x), choose(gather(m_vertices.ys, 1) * pixels - sy, e1y);
@@ -215,6 +250,13 @@ private:
     TriangleList&         m_out;
     const Probe&          m_probe;
     std::size_t           m_finished = 0;  // entries of the list whose edges and planes are there
+
+    // Edges of the boxes of all that the sieve has left, lane by lane.
+    V m_left = all(std::numeric_limits<std::int32_t>::max()), m_above = m_left;
+    V m_right = all(std::numeric_limits<std::int32_t>::min()), m_below = m_right;
+
+    static constexpr std::uint32_t kFetched = 64;
+    alignas(64) std::array<std::array<std::uint64_t, kFetched>, 3> m_fetched;  // snapped corners of the triangles at hand
 };
 
 }  // namespace zscope::HWY_NAMESPACE

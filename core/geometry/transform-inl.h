@@ -84,15 +84,15 @@ struct VertexStage {
             const auto isVertex = hn::Iota(d64, static_cast<double>(i)) < hn::Set(d64, batch.vertexCount);
             worst               = hn::Max(worst, hn::IfThenZeroElse(plain, hn::IfThenElseZero(isVertex, one)));
 
-            hn::StoreU(sx, d64, out.x.data() + i);
-            hn::StoreU(sy, d64, out.y.data() + i);
-            hn::StoreU(wide(d), d64, out.d.data() + i);
+            hn::StoreInterleaved4(sx, sy, wide(d), wide(d), d64, out.rows.data() + ScreenVertices::kRow * i);
             hn::StoreU(xs, d64, out.xs.data() + i);
             hn::StoreU(ys, d64, out.ys.data() + i);
             if constexpr (Rules::kExact) {
-                const hn::Rebind<std::int32_t, F64> i32;
-                hn::StoreU(hn::DemoteTo(i32, xs), i32, out.sx.data() + i);
-                hn::StoreU(hn::DemoteTo(i32, ys), i32, out.sy.data() + i);
+                const hn::Rebind<std::int32_t, F64>  i32;
+                const hn::Rebind<std::uint32_t, F64> u32;
+                const hn::Rebind<std::uint64_t, F64> u64;
+                const auto half = [&](hn::Vec<F64> whole) HWY_ATTR { return hn::PromoteTo(u64, hn::BitCast(u32, hn::DemoteTo(i32, whole))); };
+                hn::StoreU(hn::Or(half(xs), hn::ShiftLeft<32>(half(ys))), u64, out.snapped.data() + i);
             }
         }
         out.plain = hn::GetLane(hn::MaxOfLanes(d64, worst)) == 0;

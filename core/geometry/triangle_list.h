@@ -14,7 +14,6 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "core/geometry/batches.h"
@@ -48,6 +47,7 @@ struct TriangleList {
     using Column = std::array<T, kCapacity + kBatchPadding>;
 
     std::size_t count = 0;
+    PixelBox    compactReach;  // the boxes of all that are compact; empty if none is
 
     alignas(64) std::array<Column<std::int32_t>, 3> sx, sy;  // snapped corners of compact triangles
     alignas(64) std::array<Column<double>, 3> x, y;          // of the others
@@ -63,7 +63,7 @@ struct TriangleList {
     alignas(64) std::array<Column<std::int32_t>, 3> vertex;             // corners as they were given: positions in the batch
 
     bool isEmpty() const { return count == 0; }
-    void clear() { count = 0; }
+    void clear() { count = 0, compactReach = {}; }
 
     /// There must be room. Always inlined, so that each instruction set gets it in its own instructions.
     [[gnu::always_inline]] void add(const ScreenTriangle& t)
@@ -87,15 +87,6 @@ struct TriangleList {
         ++count;
     }
 
-    /// The boxes of all that are compact; empty if none is.
-    PixelBox reachOfCompact() const
-    {
-        constexpr int kFar = std::numeric_limits<std::int32_t>::max();
-        PixelBox      all{kFar, kFar, -kFar, -kFar};
-        for (std::size_t i = 0; i < count; ++i)
-            if ((kind[i] & kCompact) != 0) all.include(box(i));
-        return all;
-    }
     /// True if their boxes have kLarge pixels or more on average.
     bool areLarge() const
     {
