@@ -26,8 +26,8 @@ struct ScreenVertices {
 
     ScreenCorner corner(std::size_t i) const { return {rows[kRow * i], rows[kRow * i + 1], rows[kRow * i + 2], xs[i], ys[i]}; }
 
-    /// out[i] becomes the snapped position of vertex places[i], for all i < count.
-    void fetchSnapped(const std::uint16_t* places, std::size_t count, std::uint64_t* out) const;
+    /// out[k][i] becomes the snapped position of vertex places[k][i], for all i < count.
+    void fetchSnapped(const std::array<const std::uint16_t*, 3>& places, std::size_t count, const std::array<std::uint64_t*, 3>& out) const;
 };
 
 }  // namespace zscope

@@ -79,7 +79,9 @@ private:
     {
         static_assert(hn::MaxLanes(D()) <= kBatchPadding && kFetched % hn::MaxLanes(D()) == 0);
         const std::size_t whole = (count + hn::Lanes(D()) - 1) / hn::Lanes(D()) * hn::Lanes(D());
-        for (std::size_t k = 0; k < 3; ++k) m_vertices.fetchSnapped(m_place.mesh.corners[k].data() + first, whole, m_fetched[k].data());
+        const auto& corners = m_place.mesh.corners;
+        m_vertices.fetchSnapped({corners[0].data() + first, corners[1].data() + first, corners[2].data() + first}, whole,
+                                {m_fetched[0].data(), m_fetched[1].data(), m_fetched[2].data()});
     }
 
     /// x and y of the snapped positions that stand from `from` on.
