@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # All tests of the core and the command line under the address and undefined-behaviour sanitizers, and the window closed in the
-# middle of its work under those of addresses and threads: scripts/test.sh runs a part of it. Hours on two cores.
+# middle of its work under those of addresses and threads; and the kernels compiled for one lane only. scripts/test.sh runs a part
+# of it. Hours on two cores.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/packages.sh
@@ -17,3 +18,7 @@ for preset in window-tsan window-asan; do
     build_preset "$preset" closing_test
     run_tests "$preset" -R '^ui\.closing_test$'
 done
+
+# Kernels compiled for one lane only: the same pictures and the same steps.
+build_preset scalar agreement_test replay_test sweep_state_test
+run_tests scalar -R 'Agreement|Replay|SweepState' -E 'NOT_BUILT|OnTheSharedModels'

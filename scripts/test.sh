@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Everything that has to hold before a change goes in, from nothing: installs what is missing, builds, tests; less than an hour
-# on two cores. The release build runs every test and comes last; before it a part of the same sources runs under sanitizers,
-# with one lane, and without Qt. scripts/sanitize.sh runs the sanitizers over all of it.
+# on two cores. The release build runs every test, in every instruction set and with one lane, and comes last; before it a part
+# of the same sources runs under sanitizers, without Qt. scripts/sanitize.sh runs the sanitizers over all of it, and the build that
+# has one lane only.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/packages.sh
@@ -21,10 +22,6 @@ sanitized=(
 )
 build_preset debug-asan-ubsan "${sanitized[@]}"
 run_tests debug-asan-ubsan -E "NOT_BUILT|$long_under_sanitizers"
-
-# One lane only, and no Qt: the same pictures and the same steps.
-build_preset scalar agreement_test replay_test sweep_state_test
-run_tests scalar -R 'Agreement|Replay|SweepState' -E 'NOT_BUILT|OnTheSharedModels'
 
 build_preset ci all
 run_tests ci
