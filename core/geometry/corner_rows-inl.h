@@ -1,6 +1,7 @@
 // Corners of several triangles, from the rows of their vertices to columns: as many corners side by side as there are lanes of float64.
 //
-// Cost       per corner one load of a row, and about one and a half shuffles
+// Promise    moves numbers and computes none: the same bits in every lane count
+// Cost       per corner one load of a row and fewer than two shuffles
 #if defined(ZSCOPE_CORNER_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_CORNER_ROWS_INL_H
 #undef ZSCOPE_CORNER_ROWS_INL_H
@@ -21,7 +22,7 @@ struct CornerColumns {
     hn::Vec<hn::ScalableTag<double>> x, y, d;
 };
 
-/// Lane i is the vertex places[i].
+/// Lane i is the vertex places[i]; there are as many places as lanes, all below ScreenVertices::kCapacity.
 HWY_INLINE CornerColumns cornersAt(const ScreenVertices& vertices, const std::int32_t* places)
 {
     const hn::ScalableTag<double> d64;
