@@ -4,6 +4,7 @@
 #include "core/cull/cull_events.h"
 #include "core/depth/pyramid_told.h"
 #include "core/geometry/screen_triangle.h"
+#include "core/scan/pixel_events.h"
 
 namespace zscope {
 
@@ -56,24 +57,27 @@ float farthestOver(const DepthPlane& plane, const PixelBox& pixels, const Rules&
     return rules.stored(z > plane.farthest ? std::min(z, double{plane.nearest}) : double{plane.farthest});
 }
 
-/// What scan conversion by tiles tells the pyramid of a triangle, where stale cells wait for a query; nobody if there is none that does.
-template <class Rules, class Probe>
+/// What scan conversion by tiles asks and tells the pyramid, where stale cells wait for a query; nobody if there is none that does.
+template <class Probe>
 struct TileUpkeep {
-    Pyramid*          pyramid;  // or nullptr
-    const DepthPlane& plane;
-    bool              hasHoles;  // what it covers is not all drawn, or lies farther back
-    const Rules&      rules;
-    const Probe&      probe;
+    Pyramid*     pyramid;  // or nullptr
+    TriangleId   triangle;
+    const Probe& probe;
 
+    /// True if tiles are asked about, and drawnTile() wants to hear of them.
+    bool isKept() const { return pyramid && pyramid->takesTiles(); }
+    /// Of the tile that holds `pixels`, if isKept().
+    bool hides(const PixelBox& pixels, float nearest) const
+    {
+        const bool isHidden = pyramid->hidesTile(pixels.x0, pixels.y0, nearest);
+        if constexpr (Probe::listens)
+            if (isHidden) probe(TileTested{pixels, triangle, nearest, pyramid->storedTile(pixels.x0, pixels.y0), true});
+        return isHidden;
+    }
+    void drawnTile(const PixelBox& tile, float farthest) const { pyramid->drawnTile(tile.x0, tile.y0, farthest, tellingOfCells(probe)); }
     void touched(const PixelBox& box) const
     {
         if (pyramid) pyramid->touched(box);
-    }
-    void coveredTile(const PixelBox& tile) const
-    {
-        if (!pyramid) return;
-        if (hasHoles) return pyramid->touched(tile);
-        pyramid->coveredTile(tile.x0, tile.y0, farthestOver(plane, tile, rules), tellingOfCells(probe));
     }
 };
 

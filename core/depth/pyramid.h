@@ -5,11 +5,11 @@
 //            [x 2^n, (x+1) 2^n) x [firstRow + y 2^n, ...); pixels outside the region do not exist and take no part
 // Levels     1 and 2 are not stored: a cell of them is at most 16 pixels, which are read instead. From kTileLevel up
 //            each level is half the one below, rounded up, to a single cell
-// Question   first what is stored, which may say yes; then the pixel in the middle of the box, which may say no and mostly does
-//            of what can be seen; then cell by cell
+// Question   first what is stored, which may say yes; then the pixel in the middle of the box and eight on its border, which may
+//            say no and mostly do of what can be seen; then cell by cell
 // Upkeep     touched() marks the tiles under a box and their ancestors as stale, and stops where they already are; a
-//            stale cell is recomputed when a query meets it and neither its old value nor that pixel could answer. A tile that one
-//            triangle covers whole takes its value from the triangle's plane (coveredTile()). Or push(): the tiles are
+//            stale cell is recomputed when a query meets it and neither its old value nor those pixels could answer. A tile all of
+//            whose pixels were seen by who drew takes its value from there (drawnTile()). Or push(): the tiles are
 //            recomputed at once, and from each of them its ancestors, up to the first that does not change. Or, if the
 //            pyramid was reset as masked, cover(): tiles know two depths and a mask, and no pixel is ever read
 // Promise    a cell is never nearer than the true farthest depth of its pixels: depths only grow, so an old value is
@@ -78,10 +78,14 @@ public:
 
     /// Depths inside `box`, which lies in the region, may have grown.
     void touched(const PixelBox& box);
-    /// The tile that holds (x, y) has been drawn over as a whole by something that is nowhere beyond `farthest`: its depth is known
-    /// without reading a pixel.
+    /// The tile that holds (x, y) has been drawn to, and `farthest` is the farthest that its pixels hold now: who drew has seen them.
     template <class Told>
-    void coveredTile(int x, int y, float farthest, const Told& told);
+    void drawnTile(int x, int y, float farthest, const Told& told);
+    /// True if nothing at depth `nearest` or farther could win a pixel of the tile that holds (x, y), by what is stored as it stands.
+    bool hidesTile(int x, int y, float nearest) const { return isBehind(nearest, storedTile(x, y)); }
+    float storedTile(int x, int y) const { return m_levels[0].farthest.at(x >> kTileLevel, (y - m_firstRow) >> kTileLevel); }
+    /// False if a rule is broken: what is wrong then is wrong with pixels that are read.
+    bool takesTiles() const { return m_fault == Fault::None; }
     /// The same as touched(), and every cell is brought up to date: after each tile its ancestors, as far as they change.
     template <class Told>
     void push(const PixelBox& box, const Told& told);
@@ -142,7 +146,7 @@ private:
 
     PyramidQuery askAtCorners(const PixelBox& box, float nearest) const;
     template <class Shape>
-    bool showsAtMiddle(const PixelBox& box, float nearest, const Shape& shape) const;
+    bool showsAtSamples(const PixelBox& box, float nearest, const Shape& shape) const;
     template <class Shape, class Told>
     bool cellsHide(PyramidQuery& query, const Shape& shape, const Told& told);
     bool         isBehind(float nearest, float value) const { return nearest < value || (m_fault == Fault::EqualIsHidden && nearest == value); }

@@ -37,17 +37,24 @@ template <class Shape, class Told>
     if (query.cells == 0)
         query.value = 0;
     else if (!isBehind(nearest, query.value))
-        query.hidden = !showsAtMiddle(box, nearest, shape) && cellsHide(query, shape, told);
+        query.hidden = !showsAtSamples(box, nearest, shape) && cellsHide(query, shape, told);
     return query;
 }
 
-/// True if the pixel in the middle is enough to know that something could be seen.
+/// True if a few pixels are enough to know that something could be seen: the middle of the box, its corners, the middles of its sides.
 template <class Shape>
-bool Pyramid::showsAtMiddle(const PixelBox& box, float nearest, const Shape& shape) const
+bool Pyramid::showsAtSamples(const PixelBox& box, float nearest, const Shape& shape) const
 {
     if (!m_readsPixels) return false;
-    const int x = (box.x0 + box.x1) / 2, y = (box.y0 + box.y1) / 2;
-    return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->storedAt(x, y)));
+    const auto shows = [&](int x, int y) {
+        return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->storedAt(x, y)));
+    };
+    const int middleX = (box.x0 + box.x1) / 2, middleY = (box.y0 + box.y1) / 2;
+    if (shows(middleX, middleY)) return true;
+    if ((box.x1 - box.x0) * (box.y1 - box.y0) <= kFewPixels) return false;
+    const int right = box.x1 - 1, below = box.y1 - 1;
+    return shows(box.x0, box.y0) || shows(right, box.y0) || shows(box.x0, below) || shows(right, below) || shows(middleX, box.y0) ||
+           shows(middleX, below) || shows(box.x0, middleY) || shows(right, middleY);
 }
 
 /// Cell by cell, each brought up to date if it must be. The query's value becomes what they hold then.
@@ -71,12 +78,12 @@ bool Pyramid::cellsHide(PyramidQuery& query, const Shape& shape, const Told& tol
 }
 
 template <class Told>
-void Pyramid::coveredTile(int x, int y, float farthest, const Told& told)
+void Pyramid::drawnTile(int x, int y, float farthest, const Told& told)
 {
     const int column = x >> kTileLevel, line = (y - m_firstRow) >> kTileLevel;
-    if (m_fault != Fault::None) return markStaleFrom(kTileLevel, column, line);  // whatever is wrong is wrong with pixels that are read
+    at(kTileLevel).stale.at(column, line) = 0;  // its ancestors stay what they are
     float& value = at(kTileLevel).farthest.at(column, line);
-    if (!(farthest > value)) return;
+    if (farthest == value) return;
     const float before = value;
     value              = farthest;
     markStaleFrom(kTileLevel + 1, column, line);

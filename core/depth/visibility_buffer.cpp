@@ -14,13 +14,14 @@ void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encodi
     m_stride = static_cast<std::size_t>((width + 2 * kRowPadding - 1) / kRowPadding * kRowPadding);
     m_keys.resize(m_stride * static_cast<std::size_t>((height + 1) / 2 * 2) * sizeof(PixelKey) / sizeof(CacheLine));
     m_tiles.reset((width + kTileWidth - 1) / kTileWidth, (height + kTileLines - 1) / kTileLines, Tile::Stale);
+    m_soleRanks.reset(m_tiles.width(), m_tiles.height(), 0);
 }
 
 void VisibilityBuffer::emptyRows(int first, int end)
 {
     for (int y = first / kTileLines; y * kTileLines < end; ++y)
         for (Tile& tile : m_tiles.view().row(y))
-            if (tile == Tile::Drawn) tile = Tile::Stale;
+            if (tile >= Tile::Drawn) tile = Tile::Stale;
 }
 
 void VisibilityBuffer::finishRows(int first, int end)

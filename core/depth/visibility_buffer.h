@@ -49,12 +49,38 @@ public:
         for (int y = box.y0 / kTileLines; y <= (box.y1 - 1) / kTileLines; ++y)
             for (int x = box.x0 / kTileWidth; x <= (box.x1 - 1) / kTileWidth; ++x) openTile(x, y);
     }
+    /// Makes one tile ready for who is about to draw over all of its pixels in the picture. If true, nothing was drawn to it since
+    /// emptyRows() and what it holds must not be read.
+    bool openToDrawOver(const PixelBox& tile)
+    {
+        Tile&      at       = m_tiles.at(tile.x0 / kTileWidth, tile.y0 / kTileLines);
+        const bool wasDrawn = at >= Tile::Drawn;
+        at                  = Tile::Drawn;
+        return !wasDrawn;
+    }
+    /// True if the box, which lies in one tile, holds all of its pixels in the picture.
+    bool isWholeTile(const PixelBox& box) const
+    {
+        return box.x0 % kTileWidth == 0 && box.y0 % kTileLines == 0 && (box.x1 % kTileWidth == 0 || box.x1 == m_width) &&
+               (box.y1 % kTileLines == 0 || box.y1 == m_height);
+    }
     /// All pixels may be read.
     void finishRows(int first, int end);
     int tileColumns() const { return m_tiles.width(); }
     int tileRows() const { return m_tiles.height(); }
     /// False if nothing was drawn to the tile of the pixel, which is background then.
-    bool isOpen(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) == Tile::Drawn; }
+    bool isOpen(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) >= Tile::Drawn; }
+    /// If all pixels of the tile are known to show one triangle, its rank; else 0.
+    std::uint32_t soleRank(int x, int y) const
+    {
+        return m_tiles.at(x / kTileWidth, y / kTileLines) == Tile::Sole ? m_soleRanks.at(x / kTileWidth, y / kTileLines) : 0;
+    }
+    /// Tells that of the tile that holds (x, y), which is open.
+    void setSoleRank(int x, int y, std::uint32_t rank)
+    {
+        m_tiles.at(x / kTileWidth, y / kTileLines)     = Tile::Sole;
+        m_soleRanks.at(x / kTileWidth, y / kTileLines) = rank;
+    }
     /// False if the pixel is background, but must not be read before finishRows().
     bool isReadable(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) != Tile::Stale; }
 
@@ -81,9 +107,10 @@ public:
 
 private:
     enum class Tile : std::uint8_t {
+        Stale,  // background, but memory holds something else
         Empty,  // all background
         Drawn,  // drawn to since emptyRows()
-        Stale,  // background, but memory holds something else
+        Sole,   // the same, all of it by one triangle
     };
 
     void openTile(int x, int y)
@@ -106,6 +133,7 @@ private:
     std::size_t            m_stride = 0;  // >= m_width + kRowPadding
     DepthEncoding          m_encoding;
     Grid<Tile>             m_tiles;
+    Grid<std::uint32_t>    m_soleRanks;  // of tiles that are Sole
     std::vector<CacheLine> m_keys;  // m_stride * m_height of them, rounded up to even rows
 };
 

@@ -119,20 +119,8 @@ std::vector<std::uint32_t> neighboursTogether(const Mesh& mesh)
     return order;
 }
 
-}  // namespace
-
-std::uint64_t MeshBatches::bytes() const
-{
-    return batches.capacity() * sizeof(Batch) + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double) +
-           3 * corners[0].capacity() * sizeof(std::uint16_t) + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
-}
-
-Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
-{
-    return mesh.materialOf(mesh.trianglePolygon[triangle]).opacity < 1 ? Surfaces::Transparent : Surfaces::Opaque;
-}
-
-MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted)
+/// The batches, without cones.
+MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted)
 {
     MeshBatches  out;
     BatchBuilder builder(mesh, out);
@@ -150,12 +138,54 @@ MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangl
     return out;
 }
 
+NormalCone coneOf(const MeshBatches& mesh, const Batch& batch)
+{
+    NormalConeBuilder cone;
+    const auto        forEach = [&](const auto& add) {
+        for (std::uint32_t t = batch.firstTriangle; t < batch.firstTriangle + batch.triangleCount; ++t) {
+            const auto corner = [&](std::size_t k) {
+                const std::size_t v = batch.firstVertex + mesh.corners[k][t];
+                return dvec3{mesh.x[v], mesh.y[v], mesh.z[v]};
+            };
+            add(corner(0), corner(1), corner(2));
+        }
+    };
+    forEach([&](const dvec3& a, const dvec3& b, const dvec3& c) { cone.addNormal(a, b, c); });
+    cone.beginPlanes(0.5 * batch.bounds.min + 0.5 * batch.bounds.max);
+    forEach([&](const dvec3& a, const dvec3& b, const dvec3& c) { cone.addPlane(a, b, c); });
+    return cone.cone();
+}
+
+MeshBatches withCones(MeshBatches mesh)
+{
+    for (Batch& batch : mesh.batches) batch.cone = coneOf(mesh, batch);
+    return mesh;
+}
+
+}  // namespace
+
+std::uint64_t MeshBatches::bytes() const
+{
+    return batches.capacity() * sizeof(Batch) + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double) +
+           3 * corners[0].capacity() * sizeof(std::uint16_t) + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
+}
+
+Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
+{
+    return mesh.materialOf(mesh.trianglePolygon[triangle]).opacity < 1 ? Surfaces::Transparent : Surfaces::Opaque;
+}
+
+MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted)
+{
+    return withCones(cut(mesh, triangles, wanted));
+}
+
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
 {
-    MeshBatches loaded = makeBatches(mesh, inLoadOrder(mesh), wanted);
-    if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return loaded;
-    MeshBatches sorted = makeBatches(mesh, neighboursTogether(mesh), wanted);
-    return 4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded);
+    MeshBatches loaded = cut(mesh, inLoadOrder(mesh), wanted);
+    if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return withCones(std::move(loaded));
+    MeshBatches sorted = cut(mesh, neighboursTogether(mesh), wanted);
+    return withCones(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded));
 }
 
 }  // namespace zscope

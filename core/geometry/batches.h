@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/normal_cone.h"
 #include "core/scene/mesh.h"
 
 namespace zscope {
@@ -30,6 +31,7 @@ struct Batch {
     std::uint32_t firstTriangle = 0;  // into MeshBatches::corners and ::meshTriangle
     std::uint32_t triangleCount = 0;
     Bounds        bounds;             // of its vertices, model space
+    NormalCone    cone;               // of its triangles, model space
 };
 
 struct MeshBatches {

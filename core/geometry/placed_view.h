@@ -47,6 +47,10 @@ public:
         m_magnitude = std::abs(m[0][3]) + std::abs(m[1][3]) + std::abs(m[2][3]) + std::abs(p.eye.x) + std::abs(p.eye.y) + std::abs(p.eye.z);
     }
 
+    /// The model's axes and its origin in view space.
+    const std::array<dvec3, 3>& axes() const { return m_axes; }
+    const dvec3&                origin() const { return m_origin; }
+
     [[gnu::always_inline]] ViewBox operator()(const Bounds& box) const
     {
         const dvec3 c = 0.5 * box.min + 0.5 * box.max, h = 0.5 * box.max - 0.5 * box.min;

@@ -83,6 +83,12 @@ HWY_INLINE hn::Mask<I64> winners(Keys offered, Keys held, [[maybe_unused]] float
     return hn::And(hn::And(sameDepth, better), offered > hn::Set(I64(), keyOf(empty, 0)));
 }
 
+/// What a pixel holds before a fragment is offered to it.
+enum class Before {
+    Held,   // what memory says
+    Empty,  // nothing: memory is not read
+};
+
 /// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c.
 template <Keep kKeep, class Rules>
 class DepthTest {
@@ -111,13 +117,13 @@ public:
         return hn::Set(F64(), m_a) * centres;
     }
 
-    /// Offers the covered lanes at row[0..]; they are the pixels x, x + 1, ... of line y.
-    template <class Fragments, class Probe>
-    void offer(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, [[maybe_unused]] int x, [[maybe_unused]] int y,
+    /// Offers the covered lanes at row[0..]; they are the pixels x, x + 1, ... of line y. Returns what is held there now.
+    template <Before kBefore = Before::Held, class Fragments, class Probe>
+    Keys offer(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, [[maybe_unused]] int x, [[maybe_unused]] int y,
                [[maybe_unused]] const Fragments& fragments, const Probe& probe) const
     {
         if constexpr (Fragments::kPatterned) {
-            offerPatterned(column, line, covered, row, x, y, fragments, probe);
+            return offerPatterned<kBefore>(column, line, covered, row, x, y, fragments, probe);
         } else {
             constexpr ShadingMoment kShading = Fragments::kMoment;
             const U32  u32;
@@ -126,9 +132,10 @@ public:
             [[maybe_unused]] auto colours = hn::Undefined(u32);
             if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
 
-            const auto held = hn::LoadU(I64(), row);
+            const auto held = heldAt<kBefore>(row);
             const auto won  = hn::And(hn::RebindMask(I64(), covered), wins(offered, held));
-            hn::StoreU(hn::IfThenElse(won, offered, held), I64(), row);
+            const auto kept = hn::IfThenElse(won, offered, held);
+            hn::StoreU(kept, I64(), row);
 
             if constexpr (kShading == ShadingMoment::BeforeTest) {
                 fragments.keep(u32, narrowed(won), colours, x, y);
@@ -138,13 +145,14 @@ public:
 
             if constexpr (Probe::listens) {
                 static_assert(!Probe::listens || hn::MaxLanes(F64()) == 1, "a run that is listened to uses one lane");
-                if (hn::AllFalse(F64(), covered)) return;
+                if (hn::AllFalse(F64(), covered)) return kept;
                 const bool     wins  = !hn::AllFalse(I64(), won);
                 const PixelKey rival = hn::GetLane(held);
                 probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = depthOf(hn::GetLane(offered)), .won = wins,
                                   .rivalRank = rankOf(rival), .rivalDepth = depthOf(rival), .keep = kKeep,
                                   .shaded = kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins)});
             }
+            return kept;
         }
     }
 
@@ -159,8 +167,8 @@ public:
 private:
     /// offer() for fragments that a pattern may discard or move. It never moves them nearer, so if a fragment fails where its
     /// triangle is, it fails; if it passes there, the pattern is looked up and it is tested where it is.
-    template <class Fragments, class Probe>
-    void offerPatterned(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, int x, int y, const Fragments& fragments,
+    template <Before kBefore, class Fragments, class Probe>
+    Keys offerPatterned(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, int x, int y, const Fragments& fragments,
                         const Probe& probe) const
     {
         constexpr bool kShadesFirst = Fragments::kMoment == ShadingMoment::BeforeTest;
@@ -169,23 +177,27 @@ private:
         const auto inside = hn::RebindMask(I64(), covered);
         const auto flat   = limited(column + hn::Set(d64, line));
         const auto bound  = keysOf(flat);
-        const auto held   = hn::LoadU(I64(), row);
+        const auto held   = heldAt<kBefore>(row);
         const bool moves  = fragments.moves();
 
         const auto looked  = kShadesFirst ? inside : hn::And(inside, moves ? mayWin(bound, held) : wins(bound, held));
         auto       offered = bound;
         auto       exists = looked, won = looked;
+        auto       kept   = held;
         if (!hn::AllFalse(I64(), looked)) {
             exists = hn::AndNot(hn::RebindMask(I64(), fragments.discarded(d64, x, y)), looked);
             if (moves) offered = keysOf(fragments.moved(d64, flat, x, y));
-            won = hn::And(exists, wins(offered, held));
-            hn::StoreU(hn::IfThenElse(won, offered, held), I64(), row);
+            won  = hn::And(exists, wins(offered, held));
+            kept = hn::IfThenElse(won, offered, held);
+            hn::StoreU(kept, I64(), row);
             if constexpr (Fragments::kMoment != ShadingMoment::Never)
                 if (!hn::AllFalse(I64(), exists)) fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
+        } else if (kBefore == Before::Empty) {
+            hn::StoreU(kept, I64(), row);
         }
 
         if constexpr (Probe::listens) {
-            if (hn::AllFalse(d64, covered)) return;
+            if (hn::AllFalse(d64, covered)) return kept;
             const bool     isLookedAt = !hn::AllFalse(I64(), looked), isThere = !hn::AllFalse(I64(), exists);
             const PixelKey rival = hn::GetLane(held);
             probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = depthOf(hn::GetLane(offered)),
@@ -193,7 +205,18 @@ private:
                               .shaded    = kShadesFirst || (Fragments::kMoment != ShadingMoment::Never && isThere),
                               .discarded = isLookedAt && !isThere, .moved = isThere && moves, .unmovedDepth = depthOf(hn::GetLane(bound))});
         }
+        return kept;
     }
+
+    template <Before kBefore>
+    Keys heldAt([[maybe_unused]] const PixelKey* row) const
+    {
+        if constexpr (kBefore == Before::Held)
+            return hn::LoadU(I64(), row);
+        else
+            return hn::Set(I64(), keyOf(m_empty, 0));
+    }
+
 
     /// The keys of fragments of the triangle at these depths.
     Keys keysOf(Vec64 z) const

@@ -4,11 +4,14 @@
 // Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments are shaded
 // Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when something is drawn to
 //            it, and those along the pyramid's. A tile wholly on the outer side of one edge is skipped, one on the inner side
-//            of all edges needs no edge values, and if it is drawn over as a whole the pyramid learns its depth from the plane
+//            of all edges needs no edge values, and one that is covered before anything was drawn there is neither emptied nor read
+// Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped, and one whose pixels are all
+//            gone over tells its farthest depth, which was in registers anyway
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
 //            is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no pixel
 //            writes to it
-// Wide       triangles beyond the guard band are handed to EdgeWalk, whose 128-bit edges find the same pixels
+// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits; those beyond kWidestByTiles are handed to
+//            EdgeWalk, which finds the same pixels
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #if defined(ZSCOPE_HALF_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_HALF_SPACE_INL_H
@@ -19,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/depth/pyramid_told.h"
 #include "core/geometry/half_plane.h"
@@ -29,27 +33,41 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
+/// The half-spaces of a triangle, counted from the pixel (x0, y0).
+struct Edges {
+    std::array<HalfPlane, 3> planes;
+    int                      x0, y0;
+
+    bool areOutside(const PixelBox& pixels) const
+    {
+        return zscope::areOutside(planes, pixels.x0 - x0, pixels.y0 - y0, pixels.x1 - 1 - x0, pixels.y1 - 1 - y0);
+    }
+    bool areInside(const PixelBox& pixels) const
+    {
+        return zscope::areInside(planes, pixels.x0 - x0, pixels.y0 - y0, pixels.x1 - 1 - x0, pixels.y1 - 1 - y0);
+    }
+};
+
 struct HalfSpace {
-    /// `upkeep` is told what becomes of the pyramid's tiles: coveredTile(box) or touched(box), whose parameter lies in one tile, or
-    /// in any number of them for triangles that are wide or compact. Opens what is drawn to.
+    /// `upkeep` (TileUpkeep) is asked whether the pyramid's tiles hide the triangle and told what becomes of them. Opens what is drawn to.
     template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
     static void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep, VisibilityBuffer& visible,
                      const Rules& rules, const Probe& probe)
     {
         const PixelBox& box = triangle.box;
-        if (triangle.wide) {
+        if (triangle.wide && !(Rules::kExact && fitsTiles(triangle))) {
             visible.open(box);
             EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules, probe);
             upkeep.touched(box);
             return;
         }
-        const std::array<HalfPlane, 3> planes = halfPlanesOf(triangle, rules.notOwned());
-        const DepthTest<kKeep, Rules>  test(triangle.depth, triangle.rank(), visible.empty(), rules);
+        const Edges                   fromBox{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
+        const DepthTest<kKeep, Rules> test(triangle.depth, triangle.rank(), visible.empty(), rules);
         if constexpr (kLanes == 1) {  // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
             if (isCompact(triangle)) {
                 visible.open(box);
                 forEachPixelByWindows(box, [&](int x, int y) {
-                    fillTile(triangle, planes, test, test.column(x, box.x0), x, y, y + 1, fragments, visible, rules, probe);
+                    fillTile(triangle, fromBox, test, test.column(x, box.x0), x, y, y + 1, false, fragments, visible, rules, probe);
                 });
                 upkeep.touched(box);
                 return;
@@ -59,9 +77,15 @@ struct HalfSpace {
         for (int top = box.y0 / kLines * kLines; top < box.y1; top += kLines) {
             for (int left = box.x0 / kWidth * kWidth; left < box.x1; left += kWidth) {
                 const PixelBox here{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kWidth, box.x1), std::min(top + kLines, box.y1)};
-                if (areOutsideIn(here, triangle, planes)) continue;
-                visible.open(here);
-                fillStoredTile(here, areInsideIn(here, triangle, planes), triangle, planes, test, fragments, upkeep, visible, rules, probe);
+                const Edges    edges = triangle.wide ? Edges{wideHalfPlanesOf(triangle, left, top), left, top} : fromBox;
+                if (edges.areOutside(here)) continue;
+                const bool isInside = edges.areInside(here);
+                if (isInside && visible.isWholeTile(here) && here.x1 % laneCount() == 0 && visible.openToDrawOver(here)) {
+                    fillFreshTile(here, triangle, test, fragments, upkeep, visible, rules, probe);
+                } else {
+                    visible.open(here);
+                    fillStoredTile(here, isInside, triangle, edges, test, fragments, upkeep, visible, rules, probe);
+                }
             }
         }
     }
@@ -79,14 +103,13 @@ struct HalfSpace {
         }
         constexpr int kTile = 1 << Pyramid::kTileLevel;
         static_assert(kTile % hn::MaxLanes(F64()) == 0, "columns must not reach over the border of a tile");
-        const PixelBox&                box    = triangle.box;
-        const std::array<HalfPlane, 3> planes = halfPlanesOf(triangle, rules.notOwned());
-        const DepthTest<kKeep, Rules>  test(triangle.depth, triangle.rank(), visible.empty(), rules);
+        const PixelBox&               box = triangle.box;
+        const Edges                   edges{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
+        const DepthTest<kKeep, Rules> test(triangle.depth, triangle.rank(), visible.empty(), rules);
 
         for (int top = tiles.tileAt(box.x0, box.y0).y0; top < box.y1; top += kTile) {
             for (int left = tiles.tileAt(box.x0, box.y0).x0; left < box.x1; left += kTile) {
-                const int right = left - box.x0, down = top - box.y0;
-                if (areOutside(planes, right, down, right + kTile - 1, down + kTile - 1)) continue;
+                if (edges.areOutside({left, top, left + kTile, top + kTile})) continue;
                 const PixelBox here{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kTile, box.x1),
                                     std::min(top + kTile, box.y1)};
                 const float      nearest = nearestIn(triangle.depth, here, rules);
@@ -94,50 +117,79 @@ struct HalfSpace {
                 probe(TileTested{here, triangle.id, nearest, answer.farthest, answer.hidden});
                 if (answer.hidden) continue;
                 for (int x = left; x < here.x1; x += laneCount())
-                    fillTile(triangle, planes, test, test.column(x, box.x0), x, here.y0, here.y1, fragments, visible, rules, probe);
+                    fillTile(triangle, edges, test, test.column(x, box.x0), x, here.y0, here.y1, false, fragments, visible, rules, probe);
                 tiles.touched(here);
             }
         }
     }
 
 private:
-    static bool areOutsideIn(const PixelBox& here, const ScreenTriangle& t, const std::array<HalfPlane, 3>& planes)
-    {
-        return areOutside(planes, here.x0 - t.box.x0, here.y0 - t.box.y0, here.x1 - 1 - t.box.x0, here.y1 - 1 - t.box.y0);
-    }
-    static bool areInsideIn(const PixelBox& here, const ScreenTriangle& t, const std::array<HalfPlane, 3>& planes)
-    {
-        return areInside(planes, here.x0 - t.box.x0, here.y0 - t.box.y0, here.x1 - 1 - t.box.x0, here.y1 - 1 - t.box.y0);
-    }
+    static constexpr int      kTile       = 1 << Pyramid::kTileLevel;
+    static constexpr auto     kVectors    = static_cast<std::size_t>(kTile / kLanes);  // in a line of one
+    static constexpr PixelKey kNearestKey = std::numeric_limits<PixelKey>::max();
 
     /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
     template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
-    static void fillStoredTile(const PixelBox& stored, bool isInside, const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes,
+    static void fillStoredTile(const PixelBox& stored, bool isInside, const ScreenTriangle& triangle, const Edges& edges,
                                const DepthTest<kKeep, Rules>& test, const Fragments& fragments, const Upkeep& upkeep,
                                VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
-        constexpr int kTile = 1 << Pyramid::kTileLevel;
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
         for (int left = stored.x0 & -kTile; left < stored.x1; left += kTile) {
             const PixelBox here{std::max(left, stored.x0), stored.y0, std::min(left + kTile, stored.x1), stored.y1};
-            if (!isInside && areOutsideIn(here, triangle, planes)) continue;
-            const int  from = here.x0 & -laneCount();
-            const bool isWhole = isInside || areInsideIn(here, triangle, planes);
-            for (int x = from; x < here.x1; x += laneCount()) {
+            if (!isInside && edges.areOutside(here)) continue;
+            if (upkeep.isKept() && upkeep.hides(here, nearestIn(triangle.depth, here, rules))) continue;
+            const bool isWhole = isInside || edges.areInside(here);
+            // Who goes over all of a tile sees what it holds, and need not look again.
+            const bool sees = upkeep.isKept() && here.y1 - here.y0 == kTile && left + kTile <= visible.width();
+            const int  from = sees ? left : here.x0 & -laneCount(), end = sees ? left + kTile : here.x1;
+            auto       least = hn::Set(I64(), kNearestKey);
+            for (int x = from; x < end; x += laneCount()) {
                 const auto column = test.column(x, triangle.box.x0);
                 // Edges may say no of pixels beside the box; where it ends inside a vector, they are asked.
                 if (isWhole && x >= here.x0 && x + laneCount() <= here.x1)
-                    fillWholeTile(triangle, test, column, x, here.y0, here.y1, fragments, visible, rules, probe);
+                    least = hn::Min(least, fillWholeTile(triangle, test, column, x, here.y0, here.y1, fragments, visible, rules, probe));
                 else
-                    fillTile(triangle, planes, test, column, x, here.y0, here.y1, fragments, visible, rules, probe);
+                    least = hn::Min(least, fillTile(triangle, edges, test, column, x, here.y0, here.y1, sees, fragments, visible, rules, probe));
             }
-            const bool fillsTile = (here.x1 - here.x0 == kTile || here.x1 == visible.width()) && here.x0 == left && here.y1 - here.y0 == kTile;
-            if (isWhole && fillsTile)
-                upkeep.coveredTile(here);
+            if (sees)
+                upkeep.drawnTile(here, farthestOf(least));
             else
                 upkeep.touched(here);
         }
     }
+
+    /// A tile of the visibility buffer that is covered whole and to which nothing was drawn, by tiles of the pyramid.
+    template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
+    static void fillFreshTile(const PixelBox& stored, const ScreenTriangle& triangle, const DepthTest<kKeep, Rules>& test, const Fragments& fragments,
+                              const Upkeep& upkeep, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    {
+        const DepthPlane plane = triangle.depth;
+        for (int left = stored.x0; left < stored.x1; left += kTile) {
+            const PixelBox             here{left, stored.y0, std::min(left + kTile, stored.x1), stored.y1};
+            std::array<Vec64, kVectors> columns;
+            for (std::size_t i = 0; i < kVectors; ++i) columns[i] = test.column(left + static_cast<int>(i) * kLanes, triangle.box.x0);
+            PixelKey* row   = visible.row(here.y0) + left;
+            auto      least = hn::Set(I64(), kNearestKey);
+            for (int y = here.y0; y < here.y1; ++y, row += visible.stride()) {
+                const double line = lineDepth(plane, y, rules);
+                int          x    = left;
+                for (std::size_t i = 0; i < kVectors && x < here.x1; ++i, x += kLanes)
+                    least = hn::Min(least, test.template offer<Before::Empty>(columns[i], line, allLanes(), row + (x - left), x, y, fragments, probe));
+            }
+            if (upkeep.isKept())
+                upkeep.drawnTile(here, farthestOf(least));
+            else
+                upkeep.touched(here);
+        }
+        // What is not beyond the far plane wins from nobody.
+        if (kKeep == Keep::Nearest && Rules::kExact && !Fragments::kPatterned && triangle.depth.farthest > visible.empty())
+            visible.setSoleRank(stored.x0, stored.y0, triangle.rank());
+    }
+
+    static hn::Mask<F64> allLanes() { return hn::FirstN(F64(), hn::Lanes(F64())); }
+
+    static float farthestOf(Keys least) { return depthOf(hn::GetLane(hn::MinOfLanes(I64(), least))); }
 
     template <class Each>
     static void forEachPixelByWindows(const PixelBox& box, const Each& each)
@@ -159,39 +211,48 @@ private:
         return rules.stored(std::min(std::max(z, double{plane.farthest}), double{plane.nearest}));
     }
 
-    /// Lines [y, end) of the column of pixels x, x + 1, ..., all of them covered.
+    /// Lines [y, end) of the column of pixels x, x + 1, ..., all of them covered. Returns the least key that each of its columns holds then.
     template <Keep kKeep, class Fragments, class Rules, class Probe>
-    static void fillWholeTile(const ScreenTriangle& triangle, const DepthTest<kKeep, Rules>& test, Vec64 column, int x, int y, int end,
+    static Keys fillWholeTile(const ScreenTriangle& triangle, const DepthTest<kKeep, Rules>& test, Vec64 column, int x, int y, int end,
                               const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
-        const auto all = hn::FirstN(F64(), hn::Lanes(F64()));
-        for (; y < end; ++y)
-            test.offer(column, lineDepth(triangle.depth, y, rules), all, visible.row(y) + x, x, y, fragments, probe);
+        const DepthPlane plane = triangle.depth;
+        PixelKey*        row   = visible.row(y) + x;
+        auto             least = hn::Set(I64(), kNearestKey);
+        for (; y < end; ++y, row += visible.stride())
+            least = hn::Min(least, test.offer(column, lineDepth(plane, y, rules), allLanes(), row, x, y, fragments, probe));
+        return least;
     }
 
-    /// Lines [y, end) of the column of pixels x, x + 1, ...
+    /// Lines [y, end) of the column of pixels x, x + 1, ... Returns the least key that each of its columns holds then, in lines that
+    /// the triangle misses only if the caller `sees` all.
     template <Keep kKeep, class Fragments, class Rules, class Probe>
-    static void fillTile(const ScreenTriangle& triangle, const std::array<HalfPlane, 3>& planes,
-                         const DepthTest<kKeep, Rules>& test, Vec64 column, int x, int y, int end, const Fragments& fragments,
-                         VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    static Keys fillTile(const ScreenTriangle& triangle, const Edges& edges, const DepthTest<kKeep, Rules>& test, Vec64 column, int x,
+                         int y, int end, bool sees, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         const F64  d64;
-        const auto lane  = hn::Iota(d64, x - triangle.box.x0);
+        const auto& planes = edges.planes;
+        const auto lane  = hn::Iota(d64, x - edges.x0);
         const auto start = [&](const HalfPlane& plane) HWY_ATTR {
-            return hn::Set(d64, plane.at(0, y - triangle.box.y0)) + lane * hn::Set(d64, plane.perPixel);
+            return hn::Set(d64, plane.at(0, y - edges.y0)) + lane * hn::Set(d64, plane.perPixel);
         };
+        auto       least = hn::Set(I64(), kNearestKey);
         auto       e0 = start(planes[0]), e1 = start(planes[1]), e2 = start(planes[2]);
         const auto down0 = hn::Set(d64, planes[0].perLine), down1 = hn::Set(d64, planes[1].perLine),
                    down2 = hn::Set(d64, planes[2].perLine);
-        for (; y < end; ++y) {
+        const DepthPlane plane = triangle.depth;
+        PixelKey*        row   = visible.row(y) + x;
+        for (; y < end; ++y, row += visible.stride()) {
             const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
-            if (!hn::AllFalse(d64, inside)) {
-                test.offer(column, lineDepth(triangle.depth, y, rules), inside, visible.row(y) + x, x, y, fragments, probe);
-            }
+            if (!hn::AllFalse(d64, inside))
+                least = hn::Min(least, test.offer(column, lineDepth(plane, y, rules), inside, row, x, y, fragments, probe));
+            else if (sees)
+                least = hn::Min(least, hn::LoadU(I64(), row));
             e0 = e0 + down0;
             e1 = e1 + down1;
             e2 = e2 + down2;
         }
+        return least;
     }
 };
 

@@ -93,19 +93,21 @@ inline void shadeSpan(const Painter& painter, const VisibilityBuffer& visible, i
 }
 
 /// Lines [first, end), which are whole lines of tiles or end with the picture. Tiles that nothing was drawn to are background,
-/// and need no colours if they had those before.
+/// and need no colours if they had those before; tiles that show one triangle need no look at their pixels.
 inline void shadeRows(const Painter& painter, const VisibilityBuffer& visible, int first, int end)
 {
     constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
     const int     tiles  = (visible.width() + kWidth - 1) / kWidth;
     for (int top = first; top < end; top += kLines) {
         const int  bottom = std::min(top + kLines, end);
-        const auto isOpen = [&](int tile) { return visible.isOpen(tile * kWidth, top); };
+        const auto isOpen   = [&](int tile) { return visible.isOpen(tile * kWidth, top); };
+        const auto soleRank = [&](int tile) { return painter.operations == 0 ? visible.soleRank(tile * kWidth, top) : 0; };
         for (int tile = 0; tile < tiles;) {
-            const bool open = isOpen(tile);
-            const int  from = tile;
-            bool       old  = false;  // some tile of the run has colours
-            for (; tile < tiles && isOpen(tile) == open; ++tile) {
+            const bool          open = isOpen(tile);
+            const std::uint32_t sole = soleRank(tile);
+            const int           from = tile;
+            bool                old  = false;  // some tile of the run has colours
+            for (; tile < tiles && isOpen(tile) == open && soleRank(tile) == sole; ++tile) {
                 if (!painter.painted.data) {
                     old = true;
                     continue;
@@ -115,11 +117,12 @@ inline void shadeRows(const Painter& painter, const VisibilityBuffer& visible, i
                 painted = open;
             }
             const int x0 = from * kWidth, x1 = std::min(tile * kWidth, visible.width());
+            const std::uint32_t colour = sole != 0 ? painter.baseColour(sole) : kBackgroundColour;
             for (int y = top; y < bottom && (open || old); ++y) {
-                if (open)
+                if (open && sole == 0)
                     shadeSpan(painter, visible, x0, x1, y);
                 else
-                    std::fill(painter.colour.row(y).data() + x0, painter.colour.row(y).data() + x1, kBackgroundColour);
+                    std::fill(painter.colour.row(y).data() + x0, painter.colour.row(y).data() + x1, colour);
             }
         }
     }

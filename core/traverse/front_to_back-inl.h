@@ -44,6 +44,7 @@ struct PlacedTree {
     const Tree&   tree;
     const Affine& toWorld;
     PlacedView    view;
+    BackFaces     backs;
     dvec3         eye;  // in the tree's own space
     bool          isInstanceTree;
     InstanceId    instance;
@@ -115,7 +116,8 @@ private:
         const auto&      m = toWorld.rows;
         const glm::dmat3 linear(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]);
         const dvec3      eye = glm::inverse(linear) * (m_stripe.projection.eye - dvec3{m[0][3], m[1][3], m[2][3]});
-        return {tree, toWorld, PlacedView(m_stripe.projection, toWorld), eye, isInstanceTree, instance};
+        const PlacedView view(m_stripe.projection, toWorld);
+        return {tree, toWorld, view, BackFaces(view, m_stripe.projection), eye, isInstanceTree, instance};
     }
 
     /// `open`: planes of the stripe that `holder` crosses.
@@ -145,9 +147,10 @@ private:
             const Batch& batch = batches.batches[next.batch];
             if (m_stripe.progress.cancelled()) break;
             if (m_probe.leavesOut(Checkpoint::Batch)) continue;
+            const BatchPlace place{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]};
+            if (isCulledAsBack(place, placed.backs, placed.view, m_stripe, m_rules, m_probe)) continue;
             m_clock.lap(Stage::Cull);
-            setUpBatch(BatchPlace{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]}, placed.instance, m_stripe,
-                       m_scratch, m_clock, m_rules, m_probe);
+            setUpBatch(place, placed.instance, m_stripe, m_scratch, m_clock, m_rules, m_probe);
             if (m_scratch.triangles.areLarge()) m_scratch.triangles.sort(m_scratch.sorted, isNearer);
             all.add(m_consume(m_scratch.triangles));
         }

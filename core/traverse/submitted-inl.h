@@ -2,7 +2,8 @@
 // (core/geometry/batches.h says in which order the triangles of a large mesh stand).
 //
 // Promise    skips only what cannot touch a pixel centre of the stripe (StripeVolume)
-// Cost       five planes per instance, per batch those that the instance crosses; transform and set-up of what is left
+// Cost       five planes per instance, per batch those that the instance crosses and a cone of normals; transform and set-up of
+//            what is left
 #if defined(ZSCOPE_SUBMITTED_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_SUBMITTED_INL_H
 #undef ZSCOPE_SUBMITTED_INL_H
@@ -37,10 +38,21 @@ void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stri
     clock.lap(Stage::Setup);
 }
 
+/// True if the batch need not be set up, because all of its triangles are culled as back faces; their fates are told then.
+template <class Rules, class Probe>
+bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe, const Rules&, const Probe& probe)
+{
+    if (!Rules::kExact || stripe.culling != FaceCulling::Back || !backs.hold(place.batch.cone, view(place.batch.bounds))) return false;
+    if constexpr (Probe::listens)
+        for (std::uint32_t t = 0; t < place.batch.triangleCount; ++t)
+            probe(TriangleSetUp{place.idOf(place.batch.firstTriangle + t), SetUp::BackFacing, false, false});
+    return true;
+}
+
 /// Calls visit(instance, batch, toWorld) for every batch that may reach the stripe; the batches of a mesh are
 /// `batchesOf(mesh)`, `batch` is an index into them, `toWorld` nullptr for the identity.
-template <class BatchesOf, class Visit, class Probe>
-void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batchesOf, const Visit& visit, const Probe& probe)
+template <class BatchesOf, class Visit, class Rules, class Probe>
+void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batchesOf, const Visit& visit, const Rules& rules, const Probe& probe)
 {
     const Scene&       scene = stripe.scene.scene();
     const StripeVolume volume(stripe.projection, stripe.visible.width(), stripe.firstRow, stripe.endRow);
@@ -56,16 +68,20 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
             probe(BatchOutside{InstanceId{i}, all});
             continue;
         }
-        const Affine* toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
+        const Affine*   toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
+        const BackFaces backs(placed, stripe.projection);
         for (std::uint32_t b = 0; b < mesh.batches.size(); ++b) {
             if (stripe.progress.cancelled()) return;
             StripeVolume::Planes asked = open;
-            const bool           outside = open != 0 && mesh.batches.size() > 1 && volume.misses(placed(mesh.batches[b].bounds), asked);
-            clock.lap(Stage::Cull);
-            if (outside)
+            if (open != 0 && mesh.batches.size() > 1 && volume.misses(placed(mesh.batches[b].bounds), asked)) {
                 probe(BatchOutside{InstanceId{i}, mesh.batches[b].triangleCount});
-            else if (!probe.leavesOut(Checkpoint::Batch))
-                visit(InstanceId{i}, b, toWorld);
+                continue;
+            }
+            if (probe.leavesOut(Checkpoint::Batch)) continue;
+            const BatchPlace place{mesh, mesh.batches[b], toWorld, scene.firstTriangle[i]};
+            const bool       isBack = isCulledAsBack(place, backs, placed, stripe, rules, probe);
+            clock.lap(Stage::Cull);
+            if (!isBack) visit(InstanceId{i}, b, toWorld);
         }
     }
     clock.lap(Stage::Cull);
@@ -83,7 +99,7 @@ void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScra
         setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value]}, instance, stripe, scratch, clock, rules, probe);
         consume(scratch.triangles);
     };
-    visitBatches(stripe, clock, batchesOf, visit, probe);
+    visitBatches(stripe, clock, batchesOf, visit, rules, probe);
 }
 
 /// The same for the opaque triangles.
@@ -118,7 +134,7 @@ void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageCl
             faceSetUp.carefully();
         clock.lap(Stage::Setup);
     };
-    visitBatches(stripe, clock, batchesOf, visit, probe);
+    visitBatches(stripe, clock, batchesOf, visit, rules, probe);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

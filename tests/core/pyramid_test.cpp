@@ -37,7 +37,7 @@ struct Screen {
         write(box, depth);
         pyramid.touched(box);
     }
-    /// The same, by one who knows of each tile whether it was drawn over as a whole.
+    /// The same, by one who has seen all pixels of the tiles that are drawn over as a whole.
     void drawByTiles(const PixelBox& box, float depth)
     {
         write(box, depth);
@@ -46,7 +46,7 @@ struct Screen {
                 const PixelBox tile = cell(Pyramid::kTileLevel, x, y);
                 const PixelBox drawn{std::max(tile.x0, box.x0), std::max(tile.y0, box.y0), std::min(tile.x1, box.x1), std::min(tile.y1, box.y1)};
                 if (drawn == tile)
-                    pyramid.coveredTile(tile.x0, tile.y0, depth, Untold{});
+                    pyramid.drawnTile(tile.x0, tile.y0, farthest(tile), Untold{});
                 else
                     pyramid.touched(drawn);
             }
@@ -153,20 +153,32 @@ TEST(Pyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeAndStripe)
     EXPECT_GT(answers[1], 1000);
 }
 
-TEST(Pyramid, ATileDrawnOverAsAWholeHidesWithoutAPixelOfItBeingRead)
+TEST(Pyramid, ATileDrawnOverAsAWholeHidesWithoutItsPixelsBeingReadAgain)
 {
     Screen screen(64, 32);
     screen.drawByTiles({8, 8, 40, 24}, 0.5f);
-    std::fill_n(screen.visible.row(8), 64, keyOf(kEmpty, 0));  // whoever reads is misled
+    std::fill_n(screen.visible.row(9), 64, keyOf(kEmpty, 0));  // whoever reads all of it is misled
     EXPECT_TRUE(screen.pyramid.hides({8, 8, 40, 24}, 0.4f));
     EXPECT_FALSE(screen.pyramid.hides({8, 8, 41, 24}, 0.4f));
     std::vector<CellWrite> told;
-    screen.pyramid.coveredTile(8, 8, 0.6f, [&told](const CellWrite& write) { told.push_back(write); });
-    screen.pyramid.coveredTile(8, 8, 0.55f, [&told](const CellWrite& write) { told.push_back(write); });  // no news
+    const auto             tell = [&told](const CellWrite& write) { told.push_back(write); };
+    screen.pyramid.drawnTile(8, 8, 0.6f, tell);
+    screen.pyramid.drawnTile(8, 8, 0.6f, tell);  // no news
     ASSERT_EQ(told.size(), 1u);
     EXPECT_EQ(told[0].level, Pyramid::kTileLevel);
     EXPECT_EQ(told[0].before, 0.5f);
     EXPECT_EQ(told[0].after, 0.6f);
+    EXPECT_TRUE(screen.pyramid.hidesTile(15, 15, 0.59f));
+    EXPECT_FALSE(screen.pyramid.hidesTile(15, 15, 0.6f)) << "on equal depth the lower id wins";
+}
+
+TEST(Pyramid, ATileThatWasSeenIsNoLongerStale)
+{
+    Screen screen(64, 32);
+    screen.draw({8, 8, 16, 16}, 0.5f);
+    screen.pyramid.drawnTile(8, 8, 0.5f, Untold{});
+    std::fill_n(screen.visible.row(8), 64, keyOf(kEmpty, 0));  // whoever reads is misled
+    EXPECT_TRUE(screen.pyramid.hides({8, 8, 16, 16}, 0.4f));
 }
 
 TEST(Pyramid, D3EveryCellOfAnySizeIsTheMinimumOfThePixelsThatExistOnceAQueryNeededIt)

@@ -90,6 +90,41 @@ TEST(VisibilityBuffer, WhatIsDrawnToIsEmptyBeforeAndEverythingElseIsAfterTheFram
     }
 }
 
+TEST(VisibilityBuffer, ATileThatIsDrawnOverAsAWholeNeedNotBeEmptiedAndShowsOneTriangleUntilSomethingElseIsDrawn)
+{
+    VisibilityBuffer buffer;
+    buffer.resize(200, 29, DepthEncoding::withBackground(-1.0f));
+    buffer.clearRows(0, 29);
+    draw(buffer, {0, 0, 200, 29});
+    buffer.emptyRows(0, 29);
+
+    const PixelBox whole{64, 8, 128, 16}, last{192, 24, 200, 29};
+    for (const PixelBox& box : {whole, last}) EXPECT_TRUE(buffer.isWholeTile(box));
+    for (const PixelBox& part : {PixelBox{64, 8, 127, 16}, {65, 8, 128, 16}, {64, 9, 128, 16}, {64, 8, 128, 15}, {192, 24, 200, 28}})
+        EXPECT_FALSE(buffer.isWholeTile(part));
+
+    EXPECT_TRUE(buffer.openToDrawOver(whole)) << "nothing is drawn there yet";
+    EXPECT_EQ(buffer.rankAt(64, 8), 7u) << "and it was not emptied";
+    EXPECT_FALSE(buffer.openToDrawOver(whole)) << "now something is";
+    EXPECT_EQ(buffer.soleRank(100, 10), 0u);
+    buffer.setSoleRank(64, 8, 12);
+    EXPECT_EQ(buffer.soleRank(100, 10), 12u);
+    EXPECT_TRUE(buffer.isOpen(100, 10));
+    EXPECT_FALSE(buffer.openToDrawOver(whole));
+    EXPECT_EQ(buffer.soleRank(100, 10), 0u);
+    buffer.setSoleRank(64, 8, 12);
+    buffer.open({100, 10, 101, 11});
+    EXPECT_EQ(buffer.soleRank(100, 10), 0u);
+
+    buffer.setSoleRank(64, 8, 12);
+    buffer.emptyRows(0, 29);
+    EXPECT_EQ(buffer.soleRank(100, 10), 0u);
+    EXPECT_FALSE(buffer.isOpen(100, 10));
+    buffer.finishRows(0, 29);
+    EXPECT_EQ(buffer.rankAt(100, 10), 0u);
+    EXPECT_TRUE(buffer.openToDrawOver(whole)) << "emptied, but nothing is drawn there";
+}
+
 TEST(VisibilityBuffer, AVectorMayBeReadAtTheLastPixelOfEveryRow)
 {
     for (int width = 1; width < 70; ++width) {

@@ -1,0 +1,111 @@
+#include "core/geometry/normal_cone.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace zscope {
+
+namespace {
+
+/// Triangles with a smaller ratio of altitude to side have no normal worth trusting.
+constexpr double kThinnest = 1e-6;
+/// What a cosine, a length or a position may be wrong by, relative to what it was made of: far above the rounding of some twenty
+/// operations (1e-15) over the thinnest triangle (1e6) or the flattest placement (1e3).
+constexpr double kSlack = 1e-8;
+/// Cones as wide as this see the front of something from almost anywhere.
+constexpr double kWidest = 0.05;
+
+struct Facing {
+    dvec3  normal{0, 0, 0};  // of length 1, or 0 if the triangle has none
+    double altitude = 0;
+};
+
+Facing facingOf(const dvec3& a, const dvec3& b, const dvec3& c)
+{
+    const dvec3  ab = b - a, ac = c - a, bc = c - b;
+    const dvec3  across  = glm::cross(ab, ac);
+    const double area    = glm::length(across);
+    const double longest = std::sqrt(std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)}));
+    if (!(area > kThinnest * longest * longest) || !(area < 1e150)) return {};
+    return {across / area, area / longest};
+}
+
+}  // namespace
+
+void NormalConeBuilder::addNormal(const dvec3& a, const dvec3& b, const dvec3& c)
+{
+    const Facing facing = facingOf(a, b, c);
+    m_sum               = m_sum + facing.normal;
+    m_altitude          = m_altitude < 0 ? facing.altitude : std::min(m_altitude, facing.altitude);
+}
+
+void NormalConeBuilder::beginPlanes(const dvec3& centre)
+{
+    const double length = glm::length(m_sum);
+    if (!(length > 0)) m_altitude = 0;
+    m_axis   = length > 0 ? m_sum / length : dvec3{0, 0, 0};
+    m_centre = centre;
+}
+
+void NormalConeBuilder::addPlane(const dvec3& a, const dvec3& b, const dvec3& c)
+{
+    if (!(m_altitude > 0)) return;
+    const dvec3  normal  = facingOf(a, b, c).normal;
+    const double towards = glm::dot(normal, m_axis);
+    m_cosine             = std::min(m_cosine, towards);
+    if (towards > kWidest) m_back = std::max(m_back, glm::dot(m_centre - a, normal) / towards);
+}
+
+NormalCone NormalConeBuilder::cone() const
+{
+    const double cosine = m_cosine - kSlack;
+    if (!(m_altitude > 0) || !(cosine > kWidest)) return {};
+    return {.axis     = m_axis,
+            .apex     = m_centre - m_axis * m_back,
+            .cosine   = cosine,
+            .sine     = std::sqrt(1 - cosine * cosine),
+            .altitude = m_altitude};
+}
+
+BackFaces::BackFaces(const PlacedView& view, const Projection& projection) : m_near(projection.near), m_focal(projection.focalPixels)
+{
+    const auto&      axes = view.axes();
+    const glm::dmat3 linear(axes[0], axes[1], axes[2]);
+    const double     volume  = glm::determinant(linear);  // view space is left-handed: negative unless something is mirrored
+    const double     stretch = std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
+    if (!(-volume > 1e-3 * stretch * stretch * stretch)) return;
+    m_volume  = -volume;
+    m_stretch = stretch;
+    m_eye     = -(glm::inverse(linear) * view.origin());
+}
+
+bool BackFaces::hold(const NormalCone& cone, const ViewBox& box) const
+{
+    if (!(cone.altitude > 0) || !(m_volume > 0)) return false;
+    const dvec3  ahead = cone.apex - m_eye;
+    const double along = glm::dot(ahead, cone.axis);
+    if (!(along > 0)) return false;
+    const dvec3  aside    = ahead - cone.axis * along;
+    const double slack    = kSlack * (glm::length(cone.apex) + glm::length(m_eye) + box.magnitude / m_stretch);
+    const double distance = along * cone.cosine - glm::length(aside) * cone.sine - slack;
+    if (!(distance > 0)) return false;
+
+    const double error   = PlacedView::kError * box.magnitude, deep = box.spread(0, 0, 1) + error;
+    const double nearest = box.centre.z - deep, farthest = box.centre.z + deep;
+    if (!(nearest >= m_near)) return false;
+    const double wide = std::abs(box.centre.x) + box.spread(1, 0, 0) + error, high = std::abs(box.centre.y) + box.spread(0, 1, 0) + error;
+    const double slope = std::sqrt(wide * wide + high * high) / nearest, pixels = m_focal / nearest;
+    if (!(m_focal * slope < 1e6)) return false;  // positions beyond some thousand pictures have roundings of their own
+
+    const double moved      = 0.7072 / kSubpixels + 2 * pixels * error * (1 + slope) + kSlack / kSubpixels;
+    // Both per length of a triangle's longest side.
+    const double doubleArea = m_focal * m_focal * m_volume * cone.altitude * distance / (farthest * farthest * farthest);
+    const double change     = 3 * moved * pixels * m_stretch * std::sqrt(1 + slope * slope) + 4 * moved * moved / cone.altitude;
+    return doubleArea > (1 + 1e-6) * change;
+}
+
+}  // namespace zscope

@@ -1,0 +1,61 @@
+// The directions that the triangles of a batch face, in one cone: a batch that is seen from behind need not be set up triangle by
+// triangle.
+//
+// Cone       in model space: every triangle's normal lies within an angle of the axis, and the apex lies behind every triangle's plane.
+//            An eye behind the apex, outside of the cone that opens there, is behind all planes
+// Margin     corners snap to 1/256 pixel, which may turn a thin triangle over. Twice the area of a triangle on the screen is
+//            f^2 det h l D / (z0 z1 z2): f pixels per slope, det of the way to view space, h its smallest altitude, l its longest side, D the
+//            eye's distance from its plane. Corners that move by e change it by at most e times the perimeter and 4 e^2. Only
+//            where it is larger than that is a batch called back-facing; e holds the snapping and every rounding on the way
+// Promise    of a batch that isBackFacing() every triangle is SetUp::BackFacing, as the exact arithmetic finds one by one
+// Never      of a batch that reaches before the near plane, of mirrored placements, of a batch with a triangle without area
+// Source     Shirman, Abi-Ezzi: The Cone of Normals Technique for Fast Processing of Curved Patches, Eurographics 1993; the margin is ours
+#pragma once
+
+#include <span>
+
+#include "core/geometry/placed_view.h"
+
+namespace zscope {
+
+struct NormalCone {
+    dvec3  axis{0, 0, 0};  // of length 1
+    dvec3  apex{0, 0, 0};
+    double cosine = 0, sine = 0;  // of the angle between the axis and the sides
+    double altitude = 0;          // the smallest of any of its triangles; 0: nothing is promised of this batch
+};
+
+/// Grows a cone triangle by triangle, in two rounds over the same triangles.
+class NormalConeBuilder {
+public:
+    /// First round. Corners anticlockwise as seen from the front.
+    void addNormal(const dvec3& a, const dvec3& b, const dvec3& c);
+    /// Second round.
+    void addPlane(const dvec3& a, const dvec3& b, const dvec3& c);
+    /// Of a batch around `centre`. Between the rounds.
+    void beginPlanes(const dvec3& centre);
+    NormalCone cone() const;
+
+private:
+    dvec3  m_sum{0, 0, 0}, m_axis{0, 0, 0}, m_centre{0, 0, 0};
+    double m_altitude = -1;  // smallest so far; -1: no triangle yet
+    double m_cosine   = 1;   // smallest so far
+    double m_back     = 0;   // how far behind the centre the apex must lie
+};
+
+/// One placement, as its camera sees it, asked about batches.
+class BackFaces {
+public:
+    BackFaces(const PlacedView& view, const Projection& projection);
+
+    /// `box` holds the batch.
+    bool hold(const NormalCone& cone, const ViewBox& box) const;
+
+private:
+    dvec3  m_eye{0, 0, 0};    // in model space
+    double m_volume  = 0;     // of a unit cube of the model in view space; 0: mirrored, or too flat to be sure
+    double m_stretch = 0;     // what is 1 long in the model is at most so long in view space
+    double m_near, m_focal;
+};
+
+}  // namespace zscope
