@@ -9,7 +9,9 @@
 #endif
 
 #include <algorithm>
+#include <cstdint>
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "core/depth/visibility_buffer.h"
@@ -78,6 +80,18 @@ int shadeRow(U32 u32, const PixelKey* keys, int x, int width, int y, int operati
     return x;
 }
 
+/// One colour for `width` pixels. Whole vectors are written past the caches: nobody reads them in this frame, and to fetch what they
+/// overwrite would cost as much as to write them.
+inline void fillColours(std::uint32_t* colour, int width, std::uint32_t value)
+{
+    const hn::ScalableTag<std::uint32_t> u32;
+    const int                            lanes = static_cast<int>(hn::Lanes(u32));
+    int                                  x     = 0;
+    for (; x < width && reinterpret_cast<std::uintptr_t>(colour + x) % (hn::Lanes(u32) * sizeof(value)) != 0; ++x) colour[x] = value;
+    for (; x + lanes <= width; x += lanes) hn::Stream(hn::Set(u32, value), u32, colour + x);
+    for (; x < width; ++x) colour[x] = value;
+}
+
 /// Pixels [x0, x1) of line y.
 inline void shadeSpan(const Painter& painter, const VisibilityBuffer& visible, int x0, int x1, int y)
 {
@@ -122,10 +136,11 @@ inline void shadeRows(const Painter& painter, const VisibilityBuffer& visible, i
                 if (open && sole == 0)
                     shadeSpan(painter, visible, x0, x1, y);
                 else
-                    std::fill(painter.colour.row(y).data() + x0, painter.colour.row(y).data() + x1, colour);
+                    fillColours(painter.colour.row(y).data() + x0, x1 - x0, colour);
             }
         }
     }
+    hwy::FlushStream();  // before another thread reads them
 }
 
 }  // namespace zscope::HWY_NAMESPACE
