@@ -3,8 +3,8 @@
 // First      a frame of which nothing is known takes the z-buffer if few triangles can be in view, else the hierarchical
 //            z-buffer over an octree. This depends on scene and camera only; stepping and counting stop here
 // Trials     then every candidate draws kWarmUp frames that are not timed (trees are built, memories filled) and up to kTimed
-//            that are; the shortest counts. Those within kClose of the fastest draw as many again, because times are
-//            noisy. One that cannot pay is left out: a method without a hierarchy whose least conceivable time is kHopeless
+//            that are; the shortest counts. Those within kClose of the fastest then draw kTimedAgain more, because a machine has
+//            other work: half of its frames may take one and a half times as long as the others. One that cannot pay is left out: a method without a hierarchy whose least conceivable time is kHopeless
 //            times the best known, a sweep with more than a few triangles in view
 // Kept       the fastest draws until its time has drifted by kDrift for kDriftFrames frames in a row, or for kKeptFrames;
 //            then the others are tried again, but not before it has drawn kBudget times as long as that cost last time, so
@@ -49,7 +49,8 @@ public:
     static constexpr double        kLeastNs        = 10;       // per triangle in view and thread: no method without a tree is faster
     static constexpr double        kHopeless       = 4;        // times the best
     static constexpr int           kWarmUp = 1, kTimed = 2;    // frames of a trial
-    static constexpr double        kClose       = 1.25;
+    static constexpr int           kTimedAgain  = 4;           // and of another one, after as much warming up
+    static constexpr double        kClose       = 1.6;
     static constexpr double        kDrift       = 1.5;
     static constexpr int           kDriftFrames = 3;
     static constexpr int           kKeptFrames  = 300;

@@ -66,7 +66,7 @@ TEST(AutoChoice, TheFastestOfThoseTriedIsKept)
         EXPECT_EQ(paying.choice.preset().name, "two-pass");
         notPaying.settle(kTreesDoNot);
         EXPECT_EQ(notPaying.choice.preset().name, "zbuffer");
-        EXPECT_LE(paying.frames, 2 * 4 * (AutoChoice::kWarmUp + AutoChoice::kTimed));
+        EXPECT_LE(paying.frames, 4 * (2 * AutoChoice::kWarmUp + AutoChoice::kTimed + AutoChoice::kTimedAgain));
     }
 }
 
@@ -100,9 +100,30 @@ TEST(AutoChoice, ThoseThatAreCloseToTheFastestAreTriedAgain)
     EXPECT_EQ(drawing.choice.preset().name, "zbuffer");
     Drawing apart(kSmall);
     Times   times = kTreesDoNot;
-    times["two-pass"] = 4;
+    for (const char* name : {"hzb-octree", "hzb-bvh", "two-pass"}) times[name] = 1.1 * AutoChoice::kClose * times["zbuffer"];
     apart.settle(times);
     EXPECT_EQ(apart.drawnBy["zbuffer"], AutoChoice::kWarmUp + AutoChoice::kTimed) << "nobody is close";
+}
+
+TEST(AutoChoice, AMachineWithOtherWorkDoesNotHideTheFastest)
+{
+    int right = 0;
+    for (int seed = 0; seed < 1000; ++seed) {
+        Drawing       drawing(kLarge);
+        std::uint32_t state = 2654435761u * static_cast<std::uint32_t>(seed + 1);
+        while (drawing.choice.isTrial()) {
+            Times times = kTreesPay;
+            times["two-pass"] = 4.9;
+            times["hzb-bvh"]  = 4;
+            state = state * 1664525u + 1013904223u;
+            const bool isBusy = state >> 31 != 0;  // every other frame, in no order
+            for (auto& [name, time] : times) time *= isBusy ? 1.5 : 1;
+            drawing.draw(times);
+            ASSERT_LT(drawing.frames, 100);
+        }
+        right += drawing.choice.preset().name == "hzb-bvh";
+    }
+    EXPECT_GE(right, 950) << "it loses only if all of its frames come when the machine is busy";
 }
 
 TEST(AutoChoice, WhatCannotPayIsNeverTried)
