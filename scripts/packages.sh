@@ -71,6 +71,3 @@ run_tests() {
     shift
     ctest --preset "$preset" --parallel "$(nproc)" "$@"
 }
-
-# Tests that take minutes each under the address sanitizer: many scenes, seeds or presets.
-long_under_sanitizers='OnTheSharedModels|AgreementOnGenerated|InSoups|OnSoups|Faults|Approximations|AgreementInside|HardE|HardF|FalseCulls|ExplainsAThousandPixels'

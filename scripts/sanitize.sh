@@ -1,13 +1,26 @@
 #!/usr/bin/env bash
 # All tests of the core and the command line under the address and undefined-behaviour sanitizers, and the window closed in the
-# middle of its work under those of addresses and threads; and the kernels compiled for one lane only. scripts/test.sh runs a part
-# of it. Hours on two cores.
+# middle of its work under those of addresses and threads; and the kernels compiled for one lane only. Hours on two cores.
+#
+#   scripts/sanitize.sh          everything
+#   scripts/sanitize.sh core     every part of the core, the hard cases and the steps, without what only adds scenes and seeds: the
+#                                better part of an hour
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/packages.sh
 source scripts/packages.sh
 
 require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${packages_to_test[@]}"
+
+if [[ "${1:-}" == core ]]; then
+    build_preset debug-asan-ubsan \
+        io_test scene_test core_polygons core_obj core_geometry core_frame_parts core_hierarchy renderer_test experiment_test obj_mutation_test \
+        hard_a_test hard_b_test hard_c_test hard_d_test hard_g_test cutout_test relief_test moment_test transparency_test \
+        replay_test sweep_state_test structure_steps_test pixel_changes_test
+    long='OnTheSharedModels|AgreementOnGenerated|InSoups|OnSoups|Faults|Approximations|AgreementInside|HardE|HardF|FalseCulls|ExplainsAThousandPixels'
+    run_tests debug-asan-ubsan -E "NOT_BUILT|$long"
+    exit
+fi
 
 build_preset debug-asan-ubsan all
 run_tests debug-asan-ubsan -E OnTheSharedModels
