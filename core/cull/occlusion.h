@@ -4,7 +4,6 @@
 #include "core/cull/cull_events.h"
 #include "core/depth/pyramid_told.h"
 #include "core/geometry/screen_triangle.h"
-#include "core/scan/pixel_events.h"
 
 namespace zscope {
 
@@ -61,19 +60,12 @@ float farthestOver(const DepthPlane& plane, const PixelBox& pixels, const Rules&
 template <class Probe>
 struct TileUpkeep {
     Pyramid*     pyramid;  // or nullptr
-    TriangleId   triangle;
     const Probe& probe;
 
     /// True if tiles are asked about, and drawnTile() wants to hear of them.
     bool isKept() const { return pyramid && pyramid->takesTiles(); }
-    /// Of the tile that holds `pixels`, if isKept().
-    bool hides(const PixelBox& pixels, float nearest) const
-    {
-        const bool isHidden = pyramid->hidesTile(pixels.x0, pixels.y0, nearest);
-        if constexpr (Probe::listens)
-            if (isHidden) probe(TileTested{pixels, triangle, nearest, pyramid->storedTile(pixels.x0, pixels.y0), true});
-        return isHidden;
-    }
+    /// Of the tile that holds (x, y), if isKept(). Whoever listens gets no yes: they see its pixels tested one by one, and lose.
+    bool hides(int x, int y, float nearest) const { return !Probe::listens && pyramid->hidesTile(x, y, nearest); }
     void drawnTile(const PixelBox& tile, float farthest) const { pyramid->drawnTile(tile.x0, tile.y0, farthest, tellingOfCells(probe)); }
     void touched(const PixelBox& box) const
     {

@@ -37,24 +37,17 @@ template <class Shape, class Told>
     if (query.cells == 0)
         query.value = 0;
     else if (!isBehind(nearest, query.value))
-        query.hidden = !showsAtSamples(box, nearest, shape) && cellsHide(query, shape, told);
+        query.hidden = !showsAtMiddle(box, nearest, shape) && cellsHide(query, shape, told);
     return query;
 }
 
-/// True if a few pixels are enough to know that something could be seen: the middle of the box, its corners, the middles of its sides.
+/// True if the pixel in the middle is enough to know that something could be seen.
 template <class Shape>
-bool Pyramid::showsAtSamples(const PixelBox& box, float nearest, const Shape& shape) const
+bool Pyramid::showsAtMiddle(const PixelBox& box, float nearest, const Shape& shape) const
 {
     if (!m_readsPixels) return false;
-    const auto shows = [&](int x, int y) {
-        return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->storedAt(x, y)));
-    };
-    const int middleX = (box.x0 + box.x1) / 2, middleY = (box.y0 + box.y1) / 2;
-    if (shows(middleX, middleY)) return true;
-    if ((box.x1 - box.x0) * (box.y1 - box.y0) <= kFewPixels) return false;
-    const int right = box.x1 - 1, below = box.y1 - 1;
-    return shows(box.x0, box.y0) || shows(right, box.y0) || shows(box.x0, below) || shows(right, below) || shows(middleX, box.y0) ||
-           shows(middleX, below) || shows(box.x0, middleY) || shows(right, middleY);
+    const int x = (box.x0 + box.x1) / 2, y = (box.y0 + box.y1) / 2;
+    return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->storedAt(x, y)));
 }
 
 /// Cell by cell, each brought up to date if it must be. The query's value becomes what they hold then.

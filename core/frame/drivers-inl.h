@@ -171,7 +171,7 @@ private:
     void fill(const ScreenTriangle& triangle, const Fragments& fragments) const
     {
         const bool waits = occlusion.afterDrawing == AfterDrawing::MarkStale && !pass.tiles;
-        const TileUpkeep<Probe> upkeep{waits ? occlusion.pyramid : nullptr, triangle.id, probe};
+        const TileUpkeep<Probe> upkeep{waits ? occlusion.pyramid : nullptr, probe};
         if constexpr (std::is_same_v<Scan, HalfSpace>) {
             if constexpr (kKeep == Keep::Nearest) {
                 if (pass.tiles) return HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, tellingOfCells(probe), fragments, stripe.visible, rules, probe);

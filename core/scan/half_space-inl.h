@@ -5,8 +5,8 @@
 // Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when something is drawn to
 //            it, and those along the pyramid's. A tile wholly on the outer side of one edge is skipped, one on the inner side
 //            of all edges needs no edge values, and one that is covered before anything was drawn there is neither emptied nor read
-// Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped, and one whose pixels are all
-//            gone over tells its farthest depth, which was in registers anyway
+// Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped (at full speed; whoever listens
+//            sees its pixels lose), and one whose pixels are all gone over tells its farthest depth, which was in registers anyway
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
 //            is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no pixel
 //            writes to it
@@ -138,7 +138,7 @@ private:
         for (int left = stored.x0 & -kTile; left < stored.x1; left += kTile) {
             const PixelBox here{std::max(left, stored.x0), stored.y0, std::min(left + kTile, stored.x1), stored.y1};
             if (!isInside && edges.areOutside(here)) continue;
-            if (upkeep.isKept() && upkeep.hides(here, nearestIn(triangle.depth, here, rules))) continue;
+            if (upkeep.isKept() && upkeep.hides(here.x0, here.y0, nearestIn(triangle.depth, here, rules))) continue;
             const bool isWhole = isInside || edges.areInside(here);
             // Who goes over all of a tile sees what it holds, and need not look again.
             const bool sees = upkeep.isKept() && here.y1 - here.y0 == kTile && left + kTile <= visible.width();
