@@ -82,8 +82,10 @@ public:
     template <class Told>
     void drawnTile(int x, int y, float farthest, const Told& told);
     /// True if nothing at depth `nearest` or farther could win a pixel of the tile that holds (x, y), by what is stored as it stands.
-    bool hidesTile(int x, int y, float nearest) const { return isBehind(nearest, storedTile(x, y)); }
-    float storedTile(int x, int y) const { return m_levels[0].farthest.at(x >> kTileLevel, (y - m_firstRow) >> kTileLevel); }
+    bool hidesTile(int x, int y, float nearest) const
+    {
+        return isBehind(nearest, m_levels[0].farthest.at(x >> kTileLevel, (y - m_firstRow) >> kTileLevel));
+    }
     /// False if a rule is broken: what is wrong then is wrong with pixels that are read.
     bool takesTiles() const { return m_fault == Fault::None; }
     /// The same as touched(), and every cell is brought up to date: after each tile its ancestors, as far as they change.

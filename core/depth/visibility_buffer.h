@@ -7,7 +7,8 @@
 //            rows to an even one. What is written there is read by nobody
 // Emptying   costs what was drawn, not what there is: tiles of kTileWidth x kTileLines pixels know whether they were drawn
 //            to. emptyRows() only forgets them; open() empties a tile when something is about to be drawn there, while it is
-//            in the cache; finishRows() empties those that nothing was drawn to
+//            in the cache; finishRows() empties those that nothing was drawn to. Who draws over all of a tile may leave the
+//            emptying out (openToDrawOver()) and say whose it is (setSoleRank()), which holds until something else opens it
 // Promise    the winner is the maximum of (depth, -id) over all samples offered, in whatever order they come
 // Source     docs/correctness.md, Depth and the winner
 #pragma once

@@ -4,8 +4,9 @@
 //            z-buffer over an octree. This depends on scene and camera only; stepping and counting stop here
 // Trials     then every candidate draws kWarmUp frames that are not timed (trees are built, memories filled) and up to kTimed
 //            that are; the shortest counts. Those within kClose of the fastest then draw kTimedAgain more, because a machine has
-//            other work: half of its frames may take one and a half times as long as the others. One that cannot pay is left out: a method without a hierarchy whose least conceivable time is kHopeless
-//            times the best known, a sweep with more than a few triangles in view
+//            other work: half of its frames may take one and a half times as long as the others. One that cannot pay is left
+//            out: a method without a hierarchy whose least conceivable time is kHopeless times the best known, a sweep with more
+//            than a few triangles in view
 // Kept       the fastest draws until its time has drifted by kDrift for kDriftFrames frames in a row, or for kKeptFrames;
 //            then the others are tried again, but not before it has drawn kBudget times as long as that cost last time, so
 //            that trials take about one part in kBudget of all time at most

@@ -138,27 +138,19 @@ MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surf
     return out;
 }
 
-NormalCone coneOf(const MeshBatches& mesh, const Batch& batch)
-{
-    NormalConeBuilder cone;
-    const auto        forEach = [&](const auto& add) {
-        for (std::uint32_t t = batch.firstTriangle; t < batch.firstTriangle + batch.triangleCount; ++t) {
-            const auto corner = [&](std::size_t k) {
-                const std::size_t v = batch.firstVertex + mesh.corners[k][t];
-                return dvec3{mesh.x[v], mesh.y[v], mesh.z[v]};
-            };
-            add(corner(0), corner(1), corner(2));
-        }
-    };
-    forEach([&](const dvec3& a, const dvec3& b, const dvec3& c) { cone.addNormal(a, b, c); });
-    cone.beginPlanes(0.5 * batch.bounds.min + 0.5 * batch.bounds.max);
-    forEach([&](const dvec3& a, const dvec3& b, const dvec3& c) { cone.addPlane(a, b, c); });
-    return cone.cone();
-}
-
 MeshBatches withCones(MeshBatches mesh)
 {
-    for (Batch& batch : mesh.batches) batch.cone = coneOf(mesh, batch);
+    std::vector<std::array<dvec3, 3>> triangles;
+    for (Batch& batch : mesh.batches) {
+        const auto corner = [&](std::size_t k, std::uint32_t t) {
+            const std::size_t v = batch.firstVertex + mesh.corners[k][t];
+            return dvec3{mesh.x[v], mesh.y[v], mesh.z[v]};
+        };
+        triangles.clear();
+        for (std::uint32_t t = batch.firstTriangle; t < batch.firstTriangle + batch.triangleCount; ++t)
+            triangles.push_back({corner(0, t), corner(1, t), corner(2, t)});
+        batch.cone = normalConeOf(triangles, 0.5 * batch.bounds.min + 0.5 * batch.bounds.max);
+    }
     return mesh;
 }
 

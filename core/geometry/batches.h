@@ -7,6 +7,7 @@
 // Layout     a batch has its own copy of the vertices it uses, structure of arrays, so that lanes load them side
 //            by side; a vertex shared by two batches is transformed once in each
 // Size       at most kBatchVertices vertices and kBatchTriangles triangles
+// Cone       of the normals of its triangles, so that a batch that shows its back is dropped whole (normal_cone.h)
 // Source     the curve is Morton's, as meshoptimizer sorts along it
 #pragma once
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -36,39 +38,29 @@ Facing facingOf(const dvec3& a, const dvec3& b, const dvec3& c)
 
 }  // namespace
 
-void NormalConeBuilder::addNormal(const dvec3& a, const dvec3& b, const dvec3& c)
+NormalCone normalConeOf(std::span<const std::array<dvec3, 3>> triangles, const dvec3& centre)
 {
-    const Facing facing = facingOf(a, b, c);
-    m_sum               = m_sum + facing.normal;
-    m_altitude          = m_altitude < 0 ? facing.altitude : std::min(m_altitude, facing.altitude);
-}
+    std::vector<Facing> facings;
+    facings.reserve(triangles.size());
+    dvec3  sum{0, 0, 0};
+    double altitude = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b, c] : triangles) {
+        facings.push_back(facingOf(a, b, c));
+        sum      = sum + facings.back().normal;
+        altitude = std::min(altitude, facings.back().altitude);
+    }
+    const double length = glm::length(sum);
+    if (!(length > 0) || !(altitude > 0)) return {};
 
-void NormalConeBuilder::beginPlanes(const dvec3& centre)
-{
-    const double length = glm::length(m_sum);
-    if (!(length > 0)) m_altitude = 0;
-    m_axis   = length > 0 ? m_sum / length : dvec3{0, 0, 0};
-    m_centre = centre;
-}
-
-void NormalConeBuilder::addPlane(const dvec3& a, const dvec3& b, const dvec3& c)
-{
-    if (!(m_altitude > 0)) return;
-    const dvec3  normal  = facingOf(a, b, c).normal;
-    const double towards = glm::dot(normal, m_axis);
-    m_cosine             = std::min(m_cosine, towards);
-    if (towards > kWidest) m_back = std::max(m_back, glm::dot(m_centre - a, normal) / towards);
-}
-
-NormalCone NormalConeBuilder::cone() const
-{
-    const double cosine = m_cosine - kSlack;
-    if (!(m_altitude > 0) || !(cosine > kWidest)) return {};
-    return {.axis     = m_axis,
-            .apex     = m_centre - m_axis * m_back,
-            .cosine   = cosine,
-            .sine     = std::sqrt(1 - cosine * cosine),
-            .altitude = m_altitude};
+    const dvec3 axis = sum / length;
+    double      cosine = 1, back = 0;  // the apex must lie so far behind the centre
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const double towards = glm::dot(facings[i].normal, axis);
+        if (!(towards - kSlack > kWidest)) return {};
+        cosine = std::min(cosine, towards - kSlack);
+        back   = std::max(back, glm::dot(centre - triangles[i][0], facings[i].normal) / towards);
+    }
+    return {.axis = axis, .apex = centre - axis * back, .cosine = cosine, .sine = std::sqrt(1 - cosine * cosine), .altitude = altitude};
 }
 
 BackFaces::BackFaces(const PlacedView& view, const Projection& projection) : m_near(projection.near), m_focal(projection.focalPixels)
@@ -85,7 +77,7 @@ BackFaces::BackFaces(const PlacedView& view, const Projection& projection) : m_n
 
 bool BackFaces::hold(const NormalCone& cone, const ViewBox& box) const
 {
-    if (!(cone.altitude > 0) || !(m_volume > 0)) return false;
+    if (!cone.promises() || !(m_volume > 0)) return false;
     const dvec3  ahead = cone.apex - m_eye;
     const double along = glm::dot(ahead, cone.axis);
     if (!(along > 0)) return false;

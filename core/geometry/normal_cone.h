@@ -12,43 +12,32 @@
 // Source     Shirman, Abi-Ezzi: The Cone of Normals Technique for Fast Processing of Curved Patches, Eurographics 1993; the margin is ours
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "core/geometry/placed_view.h"
 
 namespace zscope {
 
+/// In the units of the model.
 struct NormalCone {
     dvec3  axis{0, 0, 0};  // of length 1
     dvec3  apex{0, 0, 0};
     double cosine = 0, sine = 0;  // of the angle between the axis and the sides
     double altitude = 0;          // the smallest of any of its triangles; 0: nothing is promised of this batch
+
+    bool promises() const { return altitude > 0; }
 };
 
-/// Grows a cone triangle by triangle, in two rounds over the same triangles.
-class NormalConeBuilder {
-public:
-    /// First round. Corners anticlockwise as seen from the front.
-    void addNormal(const dvec3& a, const dvec3& b, const dvec3& c);
-    /// Second round.
-    void addPlane(const dvec3& a, const dvec3& b, const dvec3& c);
-    /// Of a batch around `centre`. Between the rounds.
-    void beginPlanes(const dvec3& centre);
-    NormalCone cone() const;
-
-private:
-    dvec3  m_sum{0, 0, 0}, m_axis{0, 0, 0}, m_centre{0, 0, 0};
-    double m_altitude = -1;  // smallest so far; -1: no triangle yet
-    double m_cosine   = 1;   // smallest so far
-    double m_back     = 0;   // how far behind the centre the apex must lie
-};
+/// Of a batch around `centre`; corners anticlockwise as seen from the front.
+NormalCone normalConeOf(std::span<const std::array<dvec3, 3>> triangles, const dvec3& centre);
 
 /// One placement, as its camera sees it, asked about batches.
 class BackFaces {
 public:
     BackFaces(const PlacedView& view, const Projection& projection);
 
-    /// `box` holds the batch.
+    /// True only of a batch of which every triangle is back-facing; `box` holds it.
     bool hold(const NormalCone& cone, const ViewBox& box) const;
 
 private:

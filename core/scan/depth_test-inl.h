@@ -217,7 +217,6 @@ private:
             return hn::Set(I64(), keyOf(m_empty, 0));
     }
 
-
     /// The keys of fragments of the triangle at these depths.
     Keys keysOf(Vec64 z) const
     {

@@ -33,7 +33,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// The half-spaces of a triangle, counted from the pixel (x0, y0).
+/// The half-planes of a triangle, counted from the pixel (x0, y0).
 struct Edges {
     std::array<HalfPlane, 3> planes;
     int                      x0, y0;
@@ -101,7 +101,6 @@ struct HalfSpace {
             tiles.touched(triangle.box);
             return;
         }
-        constexpr int kTile = 1 << Pyramid::kTileLevel;
         static_assert(kTile % hn::MaxLanes(F64()) == 0, "columns must not reach over the border of a tile");
         const PixelBox&               box = triangle.box;
         const Edges                   edges{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};

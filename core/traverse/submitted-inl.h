@@ -42,7 +42,8 @@ void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stri
 template <class Rules, class Probe>
 bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe, const Rules&, const Probe& probe)
 {
-    if (!Rules::kExact || stripe.culling != FaceCulling::Back || !backs.hold(place.batch.cone, view(place.batch.bounds))) return false;
+    if (!Rules::kExact || stripe.culling != FaceCulling::Back || !place.batch.cone.promises()) return false;
+    if (!backs.hold(place.batch.cone, view(place.batch.bounds))) return false;
     if constexpr (Probe::listens)
         for (std::uint32_t t = 0; t < place.batch.triangleCount; ++t)
             probe(TriangleSetUp{place.idOf(place.batch.firstTriangle + t), SetUp::BackFacing, false, false});

@@ -42,11 +42,7 @@ Patch anyPatch(Random& random, int cells, double rough, double crooked, double s
             patch.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
             patch.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
         }
-    NormalConeBuilder builder;
-    for (const auto& [a, b, c] : patch.triangles) builder.addNormal(a, b, c);
-    builder.beginPlanes(0.5 * patch.bounds.min + 0.5 * patch.bounds.max);
-    for (const auto& [a, b, c] : patch.triangles) builder.addPlane(a, b, c);
-    patch.cone = builder.cone();
+    patch.cone = normalConeOf(patch.triangles, 0.5 * patch.bounds.min + 0.5 * patch.bounds.max);
     return patch;
 }
 
@@ -106,7 +102,7 @@ TEST(NormalCone, ABatchIsCalledBackFacingOnlyIfEveryTriangleIsAfterSnapping)
         const Patch  patch   = anyPatch(random, 1 + static_cast<int>(random.below(6)), rough, random.unit(), stretch);
         const Affine toWorld = anyPlacement(random, false);
         // Behind the sheet, from straight behind to all but edge-on.
-        const dvec3  axis   = patch.cone.altitude > 0 ? patch.cone.axis : random.rotation()({1, 0, 0});
+        const dvec3  axis   = patch.cone.promises() ? patch.cone.axis : random.rotation()({1, 0, 0});
         const dvec3  middle = toWorld({0, 0, 0}), back = toWorld(-1.0 * axis) - middle;
         const dvec3  aside  = random.rotation()({1, 0, 0});
         const double away   = std::pow(10.0, random.between(0.3, 3)), slant = random.below(2) == 0 ? std::pow(10.0, random.between(-4, 0)) : 1;
@@ -139,12 +135,9 @@ TEST(NormalCone, PromisesNothingOfWhatHasNoAreaReachesBeforeTheNearPlaneOrIsMirr
     expectAllBackWhereCalled(flat, Affine{}, behind, tally);
     EXPECT_EQ(tally.called, 1) << "the plain case";
 
-    NormalConeBuilder builder;
-    const Corners     line{dvec3{0, 0, 0}, dvec3{1, 0, 0}, dvec3{2, 0, 0}};
-    for (const Corners& t : {flat.triangles[0], line}) builder.addNormal(t[0], t[1], t[2]);
-    builder.beginPlanes({0, 0, 0});
-    for (const Corners& t : {flat.triangles[0], line}) builder.addPlane(t[0], t[1], t[2]);
-    EXPECT_EQ(builder.cone().altitude, 0);
+    const Corners line{dvec3{0, 0, 0}, dvec3{1, 0, 0}, dvec3{2, 0, 0}};
+    EXPECT_TRUE(normalConeOf(flat.triangles, {0, 0, 0}).promises());
+    EXPECT_FALSE(normalConeOf(std::vector{flat.triangles[0], line}, {0, 0, 0}).promises());
 
     const Projection projection(behind);
     Affine           mirror;
