@@ -1,5 +1,4 @@
 // zscope-cli render: one frame, as a picture, as arrays, and as the statistics of making it.
-#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
@@ -37,8 +36,7 @@ std::uint64_t coveredPixels(const VisibilityBuffer& visible)
 {
     std::uint64_t covered = 0;
     for (int y = 0; y < visible.height(); ++y)
-        covered += static_cast<std::uint64_t>(visible.width()
-                                              - std::count_if(visible.row(y), visible.row(y) + visible.width(), [](PixelKey key) { return rankOf(key) == 0; }));
+        for (int x = 0; x < visible.width(); ++x) covered += visible.rankAt(x, y) != 0;
     return covered;
 }
 

@@ -1,6 +1,8 @@
 // What a stream method asks of the pyramid, and what it tells it.
 #pragma once
 
+#include <span>
+
 #include "core/cull/cull_events.h"
 #include "core/depth/pyramid_told.h"
 #include "core/geometry/screen_triangle.h"
@@ -59,7 +61,8 @@ float farthestOver(const DepthPlane& plane, const PixelBox& pixels, const Rules&
 /// What scan conversion by tiles asks and tells the pyramid, where stale cells wait for a query; nobody if there is none that does.
 template <class Probe>
 struct TileUpkeep {
-    Pyramid*     pyramid;  // or nullptr
+    Pyramid*     pyramid;      // or nullptr
+    bool         takesPlanes;  // nobody reads the visibility buffer's pixels while it is drawn to, unless they know of planes
     const Probe& probe;
 
     /// True if tiles are asked about, and drawnTile() wants to hear of them.
@@ -67,6 +70,8 @@ struct TileUpkeep {
     /// Of the tile that holds (x, y), if isKept(). Whoever listens gets no yes: they see its pixels tested one by one, and lose.
     bool hides(int x, int y, float nearest) const { return !Probe::listens && pyramid->hidesTile(x, y, nearest); }
     void drawnTile(const PixelBox& tile, float farthest) const { pyramid->drawnTile(tile.x0, tile.y0, farthest, tellingOfCells(probe)); }
+    /// The same of tiles side by side, the first of which holds (x, y).
+    void drawnTiles(int x, int y, std::span<const float> farthest) const { pyramid->drawnTiles(x, y, farthest, tellingOfCells(probe)); }
     void touched(const PixelBox& box) const
     {
         if (pyramid) pyramid->touched(box);

@@ -48,15 +48,6 @@ void Pyramid::touched(const PixelBox& box)
         for (int x = tiles.x0; x < tiles.x1; ++x) markStaleFrom(kTileLevel, x, y);
 }
 
-void Pyramid::markStaleFrom(int level, int tileX, int tileY)
-{
-    for (int up = level - kTileLevel; level < levels(); ++level, ++up) {
-        std::uint8_t& stale = at(level).stale.at(tileX >> up, tileY >> up);
-        if (stale) return;  // then all its ancestors are
-        stale = 1;
-    }
-}
-
 PixelBox Pyramid::tilesUnder(const PixelBox& box) const
 {
     return {box.x0 >> kTileLevel, (box.y0 - m_firstRow) >> kTileLevel, ((box.x1 - 1) >> kTileLevel) + 1,
@@ -120,6 +111,8 @@ float Pyramid::farthestPixel(int tileX, int tileY) const
     const int     y0 = m_firstRow + (tileY << kTileLevel), y1 = std::min(y0 + kTile, m_endRow);
     if (m_fault == Fault::OddPadded && (x1 - x0 < kTile || y1 - y0 < kTile)) return std::numeric_limits<float>::infinity();
     if (!m_visible->isReadable(x0, y0)) return m_visible->empty();
+    if (const TilePlane* plane = m_visible->planeAt(x0, y0); plane && m_fault != Fault::NearestInCells)
+        return farthestOver(plane->depth, {x0, y0, x1, y1});
     if (x1 - x0 < kTile || m_fault == Fault::NearestInCells) {
         float all = m_visible->storedAt(x0, y0);
         for (int y = y0; y < y1; ++y)

@@ -23,6 +23,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/fault.h"
@@ -80,7 +81,13 @@ public:
     void touched(const PixelBox& box);
     /// The tile that holds (x, y) has been drawn to, and `farthest` is the farthest that its pixels hold now: who drew has seen them.
     template <class Told>
-    void drawnTile(int x, int y, float farthest, const Told& told);
+    void drawnTile(int x, int y, float farthest, const Told& told)
+    {
+        drawnTiles(x, y, std::span(&farthest, 1), told);
+    }
+    /// The same of as many tiles side by side as there are depths; the first holds (x, y).
+    template <class Told>
+    void drawnTiles(int x, int y, std::span<const float> farthest, const Told& told);
     /// True if nothing at depth `nearest` or farther could win a pixel of the tile that holds (x, y), by what is stored as it stands.
     bool hidesTile(int x, int y, float nearest) const
     {
@@ -164,7 +171,15 @@ private:
     float refresh(int level, int x, int y, const Told& told);
     template <class Shape>
     std::uint64_t maskOf(const PixelBox& pixels, const Shape& shape) const;
-    void markStaleFrom(int level, int tileX, int tileY);
+    /// The ancestors of a tile from a level upwards.
+    void markStaleFrom(int level, int tileX, int tileY)
+    {
+        for (int up = level - kTileLevel; level < levels(); ++level, ++up) {
+            std::uint8_t& stale = at(level).stale.at(tileX >> up, tileY >> up);
+            if (stale) return;  // then all its ancestors are
+            stale = 1;
+        }
+    }
     template <class Told>
     bool pushTile(int x, int y, const Told& told);
     template <class Told>

@@ -71,16 +71,22 @@ bool Pyramid::cellsHide(PyramidQuery& query, const Shape& shape, const Told& tol
 }
 
 template <class Told>
-void Pyramid::drawnTile(int x, int y, float farthest, const Told& told)
+void Pyramid::drawnTiles(int x, int y, std::span<const float> farthest, const Told& told)
 {
-    const int column = x >> kTileLevel, line = (y - m_firstRow) >> kTileLevel;
-    at(kTileLevel).stale.at(column, line) = 0;  // its ancestors stay what they are
-    float& value = at(kTileLevel).farthest.at(column, line);
-    if (farthest == value) return;
-    const float before = value;
-    value              = farthest;
-    markStaleFrom(kTileLevel + 1, column, line);
-    told(CellWrite{kTileLevel, column, line, before, value});
+    Level&    tiles = at(kTileLevel);
+    const int line  = (y - m_firstRow) >> kTileLevel;
+    int       column = x >> kTileLevel;
+    for (const float now : farthest) {
+        tiles.stale.at(column, line) = 0;  // its ancestors stay what they are
+        float&      value  = tiles.farthest.at(column, line);
+        const float before = value;
+        if (now != before) {
+            value = now;
+            markStaleFrom(kTileLevel + 1, column, line);
+            told(CellWrite{kTileLevel, column, line, before, now});
+        }
+        ++column;
+    }
 }
 
 template <class Told>
@@ -121,6 +127,7 @@ template <class Shape>
 bool Pyramid::pixelsHide(const PixelBox& box, float nearest, const Shape& shape) const
 {
     if (!m_visible->isReadable(box.x0, box.y0)) return false;  // nothing is drawn here
+    if (const TilePlane* plane = m_visible->planeAt(box.x0, box.y0)) return isBehind(nearest, farthestOver(plane->depth, box));
     for (int y = box.y0; y < box.y1; ++y) {
         const PixelKey* row = m_visible->row(y);
         for (int x = box.x0; x < box.x1; ++x)
@@ -139,7 +146,8 @@ float Pyramid::refresh(int level, int x, int y, const Told& told)
     if (!stale) return value;
     const float before = value;
     value = level == kTileLevel ? farthestPixel(x, y) : farthestChild(level, x, y, [&](int childX, int childY) {
-        return refresh(level - 1, childX, childY, told);
+        const Level& below = at(level - 1);
+        return below.stale.at(childX, childY) ? refresh(level - 1, childX, childY, told) : below.farthest.at(childX, childY);
     });
     stale = 0;
     told(CellWrite{level, x, y, before, value});

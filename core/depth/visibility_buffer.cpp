@@ -14,7 +14,7 @@ void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encodi
     m_stride = static_cast<std::size_t>((width + 2 * kRowPadding - 1) / kRowPadding * kRowPadding);
     m_keys.resize(m_stride * static_cast<std::size_t>((height + 1) / 2 * 2) * sizeof(PixelKey) / sizeof(CacheLine));
     m_tiles.reset((width + kTileWidth - 1) / kTileWidth, (height + kTileLines - 1) / kTileLines, Tile::Stale);
-    m_soleRanks.reset(m_tiles.width(), m_tiles.height(), 0);
+    m_planes.reset(m_tiles.width(), m_tiles.height(), {});
 }
 
 void VisibilityBuffer::emptyRows(int first, int end)
@@ -40,6 +40,12 @@ void VisibilityBuffer::clearTile(int x, int y)
     const int left = x * kTileWidth, width = std::min(kTileWidth, static_cast<int>(m_stride) - left);
     for (int line = y * kTileLines; line < std::min((y + 1) * kTileLines, m_height); ++line)
         std::fill_n(row(line) + left, width, keyOf(empty(), 0));
+}
+
+void VisibilityBuffer::storePixels(const PixelBox& tile, const TilePlane& plane)
+{
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) row(y)[x] = plane.keyAt(x, y);
 }
 
 Picture pictureOf(const VisibilityBuffer& visible)

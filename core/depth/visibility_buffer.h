@@ -7,12 +7,16 @@
 //            rows to an even one. What is written there is read by nobody
 // Emptying   costs what was drawn, not what there is: tiles of kTileWidth x kTileLines pixels know whether they were drawn
 //            to. emptyRows() only forgets them; open() empties a tile when something is about to be drawn there, while it is
-//            in the cache; finishRows() empties those that nothing was drawn to. Who draws over all of a tile may leave the
-//            emptying out (openToDrawOver()) and say whose it is (setSoleRank()), which holds until something else opens it
+//            in the cache; finishRows() empties those that nothing was drawn to
+// Planes     a tile whose pixels all show one triangle may be kept as that triangle's plane (setPlane()). Its keys are not written before
+//            something else is drawn to it or storePlanes() writes what is left; until then row() says nothing of its pixels,
+//            and what is told of single pixels is computed
 // Promise    the winner is the maximum of (depth, -id) over all samples offered, in whatever order they come
-// Source     docs/correctness.md, Depth and the winner
+// Source     docs/correctness.md, Depth and the winner. Planes: Hasselgren, Akenine-Moller: Efficient Depth Buffer Compression, Graphics
+//            Hardware 2006
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,7 +24,9 @@
 
 #include "core/base/depth_format.h"
 #include "core/base/grid.h"
+#include "core/base/large_pages.h"
 #include "core/depth/pixel_key.h"
+#include "core/depth/tile_plane.h"
 #include "core/geometry/pixel_box.h"
 
 namespace zscope {
@@ -43,21 +49,18 @@ public:
     }
     /// All pixels are background from now on, but only those of open tiles may be read or written.
     void emptyRows(int first, int end);
-    /// Makes the tiles under the box ready to be drawn to; it lies in the picture.
-    void open(const PixelBox& box)
+    /// Makes the tiles under the box ready to be drawn to; it lies in the picture. `store` writes the keys of planes, as keyAt() has
+    /// them: called with the pixels of a tile and its plane.
+    template <class Store>
+    void open(const PixelBox& box, const Store& store)
     {
         if (box.isEmpty()) return;
         for (int y = box.y0 / kTileLines; y <= (box.y1 - 1) / kTileLines; ++y)
-            for (int x = box.x0 / kTileWidth; x <= (box.x1 - 1) / kTileWidth; ++x) openTile(x, y);
+            for (int x = box.x0 / kTileWidth; x <= (box.x1 - 1) / kTileWidth; ++x) openTile(x, y, store);
     }
-    /// Makes one tile ready for who is about to draw over all of its pixels in the picture. If true, nothing was drawn to it since
-    /// emptyRows() and what it holds must not be read.
-    bool openToDrawOver(const PixelBox& tile)
+    void open(const PixelBox& box)
     {
-        Tile&      at       = m_tiles.at(tile.x0 / kTileWidth, tile.y0 / kTileLines);
-        const bool wasDrawn = at >= Tile::Drawn;
-        at                  = Tile::Drawn;
-        return !wasDrawn;
+        open(box, [this](const PixelBox& tile, const TilePlane& plane) { storePixels(tile, plane); });
     }
     /// True if the box, which lies in one tile, holds all of its pixels in the picture.
     bool isWholeTile(const PixelBox& box) const
@@ -65,22 +68,32 @@ public:
         return box.x0 % kTileWidth == 0 && box.y0 % kTileLines == 0 && (box.x1 % kTileWidth == 0 || box.x1 == m_width) &&
                (box.y1 % kTileLines == 0 || box.y1 == m_height);
     }
-    /// All pixels may be read.
+    /// All pixels may be read, but those of planes.
     void finishRows(int first, int end);
+    /// Those, too: no tile is kept as a plane any longer. `store` as in open().
+    template <class Store>
+    void storePlanes(int first, int end, const Store& store)
+    {
+        for (int y = first / kTileLines; y * kTileLines < end; ++y)
+            for (int x = 0; x < m_tiles.width(); ++x)
+                if (m_tiles.at(x, y) == Tile::Plane) openTile(x, y, store);
+    }
     int tileColumns() const { return m_tiles.width(); }
     int tileRows() const { return m_tiles.height(); }
     /// False if nothing was drawn to the tile of the pixel, which is background then.
     bool isOpen(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) >= Tile::Drawn; }
-    /// If all pixels of the tile are known to show one triangle, its rank; else 0.
-    std::uint32_t soleRank(int x, int y) const
+    /// What the tile of the pixel is kept as; nullptr if it is kept as pixels.
+    const TilePlane* planeAt(int x, int y) const
     {
-        return m_tiles.at(x / kTileWidth, y / kTileLines) == Tile::Sole ? m_soleRanks.at(x / kTileWidth, y / kTileLines) : 0;
+        x /= kTileWidth, y /= kTileLines;
+        return m_tiles.at(x, y) == Tile::Plane ? &m_planes.at(x, y) : nullptr;
     }
-    /// Tells that of the tile that holds (x, y), which is open.
-    void setSoleRank(int x, int y, std::uint32_t rank)
+    /// All pixels of the tile that holds (x, y) show this triangle, nearer than the background; what it held is forgotten.
+    void setPlane(int x, int y, const TilePlane& plane)
     {
-        m_tiles.at(x / kTileWidth, y / kTileLines)     = Tile::Sole;
-        m_soleRanks.at(x / kTileWidth, y / kTileLines) = rank;
+        x /= kTileWidth, y /= kTileLines;
+        m_tiles.at(x, y)  = Tile::Plane;
+        m_planes.at(x, y) = plane;
     }
     /// False if the pixel is background, but must not be read before finishRows().
     bool isReadable(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) != Tile::Stale; }
@@ -92,35 +105,50 @@ public:
     /// Keys from a pixel to the one below it.
     std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(m_stride); }
 
+    // Of pixels that may be read and are not kept as planes.
     PixelKey*       row(int y) { return m_keys.data()->keys + offset(y); }
     const PixelKey* row(int y) const { return m_keys.data()->keys + offset(y); }
 
+    PixelKey keyAt(int x, int y) const
+    {
+        const TilePlane* plane = planeAt(x, y);
+        return plane ? plane->keyAt(x, y) : row(y)[x];
+    }
     /// 0 is background, else triangle id + 1.
-    std::uint32_t rankAt(int x, int y) const { return rankOf(row(y)[x]); }
+    std::uint32_t rankAt(int x, int y) const { return rankOf(keyAt(x, y)); }
     /// Depth as the encoding stores it.
-    float storedAt(int x, int y) const { return depthOf(row(y)[x]); }
+    float storedAt(int x, int y) const { return depthOf(keyAt(x, y)); }
     /// Depth as it is reported: near/z, 0 for background.
     float depthAt(int x, int y) const { return rankAt(x, y) == 0 ? 0.0f : m_encoding.depthOf(storedAt(x, y)); }
     /// Triangle id, or -1 for background.
     std::int64_t idAt(int x, int y) const { return static_cast<std::int64_t>(rankAt(x, y)) - 1; }
 
-    std::size_t bytes() const { return m_keys.capacity() * sizeof(m_keys[0]); }
+    std::size_t bytes() const { return m_keys.capacity() * sizeof(m_keys[0]) + m_planes.values().size_bytes(); }
 
 private:
     enum class Tile : std::uint8_t {
         Stale,  // background, but memory holds something else
         Empty,  // all background
         Drawn,  // drawn to since emptyRows()
-        Sole,   // the same, all of it by one triangle
+        Plane,  // the same, and kept as a plane: memory holds something else
     };
 
-    void openTile(int x, int y)
+    template <class Store>
+    void openTile(int x, int y, const Store& store)
     {
         Tile& tile = m_tiles.at(x, y);
         if (tile == Tile::Stale) clearTile(x, y);
+        if (tile == Tile::Plane) store(pixelsOf(x, y), m_planes.at(x, y));
         tile = Tile::Drawn;
     }
     void clearTile(int x, int y);
+    void storePixels(const PixelBox& tile, const TilePlane& plane);
+
+    PixelBox pixelsOf(int x, int y) const
+    {
+        const int left = x * kTileWidth, top = y * kTileLines;
+        return {left, top, std::min(left + kTileWidth, m_width), std::min(top + kTileLines, m_height)};
+    }
 
     /// A cache line: rows begin on one, so that no aligned vector crosses a border.
     struct alignas(64) CacheLine {
@@ -134,8 +162,8 @@ private:
     std::size_t            m_stride = 0;  // >= m_width + kRowPadding
     DepthEncoding          m_encoding;
     Grid<Tile>             m_tiles;
-    Grid<std::uint32_t>    m_soleRanks;  // of tiles that are Sole
-    std::vector<CacheLine> m_keys;  // m_stride * m_height of them, rounded up to even rows
+    Grid<TilePlane>        m_planes;  // of tiles that are kept as one
+    std::vector<CacheLine, LargePages<CacheLine>> m_keys;  // m_stride * m_height of them, rounded up to even rows
 };
 
 /// The reported picture, as the files ids.npy and depth.npy hold it.

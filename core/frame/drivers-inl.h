@@ -122,7 +122,7 @@ private:
     void drawTogether(const TriangleList& triangles, const FragmentsOf& fragmentsOf) const
     {
         if (const PixelBox& reach = triangles.compactReach; !reach.isEmpty()) {
-            stripe.visible.open(reach);
+            openTiles(stripe.visible, reach);
             markStale(triangles, reach);
         }
         WindowFinder finder(triangles, windows);
@@ -150,7 +150,7 @@ private:
         WindowFinder finder(triangles, windows);
         finder.add(i, i + 1, [&](std::size_t) { isDrawn = false; });
         if (!isDrawn) return false;
-        stripe.visible.open(triangles.box(i));
+        openTiles(stripe.visible, triangles.box(i));
         testTiny<kKeep>(triangles, i, i + 1, samples, stripe.visible, probe);
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);
         if (occlusion.afterDrawing == AfterDrawing::MarkStale) occlusion.pyramid->touched(triangles.box(i));
@@ -171,7 +171,7 @@ private:
     void fill(const ScreenTriangle& triangle, const Fragments& fragments) const
     {
         const bool waits = occlusion.afterDrawing == AfterDrawing::MarkStale && !pass.tiles;
-        const TileUpkeep<Probe> upkeep{waits ? occlusion.pyramid : nullptr, probe};
+        const TileUpkeep<Probe> upkeep{waits ? occlusion.pyramid : nullptr, waits || occlusion.afterDrawing == AfterDrawing::Nothing, probe};
         if constexpr (std::is_same_v<Scan, HalfSpace>) {
             if constexpr (kKeep == Keep::Nearest) {
                 if (pass.tiles) return HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, tellingOfCells(probe), fragments, stripe.visible, rules, probe);

@@ -18,7 +18,7 @@ void drawStripeAtFullSpeed(const Pipeline& pipeline, const Stripe& stripe, Strip
 
 const Kernels& kernels()
 {
-    static constexpr Kernels kKernels{drawStripeAtFullSpeed, shadeRows};
+    static constexpr Kernels kKernels{drawStripeAtFullSpeed, storePlanes, shadeRows};
     return kKernels;
 }
 

@@ -164,6 +164,8 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         painter.emplace(Painter{request.scene->scene(), *colours, frame.colour.view(), operationsOf(request.pipeline.cost),
                                 shadesByTiles ? frame.painted.view() : GridView<std::uint8_t>{}});
     const bool defers = painter && !shadesFragments(request.pipeline.depth);
+    // A picture that is asked for by its colours leaves planes planes: depths and triangles are told when somebody asks for them.
+    const bool needsPixels = !defers || painter->operations != 0 || transparent;
     m_workspace->borders.prepare(camera.height, plan->threads);
 
 #pragma omp parallel for num_threads(plan->threads) schedule(static, 1)
@@ -179,6 +181,8 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
                 kernels.drawStripe(request.pipeline, stripe, m_workspace->scratch[index], clock);
             else
                 drawStripeByRulesOf(plan->simd)(request.pipeline, rules, stripe, m_workspace->scratch[index], clock);
+            if (needsPixels) kernels.storePlanes(frame.visible, first, end);
+            clock.lap(Stage::Raster);
             if (defers) kernels.shadeRows(*painter, frame.visible, first, end);
             if (transparent) {
                 clock.lap(defers ? Stage::Shade : Stage::Other);

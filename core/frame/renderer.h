@@ -55,7 +55,7 @@ struct DrawRequest {
 
 /// What a frame leaves behind. Reuse one object for many frames.
 struct Frame {
-    VisibilityBuffer    visible;
+    VisibilityBuffer    visible;  // its pixels are written if the request did not ask for shading; else some tiles may be kept as planes
     Grid<std::uint32_t> colour;  // 0xAARRGGBB, opaque; empty if the request did not ask for shading
     Grid<std::uint8_t>  painted; // the renderer's own: which tiles of `colour` the last frame painted
 };

@@ -26,7 +26,8 @@ Grid<float> halved(const Grid<float>& below)
 Grid<float> depthsOf(const VisibilityBuffer& visible)
 {
     Grid<float> depths(visible.width(), visible.height());
-    for (int y = 0; y < visible.height(); ++y) std::transform(visible.row(y), visible.row(y) + visible.width(), depths.view().row(y).begin(), depthOf);
+    for (int y = 0; y < visible.height(); ++y)
+        for (int x = 0; x < visible.width(); ++x) depths.at(x, y) = visible.storedAt(x, y);
     return depths;
 }
 

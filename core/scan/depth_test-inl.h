@@ -83,12 +83,6 @@ HWY_INLINE hn::Mask<I64> winners(Keys offered, Keys held, [[maybe_unused]] float
     return hn::And(hn::And(sameDepth, better), offered > hn::Set(I64(), keyOf(empty, 0)));
 }
 
-/// What a pixel holds before a fragment is offered to it.
-enum class Before {
-    Held,   // what memory says
-    Empty,  // nothing: memory is not read
-};
-
 /// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c.
 template <Keep kKeep, class Rules>
 class DepthTest {
@@ -118,12 +112,12 @@ public:
     }
 
     /// Offers the covered lanes at row[0..]; they are the pixels x, x + 1, ... of line y. Returns what is held there now.
-    template <Before kBefore = Before::Held, class Fragments, class Probe>
+    template <class Fragments, class Probe>
     Keys offer(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, [[maybe_unused]] int x, [[maybe_unused]] int y,
                [[maybe_unused]] const Fragments& fragments, const Probe& probe) const
     {
         if constexpr (Fragments::kPatterned) {
-            return offerPatterned<kBefore>(column, line, covered, row, x, y, fragments, probe);
+            return offerPatterned(column, line, covered, row, x, y, fragments, probe);
         } else {
             constexpr ShadingMoment kShading = Fragments::kMoment;
             const U32  u32;
@@ -132,7 +126,7 @@ public:
             [[maybe_unused]] auto colours = hn::Undefined(u32);
             if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
 
-            const auto held = heldAt<kBefore>(row);
+            const auto held = hn::LoadU(I64(), row);
             const auto won  = hn::And(hn::RebindMask(I64(), covered), wins(offered, held));
             const auto kept = hn::IfThenElse(won, offered, held);
             hn::StoreU(kept, I64(), row);
@@ -156,18 +150,20 @@ public:
         }
     }
 
+    /// What every lane would store.
+    Keys keys(Vec64 column, double line) const { return keysOf(limited(column + hn::Set(F64(), line))); }
+
     /// Stores the first `count` lanes (all of them if there are fewer) without a test.
     void store(Vec64 column, double line, int count, PixelKey* row) const
     {
         const auto inside = hn::RebindMask(I64(), hn::Iota(F64(), 0.0) < hn::Set(F64(), count));
-        const auto keys   = keysOf(limited(column + hn::Set(F64(), line)));
-        hn::StoreU(hn::IfThenElse(inside, keys, hn::LoadU(I64(), row)), I64(), row);
+        hn::StoreU(hn::IfThenElse(inside, keys(column, line), hn::LoadU(I64(), row)), I64(), row);
     }
 
 private:
     /// offer() for fragments that a pattern may discard or move. It never moves them nearer, so if a fragment fails where its
     /// triangle is, it fails; if it passes there, the pattern is looked up and it is tested where it is.
-    template <Before kBefore, class Fragments, class Probe>
+    template <class Fragments, class Probe>
     Keys offerPatterned(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, int x, int y, const Fragments& fragments,
                         const Probe& probe) const
     {
@@ -177,7 +173,7 @@ private:
         const auto inside = hn::RebindMask(I64(), covered);
         const auto flat   = limited(column + hn::Set(d64, line));
         const auto bound  = keysOf(flat);
-        const auto held   = heldAt<kBefore>(row);
+        const auto held   = hn::LoadU(I64(), row);
         const bool moves  = fragments.moves();
 
         const auto looked  = kShadesFirst ? inside : hn::And(inside, moves ? mayWin(bound, held) : wins(bound, held));
@@ -192,8 +188,6 @@ private:
             hn::StoreU(kept, I64(), row);
             if constexpr (Fragments::kMoment != ShadingMoment::Never)
                 if (!hn::AllFalse(I64(), exists)) fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
-        } else if (kBefore == Before::Empty) {
-            hn::StoreU(kept, I64(), row);
         }
 
         if constexpr (Probe::listens) {
@@ -206,15 +200,6 @@ private:
                               .discarded = isLookedAt && !isThere, .moved = isThere && moves, .unmovedDepth = depthOf(hn::GetLane(bound))});
         }
         return kept;
-    }
-
-    template <Before kBefore>
-    Keys heldAt([[maybe_unused]] const PixelKey* row) const
-    {
-        if constexpr (kBefore == Before::Held)
-            return hn::LoadU(I64(), row);
-        else
-            return hn::Set(I64(), keyOf(m_empty, 0));
     }
 
     /// The keys of fragments of the triangle at these depths.

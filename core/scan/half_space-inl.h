@@ -4,7 +4,7 @@
 // Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments are shaded
 // Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when something is drawn to
 //            it, and those along the pyramid's. A tile wholly on the outer side of one edge is skipped, one on the inner side
-//            of all edges needs no edge values, and one that is covered before anything was drawn there is neither emptied nor read
+//            of all edges needs no edge values, and one that is covered whole may be kept as a plane (tile_plane-inl.h)
 // Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped (at full speed; whoever listens
 //            sees its pixels lose), and one whose pixels are all gone over tells its farthest depth, which was in registers anyway
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
@@ -23,11 +23,13 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 
 #include "core/depth/pyramid_told.h"
 #include "core/geometry/half_plane.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/edge_walk-inl.h"
+#include "core/scan/tile_plane-inl.h"
 #include "core/scan/windows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -80,12 +82,9 @@ struct HalfSpace {
                 const Edges    edges = triangle.wide ? Edges{wideHalfPlanesOf(triangle, left, top), left, top} : fromBox;
                 if (edges.areOutside(here)) continue;
                 const bool isInside = edges.areInside(here);
-                if (isInside && visible.isWholeTile(here) && here.x1 % laneCount() == 0 && visible.openToDrawOver(here)) {
-                    fillFreshTile(here, triangle, test, fragments, upkeep, visible, rules, probe);
-                } else {
-                    visible.open(here);
-                    fillStoredTile(here, isInside, triangle, edges, test, fragments, upkeep, visible, rules, probe);
-                }
+                if constexpr (keepsPlanes<kKeep, Fragments, Rules, Probe>())
+                    if (upkeep.takesPlanes && isKeptAsPlane(here, isInside, triangle, upkeep, visible)) continue;
+                fillStoredTile(here, isInside, triangle, edges, test, fragments, upkeep, visible, rules, probe);
             }
         }
     }
@@ -124,7 +123,6 @@ struct HalfSpace {
 
 private:
     static constexpr int      kTile       = 1 << Pyramid::kTileLevel;
-    static constexpr auto     kVectors    = static_cast<std::size_t>(kTile / kLanes);  // in a line of one
     static constexpr PixelKey kNearestKey = std::numeric_limits<PixelKey>::max();
 
     /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
@@ -134,10 +132,13 @@ private:
                                VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
+        bool isOpen = false;
         for (int left = stored.x0 & -kTile; left < stored.x1; left += kTile) {
             const PixelBox here{std::max(left, stored.x0), stored.y0, std::min(left + kTile, stored.x1), stored.y1};
             if (!isInside && edges.areOutside(here)) continue;
             if (upkeep.isKept() && upkeep.hides(here.x0, here.y0, nearestIn(triangle.depth, here, rules))) continue;
+            if (!isOpen) openTiles(visible, here);
+            isOpen = true;
             const bool isWhole = isInside || edges.areInside(here);
             // Who goes over all of a tile sees what it holds, and need not look again.
             const bool sees = upkeep.isKept() && here.y1 - here.y0 == kTile && left + kTile <= visible.width();
@@ -158,32 +159,26 @@ private:
         }
     }
 
-    /// A tile of the visibility buffer that is covered whole and to which nothing was drawn, by tiles of the pyramid.
-    template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
-    static void fillFreshTile(const PixelBox& stored, const ScreenTriangle& triangle, const DepthTest<kKeep, Rules>& test, const Fragments& fragments,
-                              const Upkeep& upkeep, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    /// True if planes say of such fragments all there is to say, at full speed. Whoever listens sees pixels.
+    template <Keep kKeep, class Fragments, class Rules, class Probe>
+    static constexpr bool keepsPlanes()
     {
-        const DepthPlane plane = triangle.depth;
-        for (int left = stored.x0; left < stored.x1; left += kTile) {
-            const PixelBox             here{left, stored.y0, std::min(left + kTile, stored.x1), stored.y1};
-            std::array<Vec64, kVectors> columns;
-            for (std::size_t i = 0; i < kVectors; ++i) columns[i] = test.column(left + static_cast<int>(i) * kLanes, triangle.box.x0);
-            PixelKey* row   = visible.row(here.y0) + left;
-            auto      least = hn::Set(I64(), kNearestKey);
-            for (int y = here.y0; y < here.y1; ++y, row += visible.stride()) {
-                const double line = lineDepth(plane, y, rules);
-                int          x    = left;
-                for (std::size_t i = 0; i < kVectors && x < here.x1; ++i, x += kLanes)
-                    least = hn::Min(least, test.template offer<Before::Empty>(columns[i], line, allLanes(), row + (x - left), x, y, fragments, probe));
-            }
-            if (upkeep.isKept())
-                upkeep.drawnTile(here, farthestOf(least));
-            else
-                upkeep.touched(here);
+        return kKeep == Keep::Nearest && Rules::kExact && !Probe::listens && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned;
+    }
+
+    /// False if the part of the triangle's box in one tile of the visibility buffer has to be drawn.
+    template <class Upkeep>
+    static bool isKeptAsPlane(const PixelBox& here, bool isInside, const ScreenTriangle& triangle, const Upkeep& upkeep, VisibilityBuffer& visible)
+    {
+        const PlaneAnswer answer = offerPlane(visible, here, isInside, {triangle.depth, triangle.rank()}, upkeep.isKept());
+        if (answer != PlaneAnswer::Kept) return answer == PlaneAnswer::Hidden;
+        if (upkeep.isKept()) {
+            const auto farthest = farthestAlong<kTile>(triangle.depth, here);
+            upkeep.drawnTiles(here.x0, here.y0, std::span(farthest).first(static_cast<std::size_t>((here.x1 - here.x0 + kTile - 1) / kTile)));
+        } else {
+            upkeep.touched(here);
         }
-        // What is not beyond the far plane wins from nobody.
-        if (kKeep == Keep::Nearest && Rules::kExact && !Fragments::kPatterned && triangle.depth.farthest > visible.empty())
-            visible.setSoleRank(stored.x0, stored.y0, triangle.rank());
+        return true;
     }
 
     static hn::Mask<F64> allLanes() { return hn::FirstN(F64(), hn::Lanes(F64())); }
@@ -199,15 +194,12 @@ private:
                     for (int x = left; x < std::min(left + kWindowSide, box.x1); ++x) each(x, y);
     }
 
-    /// The nearest depth that the triangle could store in `box`. Its expression is monotone in x and in y, roundings
-    /// included, so a corner of the box has it.
+    /// The nearest depth that the triangle could store in `box`.
     template <class Rules>
-    static float nearestIn(const DepthPlane& plane, const PixelBox& box, const Rules& rules)
+    static float nearestIn(const DepthPlane& plane, const PixelBox& box, [[maybe_unused]] const Rules& rules)
     {
         if constexpr (!Rules::kExact) return rules.stored(plane.nearest);
-        const int    x = plane.a > 0 ? box.x1 - 1 : box.x0, y = plane.b > 0 ? box.y1 - 1 : box.y0;
-        const double z = plane.a * (x + 0.5) + lineDepth(plane, y, rules);
-        return rules.stored(std::min(std::max(z, double{plane.farthest}), double{plane.nearest}));
+        return nearestOver(plane, box);
     }
 
     /// Lines [y, end) of the column of pixels x, x + 1, ..., all of them covered. Returns the least key that each of its columns holds then.

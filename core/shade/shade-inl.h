@@ -115,7 +115,10 @@ inline void shadeRows(const Painter& painter, const VisibilityBuffer& visible, i
     for (int top = first; top < end; top += kLines) {
         const int  bottom = std::min(top + kLines, end);
         const auto isOpen   = [&](int tile) { return visible.isOpen(tile * kWidth, top); };
-        const auto soleRank = [&](int tile) { return painter.operations == 0 ? visible.soleRank(tile * kWidth, top) : 0; };
+        const auto soleRank = [&](int tile) {
+            const TilePlane* plane = visible.planeAt(tile * kWidth, top);
+            return plane ? plane->rank : 0;
+        };
         for (int tile = 0; tile < tiles;) {
             const bool          open = isOpen(tile);
             const std::uint32_t sole = soleRank(tile);

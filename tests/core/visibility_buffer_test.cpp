@@ -1,6 +1,7 @@
 // The buffer's background makes the far test free, rows are apart, and derived values are made once.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -14,6 +15,7 @@
 #include "core/base/derived.h"
 #include "core/base/ids.h"
 #include "core/depth/visibility_buffer.h"
+#include "core/scene/generators/random.h"
 
 namespace zscope {
 namespace {
@@ -90,7 +92,7 @@ TEST(VisibilityBuffer, WhatIsDrawnToIsEmptyBeforeAndEverythingElseIsAfterTheFram
     }
 }
 
-TEST(VisibilityBuffer, ATileThatIsDrawnOverAsAWholeNeedNotBeEmptiedAndShowsOneTriangleUntilSomethingElseIsDrawn)
+TEST(VisibilityBuffer, ATileKeptAsAPlaneShowsItsTriangleUntilTheFrameEndsAndItsPixelsAreWrittenWhenSomethingElseIsDrawn)
 {
     VisibilityBuffer buffer;
     buffer.resize(200, 29, DepthEncoding::withBackground(-1.0f));
@@ -103,26 +105,70 @@ TEST(VisibilityBuffer, ATileThatIsDrawnOverAsAWholeNeedNotBeEmptiedAndShowsOneTr
     for (const PixelBox& part : {PixelBox{64, 8, 127, 16}, {65, 8, 128, 16}, {64, 9, 128, 16}, {64, 8, 128, 15}, {192, 24, 200, 28}})
         EXPECT_FALSE(buffer.isWholeTile(part));
 
-    EXPECT_TRUE(buffer.openToDrawOver(whole)) << "nothing is drawn there yet";
-    EXPECT_EQ(buffer.rankAt(64, 8), 7u) << "and it was not emptied";
-    EXPECT_FALSE(buffer.openToDrawOver(whole)) << "now something is";
-    EXPECT_EQ(buffer.soleRank(100, 10), 0u);
-    buffer.setSoleRank(64, 8, 12);
-    EXPECT_EQ(buffer.soleRank(100, 10), 12u);
+    const TilePlane first{{0.001, -0.002, 0.3, 0.31f, 0.5f}, 12}, second{{0, 0, 0.25, 0.25f, 0.25f}, 4};
+    const auto      expectPlane = [&buffer](const PixelBox& tile, const TilePlane& plane) {
+        for (int y = tile.y0; y < tile.y1; ++y)
+            for (int x = tile.x0; x < tile.x1; ++x) {
+                const double z = std::clamp(plane.depth.a * (x + 0.5) + (plane.depth.b * (y + 0.5) + plane.depth.c),
+                                            double{plane.depth.farthest}, double{plane.depth.nearest});
+                ASSERT_EQ(buffer.rankAt(x, y), plane.rank) << x << ' ' << y;
+                ASSERT_EQ(buffer.storedAt(x, y), static_cast<float>(z)) << x << ' ' << y;
+            }
+    };
+    EXPECT_EQ(buffer.planeAt(100, 10), nullptr);
+    buffer.setPlane(127, 15, second);
+    expectPlane(whole, second);
+    buffer.setPlane(64, 8, first);
+    buffer.setPlane(192, 24, first);
     EXPECT_TRUE(buffer.isOpen(100, 10));
-    EXPECT_FALSE(buffer.openToDrawOver(whole));
-    EXPECT_EQ(buffer.soleRank(100, 10), 0u);
-    buffer.setSoleRank(64, 8, 12);
-    buffer.open({100, 10, 101, 11});
-    EXPECT_EQ(buffer.soleRank(100, 10), 0u);
+    ASSERT_NE(buffer.planeAt(100, 10), nullptr);
+    EXPECT_EQ(buffer.planeAt(63, 8), nullptr);
+    EXPECT_EQ(buffer.row(10)[100], keyOf(0.5f, 7)) << "its pixels are not written";
+    expectPlane(whole, first);
+    buffer.finishRows(0, 29);
+    expectPlane(whole, first);
 
-    buffer.setSoleRank(64, 8, 12);
+    buffer.open({100, 10, 101, 11});
+    EXPECT_EQ(buffer.planeAt(64, 8), nullptr);
+    expectPlane(whole, first);
+    EXPECT_NE(buffer.planeAt(199, 28), nullptr) << "another tile";
+    int stored = 0;
+    buffer.storePlanes(0, 29, [&](const PixelBox& tile, const TilePlane& plane) {
+        EXPECT_EQ(tile, last);
+        EXPECT_EQ(plane.rank, first.rank);
+        ++stored;
+    });
+    EXPECT_EQ(stored, 1);
+    EXPECT_EQ(buffer.planeAt(199, 28), nullptr);
+
+    buffer.setPlane(64, 8, second);
     buffer.emptyRows(0, 29);
-    EXPECT_EQ(buffer.soleRank(100, 10), 0u);
+    EXPECT_EQ(buffer.planeAt(64, 8), nullptr);
     EXPECT_FALSE(buffer.isOpen(100, 10));
     buffer.finishRows(0, 29);
     EXPECT_EQ(buffer.rankAt(100, 10), 0u);
-    EXPECT_TRUE(buffer.openToDrawOver(whole)) << "emptied, but nothing is drawn there";
+}
+
+TEST(VisibilityBuffer, APlaneIsNearestAndFarthestInTwoCornersOfARectangle)
+{
+    Random random(9);
+    for (int i = 0; i < 3'000; ++i) {
+        const int      x = static_cast<int>(random.below(16000)), y = static_cast<int>(random.below(16000));
+        const PixelBox box{x, y, x + 1 + static_cast<int>(random.below(12)), y + 1 + static_cast<int>(random.below(8))};
+        const double   steep = std::pow(10.0, random.between(-12, 0));
+        DepthPlane     plane{steep * random.between(-1, 1), steep * random.between(-1, 1), 0, 0, 0};
+        plane.c        = 0.5 - plane.a * x - plane.b * y;
+        plane.farthest = static_cast<float>(0.5 - 3 * steep * random.unit());
+        plane.nearest  = static_cast<float>(0.5 + 3 * steep * random.unit());
+        float nearest = -1, farthest = 2;
+        for (int row = box.y0; row < box.y1; ++row)
+            for (int column = box.x0; column < box.x1; ++column) {
+                nearest  = std::max(nearest, depthAt(plane, column, row));
+                farthest = std::min(farthest, depthAt(plane, column, row));
+            }
+        ASSERT_EQ(nearestOver(plane, box), nearest);
+        ASSERT_EQ(farthestOver(plane, box), farthest);
+    }
 }
 
 TEST(VisibilityBuffer, AVectorMayBeReadAtTheLastPixelOfEveryRow)

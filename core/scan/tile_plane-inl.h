@@ -1,0 +1,105 @@
+// Tiles of the visibility buffer that are kept as a plane (core/depth/tile_plane.h), in the lanes of the depth test.
+//
+// Keep       a triangle that covers a tile whole to which nothing was drawn becomes the tile's plane: no pixel is touched
+// Compare    where a pyramid is kept, which compares before pixels do: a triangle behind the tile's plane everywhere is skipped, and
+//            one that covers it whole and is nearer everywhere takes its place. The z-buffer by itself tests pixels
+// Write      only when something else is drawn to the tile, or at the end to who reads pixels; then past the caches
+// Promise    the picture is the one that pixel by pixel would give: keys are what TilePlane::keyAt() says, to the bit
+// Source     Hasselgren, Akenine-Moller: Efficient Depth Buffer Compression, Graphics Hardware 2006
+#if defined(ZSCOPE_TILE_PLANE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_TILE_PLANE_INL_H
+#undef ZSCOPE_TILE_PLANE_INL_H
+#else
+#define ZSCOPE_TILE_PLANE_INL_H
+#endif
+
+#include <array>
+
+#include <hwy/cache_control.h>
+
+#include "core/scan/depth_test-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+/// Writes the keys of a tile. `kLast`: nobody reads them soon.
+template <bool kLast>
+void storeTile(VisibilityBuffer& visible, const PixelBox& tile, const TilePlane& plane)
+{
+    const ExactRules                           rules;
+    const DepthTest<Keep::Nearest, ExactRules> test(plane.depth, plane.rank, visible.empty(), rules);
+    constexpr std::size_t kVectors = VisibilityBuffer::kTileWidth / hn::MaxLanes(F64());
+    const std::size_t     vectors  = (static_cast<std::size_t>(tile.x1 - tile.x0) + hn::Lanes(F64()) - 1) / hn::Lanes(F64());
+    std::array<Vec64, kVectors> columns;
+    for (std::size_t i = 0; i < kVectors; ++i) columns[i] = test.column(tile.x0 + static_cast<int>(i) * laneCount(), tile.x0);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const double line = plane.depth.b * (y + 0.5) + plane.depth.c;
+        PixelKey*    row  = visible.row(y) + tile.x0;
+        for (std::size_t i = 0; i < vectors; ++i, row += laneCount()) {  // the last may reach into the padding of the row
+            if constexpr (kLast)
+                hn::Stream(test.keys(columns[i], line), I64(), row);
+            else
+                hn::Store(test.keys(columns[i], line), I64(), row);
+        }
+    }
+}
+
+/// Makes the tiles under the box ready to be drawn to.
+inline void openTiles(VisibilityBuffer& visible, const PixelBox& box)
+{
+    visible.open(box, [&visible](const PixelBox& tile, const TilePlane& plane) { storeTile<false>(visible, tile, plane); });
+}
+
+/// Lines [first, end), which are whole lines of tiles or end with the picture: nothing in them is kept as a plane any longer.
+inline void storePlanes(VisibilityBuffer& visible, int first, int end)
+{
+    visible.storePlanes(first, end, [&visible](const PixelBox& tile, const TilePlane& plane) { storeTile<true>(visible, tile, plane); });
+    hwy::FlushStream();  // before another thread reads them
+}
+
+/// farthestOver() of each part of a tile that is kSide pixels wide, from left to right; the last one may be narrower, and what comes
+/// after it means nothing.
+template <int kSide>
+auto farthestAlong(const DepthPlane& plane, const PixelBox& tile)
+{
+    HWY_ALIGN std::array<float, VisibilityBuffer::kTileWidth / kSide> farthest;
+    const F64    d64;
+    const double first = plane.a > 0 ? 0.5 : kSide - 0.5;  // from the left edge of a part to its farthest column
+    const double line  = plane.b * ((plane.b > 0 ? tile.y0 : tile.y1 - 1) + 0.5) + plane.c;
+    for (std::size_t i = 0; i < farthest.size(); i += hn::Lanes(d64)) {
+        const auto left   = hn::Iota(d64, static_cast<double>(i)) * hn::Set(d64, kSide) + hn::Set(d64, tile.x0 + first);
+        const auto column = hn::Min(left, hn::Set(d64, tile.x1 - 0.5));
+        const auto z      = hn::Set(d64, plane.a) * column + hn::Set(d64, line);
+        hn::Store(hn::DemoteTo(F32(), hn::Min(hn::Max(z, hn::Set(d64, plane.farthest)), hn::Set(d64, plane.nearest))), F32(), farthest.data() + i);
+    }
+    return farthest;
+}
+
+/// What becomes of the part of a triangle's box that lies in one tile.
+enum class PlaneAnswer {
+    Hidden,  // it is behind the tile's plane
+    Kept,    // it is the tile's plane now
+    Asked,   // neither: pixel by pixel
+};
+
+/// `isCovered`: all of `here` is, which lies in one tile. `compares`: planes with planes.
+inline PlaneAnswer offerPlane(VisibilityBuffer& visible, const PixelBox& here, bool isCovered, const TilePlane& offered, bool compares)
+{
+    const TilePlane* held    = visible.planeAt(here.x0, here.y0);
+    const bool       isWhole = isCovered && visible.isWholeTile(here);
+    if (held) {
+        if (!compares) return PlaneAnswer::Asked;
+        if (nearestOver(offered.depth, here) < farthestOver(held->depth, here)) return PlaneAnswer::Hidden;
+        if (!isWhole || !(farthestOver(offered.depth, here) > nearestOver(held->depth, here))) return PlaneAnswer::Asked;
+    } else if (!isWhole || visible.isOpen(here.x0, here.y0)) {
+        return PlaneAnswer::Asked;
+    }
+    if (!(offered.depth.farthest > visible.empty())) return PlaneAnswer::Asked;  // some of it may lie beyond the far plane
+    visible.setPlane(here.x0, here.y0, offered);
+    return PlaneAnswer::Kept;
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_TILE_PLANE_INL_H
