@@ -61,12 +61,13 @@ TEST_P(TilePlanes, EveryPresetDrawsWhatTheReferenceDraws)
         Camera camera = plainCamera(width, height);
         for (std::uint64_t i = 0; i < shareOf(10); ++i) {
             camera.far = std::array{kInfinity, 3.4, 4.0}[i % 3];  // some triangles cross it, some lie on it, some beyond
-            const auto scene = std::make_shared<const PreparedScene>(layers(GetParam(), random, camera, 12));
+            const int  count = i % 3 == 0 ? 12 : 2;               // of many one is before it everywhere
+            const auto scene = std::make_shared<const PreparedScene>(layers(GetParam(), random, camera, count));
             const auto what  = "scene " + std::to_string(i) + " in " + std::to_string(width) + " x " + std::to_string(height);
             covered += expectAgreement(scene, camera, FaceCulling::None, what, {.threads = {1, 2}});
         }
     }
-    EXPECT_GT(covered, shareOf(10) * 20'000);
+    EXPECT_GT(covered, shareOf(10) * 15'000);
 }
 
 /// Shaded fragment by fragment no tile is a plane.
