@@ -172,13 +172,21 @@ TEST(Pyramid, ATileDrawnOverAsAWholeHidesWithoutItsPixelsBeingReadAgain)
     EXPECT_FALSE(screen.pyramid.hidesTile(15, 15, 0.6f)) << "on equal depth the lower id wins";
 }
 
-TEST(Pyramid, ATileThatWasSeenIsNoLongerStale)
+TEST(Pyramid, TilesThatWereSeenAreNoLongerStaleAndTheirAncestorsAre)
 {
     Screen screen(64, 32);
-    screen.draw({8, 8, 16, 16}, 0.5f);
-    screen.pyramid.drawnTile(8, 8, 0.5f, Untold{});
-    std::fill_n(screen.visible.row(8), 64, keyOf(kEmpty, 0));  // whoever reads is misled
-    EXPECT_TRUE(screen.pyramid.hides({8, 8, 16, 16}, 0.4f));
+    screen.write({0, 0, 16, 16}, 0.5f);
+    for (const int y : {0, 8}) screen.pyramid.touched({0, y, 8, y + 8});
+    for (const int y : {0, 8}) screen.pyramid.drawnTiles(0, y, std::array{0.5f, 0.5f}, Untold{});
+    std::fill_n(screen.visible.row(3), 64, keyOf(kEmpty, 0));  // whoever reads is misled
+    EXPECT_TRUE(screen.pyramid.hides({0, 0, 16, 16}, 0.4f));
+    EXPECT_EQ(screen.pyramid.stored(Pyramid::kTileLevel + 1).row(0)[0], 0.5f);
+
+    Screen fresh(64, 32);
+    fresh.write({0, 0, 16, 16}, 0.5f);
+    for (const int y : {0, 8}) fresh.pyramid.drawnTiles(0, y, std::array{0.5f, 0.5f}, Untold{});
+    EXPECT_TRUE(fresh.pyramid.hides({0, 0, 16, 16}, 0.4f));
+    EXPECT_EQ(fresh.pyramid.stored(Pyramid::kTileLevel + 1).row(0)[0], 0.5f);
 }
 
 TEST(Pyramid, D3EveryCellOfAnySizeIsTheMinimumOfThePixelsThatExistOnceAQueryNeededIt)
