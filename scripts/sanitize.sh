@@ -15,7 +15,7 @@ require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${pa
 if [[ "${1:-}" == core ]]; then
     build_preset debug-asan-ubsan \
         io_test scene_test core_polygons core_obj core_geometry core_frame_parts core_hierarchy renderer_test experiment_test obj_mutation_test \
-        hard_a_test hard_b_test hard_c_test hard_d_test hard_g_test cutout_test relief_test moment_test transparency_test \
+        hard_a_test hard_b_test hard_c_test hard_d_test hard_g_test cutout_test relief_test moment_test transparency_test tile_plane_test \
         replay_test sweep_state_test structure_steps_test pixel_changes_test
     long='OnTheSharedModels|AgreementOnGenerated|InSoups|OnSoups|Faults|Approximations|AgreementInside|HardE|HardF|FalseCulls|ExplainsAThousandPixels'
     run_tests debug-asan-ubsan -E "NOT_BUILT|$long"
