@@ -3,8 +3,8 @@
 # middle of its work under those of addresses and threads; and the kernels compiled for one lane only. Hours on two cores.
 #
 #   scripts/sanitize.sh          everything
-#   scripts/sanitize.sh core     every part of the core, the hard cases and the steps, without what only adds scenes and seeds: the
-#                                better part of an hour
+#   scripts/sanitize.sh core     every part of the core, the hard cases and the steps, without what only adds scenes and seeds: less
+#                                than an hour on two slow cores
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/packages.sh
