@@ -4,6 +4,7 @@
 // Errors     std::bad_alloc
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
@@ -28,7 +29,7 @@ struct LargePages {
     T* allocate(std::size_t count)
     {
         const bool        isLarge   = count >= kLeast / sizeof(T);
-        const std::size_t alignment = isLarge ? kPage : alignof(T) > alignof(std::max_align_t) ? alignof(T) : alignof(std::max_align_t);
+        const std::size_t alignment = isLarge ? kPage : std::max(alignof(T), alignof(std::max_align_t));
         if (count > (~std::size_t{0} - kPage) / sizeof(T)) throw std::bad_alloc();
         const std::size_t bytes = (count * sizeof(T) + alignment - 1) / alignment * alignment;
         void* const       block = std::aligned_alloc(alignment, bytes);

@@ -109,6 +109,7 @@ public:
     PixelKey*       row(int y) { return m_keys.data()->keys + offset(y); }
     const PixelKey* row(int y) const { return m_keys.data()->keys + offset(y); }
 
+    /// Of any pixel that may be read.
     PixelKey keyAt(int x, int y) const
     {
         const TilePlane* plane = planeAt(x, y);
