@@ -217,32 +217,41 @@ inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
 #endif
 
-/// Offers to as many pixels as there are lanes; those outside have a negative number in `inside`.
+/// Offers to as many pixels as there are lanes. What has a negative key wins nowhere: no buffer holds so low a depth, and none holds that one.
 template <Keep kKeep>
-HWY_INLINE hn::Mask<I64> offerKeys(Keys offered, Keys inside, float empty, PixelKey* row, std::ptrdiff_t stride)
+HWY_INLINE hn::Mask<I64> offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff_t stride)
 {
     const auto held = loadKeys(row, stride);
-    const auto won  = hn::AndNot(inside < hn::Zero(I64()), winners<kKeep>(offered, held, empty));
+    const auto won  = winners<kKeep>(offered, held, empty);
     storeKeys(hn::IfThenElse(won, offered, held), row, stride);
     return won;
 }
 
-/// Tests window i of the list and stores what it wins.
+/// One entry of a WindowList.
+struct Window {
+    std::size_t owner;
+    float       right, down;
+    double      centreX, centreY;
+
+    // Its first pixel.
+    int x() const { return static_cast<int>(centreX); }
+    int y() const { return static_cast<int>(centreY); }
+};
+
+/// Tests a window and stores what it wins; `first` is the key of its first pixel.
 template <Keep kKeep, class Probe>
-HWY_INLINE void testWindow(const TriangleList& triangles, const WindowList& list, std::size_t i, PixelKey* picture, std::ptrdiff_t stride,
-                           float empty, [[maybe_unused]] int width, [[maybe_unused]] const Probe& probe)
+HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, PixelKey* first, std::ptrdiff_t stride, float empty,
+                           [[maybe_unused]] int width, [[maybe_unused]] const Probe& probe)
 {
     const F64    d64;
     const Pass32 f32;
     const hn::Rebind<std::uint32_t, Pass32> u32;
 
-    const std::size_t t = list.owners[i];
-    const int         x = static_cast<int>(list.places[i] & 0xFFFF), y = static_cast<int>(list.places[i] >> 16);
-    PixelKey* const   first = picture + y * stride + x;
+    const std::size_t t = window.owner;
     const auto a = hn::Set(d64, triangles.a[t]), b = hn::Set(d64, triangles.b[t]), c = hn::Set(d64, triangles.c[t]);
     const auto farthest = hn::Set(f32, triangles.farthest[t]), nearest = hn::Set(f32, triangles.nearest[t]);
-    const auto right = hn::Set(f32, list.right[i]), down = hn::Set(f32, list.down[i]);
-    const auto left = hn::Set(d64, list.centreX[i]), above = hn::Set(d64, list.centreY[i]);
+    const auto right = hn::Set(f32, window.right), down = hn::Set(f32, window.down);
+    const auto left = hn::Set(d64, window.centreX), above = hn::Set(d64, window.centreY);
 
     for (int line = 0; line < kWindowSide; line += kPassLines) {
         for (int column = 0; column < kWindowSide; column += kPassColumns) {
@@ -253,9 +262,9 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const WindowList& list
                                   hn::MulAdd(toRight, hn::Set(f32, triangles.perPixel[k][t]), hn::Set(f32, triangles.origin[k][t])));
             };
             // Its sign says whether a pixel is inside. It is never -0: sums that are zero are +0.
-            const auto least = hn::BitCast(u32, hn::Min(hn::Min(edge(0), edge(1)), edge(2)));
+            const auto least = hn::Min(hn::Min(edge(0), edge(1)), edge(2));
             if constexpr (kLanes == 1)
-                if (hn::GetLane(least) >> 31 != 0 || x + column >= width) continue;
+                if (hn::GetLane(least) < 0 || window.x() + column >= width) continue;
 
             const auto depth = [&](int half) HWY_ATTR {
                 const auto lane = static_cast<std::size_t>(half * kLanes);
@@ -269,20 +278,21 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const WindowList& list
             const auto offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id[t] + 1)));
             if constexpr (Probe::listens) {
                 const PixelKey rival = *row;
-                const auto     won   = offerKeys<kKeep>(offered, hn::Zero(I64()), empty, row, stride);
-                probe(PixelTested{x + column, y + line, TriangleId{triangles.id[t]}, depthOf(hn::GetLane(offered)), !hn::AllFalse(I64(), won),
-                                  rankOf(rival), depthOf(rival), kKeep, false, false});
+                const auto     won   = offerKeys<kKeep>(offered, empty, row, stride);
+                probe(PixelTested{window.x() + column, window.y() + line, TriangleId{triangles.id[t]}, depthOf(hn::GetLane(offered)),
+                                  !hn::AllFalse(I64(), won), rankOf(rival), depthOf(rival), kKeep, false, false});
             } else {
-                offerKeys<kKeep>(offered, hn::Zero(I64()), empty, row, stride);
+                offerKeys<kKeep>(offered, empty, row, stride);
             }
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
-            const auto z      = hn::BitCast(u32, hn::Min(hn::Max(hn::Combine(f32, depth(1), depth(0)), farthest), nearest));
-            const auto rank   = hn::Set(u32, static_cast<std::uint32_t>(lowerHalf<kKeep>(triangles.id[t] + 1)));
+            const auto z      = hn::Min(hn::Max(hn::Combine(f32, depth(1), depth(0)), farthest), nearest);
+            const auto upper  = hn::BitCast(u32, hn::CopySignToAbs(z, least));  // outside: a negative key
+            const auto lower  = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::Set(u32, 0xFFFFFFFEu) - hn::Set(u32, triangles.id[t]);
             const auto asKeys = [](auto halves) { return hn::BitCast(I64(), halves); };
-            offerKeys<kKeep>(asKeys(hn::InterleaveLower(u32, rank, z)), asKeys(hn::InterleaveLower(u32, least, least)), empty, row, stride);
-            offerKeys<kKeep>(asKeys(hn::InterleaveUpper(u32, rank, z)), asKeys(hn::InterleaveUpper(u32, least, least)), empty,
-                             row + kLanes / kWindowSide * stride + kLanes % kWindowSide, stride);
+            offerKeys<kKeep>(asKeys(hn::InterleaveLower(u32, lower, upper)), empty, row, stride);
+            offerKeys<kKeep>(asKeys(hn::InterleaveUpper(u32, lower, upper)), empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide,
+                             stride);
 #endif
         }
     }
@@ -380,13 +390,22 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
     const std::size_t    count   = list.count;
     for (std::size_t i = 0; i < count; i += hn::Lanes(F64())) {
         const auto place = hn::LoadU(U32(), list.places.data() + i);
-        const auto put   = [i](hn::Vec<U32> pixel, std::vector<double>& column) HWY_ATTR {
-            hn::StoreU(hn::PromoteTo(F64(), hn::BitCast(I32(), pixel)) + hn::Set(F64(), 0.5), F64(), column.data() + i);
-        };
-        put(hn::And(place, hn::Set(U32(), 0xFFFF)), list.centreX);
-        put(hn::ShiftRight<16>(place), list.centreY);
+        const auto x = hn::BitCast(I32(), hn::And(place, hn::Set(U32(), 0xFFFF))), y = hn::BitCast(I32(), hn::ShiftRight<16>(place));
+        hn::StoreU(hn::PromoteTo(F64(), x) + hn::Set(F64(), 0.5), F64(), list.centreX.data() + i);
+        hn::StoreU(hn::PromoteTo(F64(), y) + hn::Set(F64(), 0.5), F64(), list.centreY.data() + i);
+        hn::StoreU(hn::BitCast(U32(), y) * hn::Set(U32(), static_cast<std::uint32_t>(stride)) + hn::BitCast(U32(), x), U32(), list.places.data() + i);
     }
-    for (std::size_t i = 0; i < count; ++i) testWindow<kKeep>(triangles, list, i, picture, stride, visible.empty(), visible.width(), probe);
+    // The list's own addresses, which a stored key could change for all the compiler knows.
+    const std::uint32_t* const owners = list.owners.data();
+    const std::uint32_t* const places = list.places.data();
+    const float* const         right  = list.right.data();
+    const float* const         down   = list.down.data();
+    const double* const        centreX = list.centreX.data();
+    const double* const        centreY = list.centreY.data();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Window window{owners[i], right[i], down[i], centreX[i], centreY[i]};
+        testWindow<kKeep>(triangles, window, picture + places[i], stride, visible.empty(), visible.width(), probe);
+    }
     list.clear();
 }
 
