@@ -83,12 +83,12 @@ void AutoChoice::drawnInTrial(const FrameCost& cost)
     const bool   isTimed  = m_frames > kWarmUp;
     // Whoever builds nothing has no warming up that could make up for this.
     const bool isHopeless = cost.whole > kHopeless * bestMs && !visitsTree(*now.preset);
-    const bool isBeaten   = isTimed && !m_isAgain && cost.whole > kDrift * bestMs;
+    const bool isBeaten   = isTimed && !m_takesTurns && cost.whole > kDrift * bestMs;
     if (isTimed || isHopeless) {
         if (!now.isKnown || cost.whole < now.cost.whole) now.cost = cost;
         now.isKnown = true;
     }
-    if (isHopeless || isBeaten || m_frames == kWarmUp + (m_isAgain ? kTimedAgain : kTimed)) nextTrial();
+    if (isHopeless || isBeaten || m_frames == kWarmUp + (m_takesTurns ? kTimedInTurn : kTimed)) nextTrial();
 }
 
 void AutoChoice::drawnAsKept(const FrameCost& cost)
@@ -114,22 +114,24 @@ void AutoChoice::beginTrials()
         m_candidates[i].isKnown = i == m_now;
         if (i != m_now) m_waiting.push_back(i);
     }
-    m_isTrial = true;
-    m_isAgain = false;
+    m_isTrial    = true;
+    m_takesTurns = false;
     nextTrial();
 }
 
-void AutoChoice::tryCloseOnesAgain()
+void AutoChoice::tryCloseOnesInTurn()
 {
+    m_takesTurns = true;
+    std::vector<std::size_t> close;
     for (std::size_t i = 0; i < m_candidates.size(); ++i)
-        if (m_candidates[i].isKnown && m_candidates[i].cost.whole <= kClose * best().cost.whole) m_waiting.push_back(i);
-    if (m_waiting.size() == 1) m_waiting.clear();  // nobody is close
-    m_isAgain = true;
+        if (m_candidates[i].isKnown && m_candidates[i].cost.whole <= kClose * best().cost.whole) close.push_back(i);
+    if (close.size() == 1) return;  // nobody is close to the fastest
+    for (int turn = 0; turn < kTurns; ++turn) m_waiting.insert(m_waiting.end(), close.begin(), close.end());
 }
 
 void AutoChoice::nextTrial()
 {
-    if (m_waiting.empty() && !m_isAgain) tryCloseOnesAgain();
+    if (m_waiting.empty() && !m_takesTurns) tryCloseOnesInTurn();
     while (!m_waiting.empty()) {
         m_now = m_waiting.front();
         m_waiting.erase(m_waiting.begin());
@@ -139,7 +141,7 @@ void AutoChoice::nextTrial()
                                best().cost.whole);
         return;
     }
-    if (!m_isAgain) return nextTrial();
+    if (!m_takesTurns) return nextTrial();
     keepTheBest();
 }
 
@@ -189,7 +191,7 @@ double AutoChoice::costOfTrials(double keptMs) const
         const double ratio  = ms > 0 && usual > 0 ? ms / usual : kHopeless;
         const bool   isHopeless = ratio > kHopeless && !visitsTree(*m_candidates[i].preset);
         const int    whole      = kWarmUp + kTimed;
-        const int    frames     = isHopeless ? 1 : ratio > kDrift ? kWarmUp + 1 : ratio > kClose ? whole : whole + kWarmUp + kTimedAgain;
+        const int    frames     = isHopeless ? 1 : ratio > kDrift ? kWarmUp + 1 : ratio > kClose ? whole : whole + kTurns * (kWarmUp + kTimedInTurn);
         extra += std::max(0.0, ratio - 1) * keptMs * frames;
     }
     return extra;

@@ -3,10 +3,10 @@
 // First      a frame of which nothing is known takes the z-buffer if few triangles can be in view, else the hierarchical
 //            z-buffer over an octree. This depends on scene and camera only; stepping and counting stop here
 // Trials     then every candidate draws kWarmUp frames that are not timed (trees are built, memories filled) and up to kTimed
-//            that are; the shortest counts. Those within kClose of the fastest then draw kTimedAgain more, because a machine has
-//            other work: half of its frames may take one and a half times as long as the others. One that cannot pay is left
-//            out: a method without a hierarchy whose least conceivable time is kHopeless times the best known, a sweep with more
-//            than a few triangles in view
+//            that are; the shortest counts. Those within kClose of the fastest then take turns, kTurns times: a machine has other
+//            work, for a frame or for a second, and who draws by turns meets the same of it. One that cannot pay is left out: a
+//            method without a hierarchy whose least conceivable time is kHopeless times the best known, a sweep with more than
+//            a few triangles in view
 // Kept       the fastest draws until its time has drifted by kDrift for kDriftFrames frames in a row, or for kKeptFrames;
 //            then the others are tried again, but not before it has drawn kBudget times as long as that cost last time, so
 //            that trials take about one part in kBudget of all time at most
@@ -50,7 +50,7 @@ public:
     static constexpr double        kLeastNs        = 10;       // per triangle in view and thread: no method without a tree is faster
     static constexpr double        kHopeless       = 4;        // times the best
     static constexpr int           kWarmUp = 1, kTimed = 2;    // frames of a trial
-    static constexpr int           kTimedAgain  = 4;           // and of another one, after as much warming up
+    static constexpr int           kTurns = 5, kTimedInTurn = 1;  // of those that are close; every turn warms up
     static constexpr double        kClose       = 1.6;
     static constexpr double        kDrift       = 1.5;
     static constexpr int           kDriftFrames = 3;
@@ -81,7 +81,7 @@ private:
     void        drawnAsKept(const FrameCost& cost);
     void        beginTrials();
     void        nextTrial();
-    void        tryCloseOnesAgain();
+    void        tryCloseOnesInTurn();
     void        keepTheBest();
     bool        canPay(const Candidate& candidate) const;
     double      leastMs(const Candidate& candidate) const;
@@ -93,9 +93,9 @@ private:
     std::vector<Candidate>   m_candidates;
     std::size_t              m_now     = 0;  // draws the next frame
     bool                     m_isTrial = true;
-    bool                     m_isAgain = false;  // trials: of those that are close to the fastest
+    bool                     m_takesTurns = false;  // trials: those that are close to the fastest
     std::string              m_why;
-    std::vector<std::size_t> m_waiting;      // trials: candidates still to come
+    std::vector<std::size_t> m_waiting;      // trials: candidates still to come, by turns
     int                      m_frames = 0;   // drawn in the trial at hand, or since the best was kept
 
     double                           m_keptMs  = 0;  // drawn since the best was kept
