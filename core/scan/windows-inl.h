@@ -245,7 +245,6 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
 {
     const F64    d64;
     const Pass32 f32;
-    const hn::Rebind<std::uint32_t, Pass32> u32;
 
     const std::size_t t = window.owner;
     const auto a = hn::Set(d64, triangles.a[t]), b = hn::Set(d64, triangles.b[t]), c = hn::Set(d64, triangles.c[t]);
@@ -286,6 +285,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
             }
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
+            const hn::Rebind<std::uint32_t, Pass32> u32;
             const auto z      = hn::Min(hn::Max(hn::Combine(f32, depth(1), depth(0)), farthest), nearest);
             const auto upper  = hn::BitCast(u32, hn::CopySignToAbs(z, least));  // outside: a negative key
             const auto lower  = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::Set(u32, 0xFFFFFFFEu) - hn::Set(u32, triangles.id[t]);
