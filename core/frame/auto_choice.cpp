@@ -13,7 +13,7 @@ namespace zscope {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kCandidates{"zbuffer", "hzb-octree", "hzb-bvh", "two-pass", "scanline"};
+constexpr std::array<std::string_view, AutoChoice::kCandidates> kCandidateNames{"zbuffer", "hzb-octree", "hzb-bvh", "two-pass", "scanline"};
 
 bool visitsTree(const Preset& preset) { return preset.pipeline.order != Order::Submitted; }
 
@@ -53,7 +53,7 @@ const Preset& AutoChoice::firstPreset(const SceneNumbers& numbers)
 AutoChoice::AutoChoice(const SceneNumbers& numbers) : m_numbers(numbers)
 {
     const Preset& first = firstPreset(numbers);
-    for (const std::string_view name : kCandidates) {
+    for (const std::string_view name : kCandidateNames) {
         m_candidates.push_back({.preset = findPreset(name)});
         assert(m_candidates.back().preset);
         if (name == first.name)

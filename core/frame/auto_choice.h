@@ -50,12 +50,15 @@ public:
     static constexpr double        kLeastNs        = 10;       // per triangle in view and thread: no method without a tree is faster
     static constexpr double        kHopeless       = 4;        // times the best
     static constexpr int           kWarmUp = 1, kTimed = 2;    // frames of a trial
-    static constexpr int           kTurns = 5, kTimedInTurn = 1;  // of those that are close; every turn warms up
+    static constexpr int           kTurns = 4, kTimedInTurn = 1;  // of those that are close; every turn warms up
     static constexpr double        kClose       = 1.6;
     static constexpr double        kDrift       = 1.5;
     static constexpr int           kDriftFrames = 3;
     static constexpr int           kKeptFrames  = 300;
     static constexpr double        kBudget      = 100;
+    static constexpr int           kCandidates  = 5;
+    /// Frames after which a choice is made, whatever they cost.
+    static constexpr int kMostTrialFrames = kCandidates * (kWarmUp + kTimed + kTurns * (kWarmUp + kTimedInTurn));
 
     explicit AutoChoice(const SceneNumbers& numbers);
 

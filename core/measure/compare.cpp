@@ -57,9 +57,8 @@ bool wasCancelled(const CompareRequest& request) { return request.progress.cance
 /// Draws until what is measured has made up its mind, then the timed frames; the picture of the last stays.
 Result<Done> drawTimed(const DrawRequest& draw, int frames, ComparedAlgorithm& compared)
 {
-    constexpr int kMostTrials = 64;
-    Renderer      renderer;
-    for (int trial = 0; trial < kMostTrials; ++trial) {
+    Renderer renderer;
+    for (int trial = 0; trial < AutoChoice::kMostTrialFrames; ++trial) {
         const auto report = renderer.draw(draw, compared.frame);
         if (!report) return report.error();
         if (!report->isTrial) break;

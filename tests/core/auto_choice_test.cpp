@@ -21,10 +21,6 @@ const Times kTreesDoNot{{"zbuffer", 3}, {"hzb-octree", 5}, {"hzb-bvh", 4.4}, {"t
 constexpr SceneNumbers kSmall{.trianglesInView = 70'000, .pixels = 1'000'000};
 constexpr SceneNumbers kLarge{.trianglesInView = 1'000'000, .pixels = 1'000'000};
 
-/// Of trials: of four presets, each alone and then in turn.
-constexpr int kMostFrames =
-    4 * (AutoChoice::kWarmUp + AutoChoice::kTimed + AutoChoice::kTurns * (AutoChoice::kWarmUp + AutoChoice::kTimedInTurn));
-
 /// Draws frames that take what `times` says.
 struct Drawing {
     AutoChoice choice;
@@ -70,8 +66,16 @@ TEST(AutoChoice, TheFastestOfThoseTriedIsKept)
         EXPECT_EQ(paying.choice.preset().name, "two-pass");
         notPaying.settle(kTreesDoNot);
         EXPECT_EQ(notPaying.choice.preset().name, "zbuffer");
-        EXPECT_LE(paying.frames, kMostFrames);
+        EXPECT_LE(paying.frames, AutoChoice::kMostTrialFrames);
     }
+}
+
+TEST(AutoChoice, TrialsEndHoweverCloseAllAre)
+{
+    Drawing few({.trianglesInView = 12, .pixels = 100});
+    few.settle({{"zbuffer", 3}, {"hzb-octree", 3}, {"hzb-bvh", 3}, {"two-pass", 3}, {"scanline", 3}});
+    EXPECT_EQ(few.frames, AutoChoice::kMostTrialFrames);
+    for (const auto& [name, frames] : few.drawnBy) EXPECT_EQ(frames, AutoChoice::kMostTrialFrames / AutoChoice::kCandidates) << name;
 }
 
 TEST(AutoChoice, AFrameThatWarmsUpDoesNotCountAndTheShorterOfTwoDoes)
@@ -149,7 +153,7 @@ TEST(AutoChoice, ASlowPhaseDoesNotHideTheFastest)
             times["hzb-bvh"]  = 4;
             for (auto& [name, time] : times) time *= isSlow ? 1.5 : 1;
             drawing.draw(times);
-            ASSERT_LE(drawing.frames, kMostFrames);
+            ASSERT_LE(drawing.frames, AutoChoice::kMostTrialFrames);
         }
         right += drawing.choice.preset().name == "hzb-bvh";
     }
