@@ -138,7 +138,9 @@ TEST_F(Cli, PeersOfAnExperimentAreInItsRecordAndStayThereWhenItGoesOn)
     const Answer again = run({"bench", "--experiment", file, "--json", path("all.json")});
     EXPECT_EQ(again.status, 0) << again.err;
     EXPECT_NE(again.out.find("peer / this"), std::string::npos) << again.out;
-    for (const Json& each : Json::parse(contentsOf(path("all.json")))["cases"]) {
+    const Json record = Json::parse(contentsOf(path("all.json")));
+    ASSERT_EQ(record["cases"].size(), 2u);
+    for (const Json& each : record["cases"]) {
         int peers = 0;
         for (const Json& row : each["rows"]) peers += std::string(row["algorithm"]).starts_with("peer:") && row["counters"].contains("pixels_that_differ");
         EXPECT_GE(peers, 2);  // one and two threads of at least one
