@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # All tests of the core and the command line under the address and undefined-behaviour sanitizers, and the window closed in the
-# middle of its work under those of addresses and threads; and the kernels compiled for one lane only. Hours on two cores.
+# middle of its work under those of addresses and threads; and the kernels compiled for one lane only. Hours on two cores:
+# the first part builds for half an hour and tests for three quarters.
 #
 #   scripts/sanitize.sh          everything
 #   scripts/sanitize.sh core     every part of the core, the hard cases and the steps, without what only adds scenes and seeds: less
