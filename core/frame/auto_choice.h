@@ -56,7 +56,7 @@ public:
     static constexpr int           kDriftFrames = 3;
     static constexpr int           kKeptFrames  = 300;
     static constexpr double        kBudget      = 100;
-    static constexpr int           kCandidates  = 5;
+    static constexpr int           kCandidates  = 5;           // presets that may be tried
     /// Frames after which a choice is made, whatever they cost.
     static constexpr int kMostTrialFrames = kCandidates * (kWarmUp + kTimed + kTurns * (kWarmUp + kTimedInTurn));
 
@@ -96,7 +96,7 @@ private:
     std::vector<Candidate>   m_candidates;
     std::size_t              m_now     = 0;  // draws the next frame
     bool                     m_isTrial = true;
-    bool                     m_takesTurns = false;  // trials: those that are close to the fastest
+    bool                     m_takesTurns = false;  // trials: those at hand are of the ones close to the fastest
     std::string              m_why;
     std::vector<std::size_t> m_waiting;      // trials: candidates still to come, by turns
     int                      m_frames = 0;   // drawn in the trial at hand, or since the best was kept

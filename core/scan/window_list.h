@@ -16,7 +16,7 @@ struct WindowList {
     // Entry i is window i.
     std::size_t                count = 0;
     std::vector<std::uint32_t> owners;            // which triangle's
-    std::vector<std::uint32_t> places;            // its first pixel: x + 65536 y
+    std::vector<std::uint32_t> places;            // its first pixel: x + 65536 y; when it is worked off, that pixel's place among the keys
     std::vector<float>         right, down;       // likewise, counted from the owner's first window
     std::vector<double>        centreX, centreY;  // likewise, in the picture
 

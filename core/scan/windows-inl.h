@@ -217,7 +217,8 @@ inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
 #endif
 
-/// Offers to as many pixels as there are lanes. What has a negative key wins nowhere: no buffer holds so low a depth, and none holds that one.
+/// Offers to as many pixels as there are lanes. A depth at or above 0 whose sign is turned has a key below any that a buffer holds, that of
+/// background included, and so wins nowhere.
 template <Keep kKeep>
 HWY_INLINE hn::Mask<I64> offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff_t stride)
 {
@@ -227,7 +228,7 @@ HWY_INLINE hn::Mask<I64> offerKeys(Keys offered, float empty, PixelKey* row, std
     return won;
 }
 
-/// One entry of a WindowList.
+/// One entry of a WindowList, whose columns have these names; centres in pixels.
 struct Window {
     std::size_t owner;
     float       right, down;
