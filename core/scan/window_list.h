@@ -4,6 +4,7 @@
 // Source     see windows-inl.h, which fills it and works it off
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,8 +18,8 @@ struct WindowList {
     std::size_t                count = 0;
     std::vector<std::uint32_t> owners;            // which triangle's
     std::vector<std::uint32_t> places;            // its first pixel: x + 65536 y; when it is worked off, that pixel's place among the keys
-    std::vector<float>         right, down;       // likewise, counted from the owner's first window
-    std::vector<double>        centreX, centreY;  // likewise, in the picture
+    std::array<std::vector<float>, 3> edges;      // of its owner there (core/geometry/triangle_list.h)
+    std::vector<double>        centreX, centreY;  // of its first pixel
 
     void clear() { count = 0; }
 
@@ -28,11 +29,11 @@ struct WindowList {
         if (owners.size() >= count + more + kBatchPadding) return;
         const std::size_t size = 2 * (count + more + kBatchPadding);
         owners.resize(size), places.resize(size);
-        right.resize(size), down.resize(size);
+        for (auto& edge : edges) edge.resize(size);
         centreX.resize(size), centreY.resize(size);
     }
 
-    std::size_t bytes() const { return owners.capacity() * (2 * sizeof(std::uint32_t) + 2 * sizeof(float) + 2 * sizeof(double)); }
+    std::size_t bytes() const { return owners.capacity() * (2 * sizeof(std::uint32_t) + 3 * sizeof(float) + 2 * sizeof(double)); }
 };
 
 struct SampleList {

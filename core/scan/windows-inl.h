@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "core/geometry/triangle_list.h"
 #include "core/scan/depth_test-inl.h"
@@ -86,42 +87,41 @@ private:
         const auto hasFew  = hn::And(hn::AndNot(hasMore, mask), hn::Max(width, height) > all(kTinySide));
         if (hn::AllFalse(D(), hn::Or(hasFew, hn::And(hasMore, mask)))) return;
 
-        std::array<VF, 3> best, across, below;  // per edge: at the innermost pixel of the first window; from window to window
+        Edges first, across, below, inward;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto perPixel = load(m_triangles.perPixel[k], i), perLine = load(m_triangles.perLine[k], i);
-            best[k]   = innermost(load(m_triangles.origin[k], i), perPixel, perLine);
+            first[k]  = load(m_triangles.origin[k], i);
             across[k] = perPixel * hn::Set(DF(), kWindowSide);
             below[k]  = perLine * hn::Set(DF(), kWindowSide);
+            inward[k] = toInnermost(perPixel, perLine);
         }
         m_list.reserve(4 * hn::Lanes(D()));
-        const auto place = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
-        const auto judge = [&](VF innermost, hn::Mask<D> exists, int right, int down) HWY_ATTR {
-            const auto kept = hn::RebindMask(DU(), hn::And(exists, hn::RebindMask(D(), innermost >= hn::Zero(DF()))));
-            const auto here = place + hn::Set(DU(), static_cast<std::uint32_t>(right + (down << 16)));
-            const auto lanes = hn::Compress(hn::Iota(DU(), 0), kept);
-            append(lanes + hn::Set(DU(), static_cast<std::uint32_t>(i)), hn::TableLookupLanes(here, hn::IndicesFromVec(DU(), lanes)),
-                   hn::Set(DF(), static_cast<float>(right)), hn::Set(DF(), static_cast<float>(down)), hn::CountTrue(DU(), kept));
+        const auto owners = hn::Iota(DU(), static_cast<std::uint32_t>(i));
+        const auto place  = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
+        const auto judge  = [&](const Edges& edges, hn::Mask<D> exists, int right, int down) HWY_ATTR {
+            const auto kept = hn::And(exists, hn::RebindMask(D(), least(plus(edges, inward)) >= hn::Zero(DF())));
+            append(kept, owners, place + hn::Set(DU(), static_cast<std::uint32_t>(right + (down << 16))), edges);
         };
-        const auto moved = [](const std::array<VF, 3>& edge, const std::array<VF, 3>& by) HWY_ATTR {
-            return std::array<VF, 3>{edge[0] + by[0], edge[1] + by[1], edge[2] + by[2]};
-        };
-        const auto least = [](const std::array<VF, 3>& edge) HWY_ATTR { return hn::Min(hn::Min(edge[0], edge[1]), edge[2]); };
-        judge(least(best), hasFew, 0, 0);
+        judge(first, hasFew, 0, 0);
         const auto wide = hn::And(hasFew, isWide), high = hn::And(hasFew, isHigh);
-        if (!hn::AllFalse(D(), wide)) judge(least(moved(best, across)), wide, kWindowSide, 0);
+        if (!hn::AllFalse(D(), wide)) judge(plus(first, across), wide, kWindowSide, 0);
         if (!hn::AllFalse(D(), high)) {
-            const auto lower = moved(best, below);
-            judge(least(lower), high, 0, kWindowSide);
-            judge(least(moved(lower, across)), hn::And(high, isWide), kWindowSide, kWindowSide);
+            const auto lower = plus(first, below);
+            judge(lower, high, 0, kWindowSide);
+            judge(plus(lower, across), hn::And(high, isWide), kWindowSide, kWindowSide);
         }
         forEach(hn::And(mask, hasMore), i, [this](std::size_t t) { addMany(t); });
     }
 
-    /// An edge's value at the pixel of a window that lies farthest inside, from that at the first one.
-    static VF innermost(VF first, VF perPixel, VF perLine)
+    /// Values of the three edges of a triangle at the first pixel of a window, or differences of such.
+    using Edges = std::array<VF, 3>;
+    static Edges plus(const Edges& a, const Edges& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+    static VF    least(const Edges& edges) { return hn::Min(hn::Min(edges[0], edges[1]), edges[2]); }
+
+    /// From an edge's value at the first pixel of a window to that at the one that lies farthest inside.
+    static VF toInnermost(VF perPixel, VF perLine)
     {
-        const auto inward = hn::Max(perPixel, hn::Zero(DF())) + hn::Max(perLine, hn::Zero(DF()));
-        return hn::MulAdd(inward, hn::Set(DF(), kWindowSide - 1), first);
+        return (hn::Max(perPixel, hn::Zero(DF())) + hn::Max(perLine, hn::Zero(DF()))) * hn::Set(DF(), kWindowSide - 1);
     }
 
     /// The windows of one triangle, line of windows after line of windows.
@@ -132,37 +132,40 @@ private:
         const int count   = columns * lines, step = static_cast<int>(hn::Lanes(DF()));
         m_list.reserve(static_cast<std::size_t>(count + step));
 
-        const std::uint32_t place = static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16));
-        std::array<VF, 3>   start, across, below;
+        const auto owner = hn::Set(DU(), static_cast<std::uint32_t>(t));
+        const auto place = hn::Set(DU(), static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16)));
+        Edges      start, across, below, inward;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto set = [t](const TriangleList::Column<float>& column) HWY_ATTR { return hn::Set(DF(), column[t]); };
             across[k] = set(m_triangles.perPixel[k]);
             below[k]  = set(m_triangles.perLine[k]);
-            start[k]  = innermost(set(m_triangles.origin[k]), across[k], below[k]);
+            start[k]  = set(m_triangles.origin[k]);
+            inward[k] = toInnermost(across[k], below[k]);
         }
         const auto side = hn::Set(DF(), kWindowSide), perLine = hn::Set(DF(), static_cast<float>(columns)), perColumn = hn::Set(DF(), 1 / static_cast<float>(columns));
         for (int first = 0; first < count; first += step) {
-            const auto at    = hn::Iota(DF(), static_cast<float>(first));
-            const auto line  = hn::Floor((at + hn::Set(DF(), 0.5f)) * perColumn);
-            const auto right = (at - line * perLine) * side, down = line * side;
-            const auto edge  = [&](std::size_t k) HWY_ATTR { return hn::MulAdd(right, across[k], hn::MulAdd(down, below[k], start[k])); };
-            const auto inside = hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(DF());
-            const auto kept   = hn::And(inside, at < hn::Set(DF(), static_cast<float>(count)));
-            const auto lanes  = hn::IndicesFromVec(DF(), hn::Compress(hn::Iota(D(), 0), hn::RebindMask(D(), kept)));
-            const auto rights = hn::TableLookupLanes(right, lanes), downs = hn::TableLookupLanes(down, lanes);
-            const auto here   = hn::BitCast(DU(), hn::ConvertTo(D(), rights) + hn::ShiftLeft<16>(hn::ConvertTo(D(), downs))) + hn::Set(DU(), place);
-            append(hn::Set(DU(), static_cast<std::uint32_t>(t)), here, rights, downs, hn::CountTrue(DF(), kept));
+            const auto  at    = hn::Iota(DF(), static_cast<float>(first));
+            const auto  line  = hn::Floor((at + hn::Set(DF(), 0.5f)) * perColumn);
+            const auto  right = (at - line * perLine) * side, down = line * side;
+            const auto  edge  = [&](std::size_t k) HWY_ATTR { return hn::MulAdd(right, across[k], hn::MulAdd(down, below[k], start[k])); };
+            const Edges edges{edge(0), edge(1), edge(2)};
+            const auto  isInside = hn::And(least(plus(edges, inward)) >= hn::Zero(DF()), at < hn::Set(DF(), static_cast<float>(count)));
+            const auto  here     = place + hn::BitCast(DU(), hn::ConvertTo(D(), right) + hn::ShiftLeft<16>(hn::ConvertTo(D(), down)));
+            append(hn::RebindMask(D(), isInside), owner, here, edges);
         }
     }
 
-    /// The first `count` of these windows; `places` as in WindowList.
-    void append(hn::Vec<DU> owners, hn::Vec<DU> places, VF right, VF down, std::size_t count)
+    /// Those of these windows that `kept` names; `places` as in WindowList.
+    void append(hn::Mask<D> kept, hn::Vec<DU> owners, hn::Vec<DU> places, const Edges& edges)
     {
-        hn::StoreU(owners, DU(), m_list.owners.data() + m_list.count);
-        hn::StoreU(places, DU(), m_list.places.data() + m_list.count);
-        hn::StoreU(right, DF(), m_list.right.data() + m_list.count);
-        hn::StoreU(down, DF(), m_list.down.data() + m_list.count);
-        m_list.count += count;
+        const auto lanes = hn::Compress(hn::Iota(D(), 0), kept);
+        const auto put   = [&](auto d, auto values, auto& column) HWY_ATTR {
+            hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, lanes)), d, column.data() + m_list.count);
+        };
+        put(DU(), owners, m_list.owners);
+        put(DU(), places, m_list.places);
+        for (std::size_t k = 0; k < 3; ++k) put(DF(), edges[k], m_list.edges[k]);
+        m_list.count += hn::CountTrue(D(), kept);
     }
 
     const TriangleList& m_triangles;
@@ -230,9 +233,9 @@ HWY_INLINE hn::Mask<I64> offerKeys(Keys offered, float empty, PixelKey* row, std
 
 /// One entry of a WindowList, whose columns have these names; centres in pixels.
 struct Window {
-    std::size_t owner;
-    float       right, down;
-    double      centreX, centreY;
+    std::size_t          owner;
+    std::array<float, 3> edges;
+    double               centreX, centreY;
 
     // Its first pixel.
     int x() const { return static_cast<int>(centreX); }
@@ -250,21 +253,20 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
     const std::size_t t = window.owner;
     const auto a = hn::Set(d64, triangles.a[t]), b = hn::Set(d64, triangles.b[t]), c = hn::Set(d64, triangles.c[t]);
     const auto farthest = hn::Set(f32, triangles.farthest[t]), nearest = hn::Set(f32, triangles.nearest[t]);
-    const auto right = hn::Set(f32, window.right), down = hn::Set(f32, window.down);
     const auto left = hn::Set(d64, window.centreX), above = hn::Set(d64, window.centreY);
 
     for (int line = 0; line < kWindowSide; line += kPassLines) {
         for (int column = 0; column < kWindowSide; column += kPassColumns) {
-            const auto toRight = hn::Load(f32, kPassLanes32.right.data()) + hn::Set(f32, static_cast<float>(column)) + right;
-            const auto toDown  = hn::Load(f32, kPassLanes32.down.data()) + hn::Set(f32, static_cast<float>(line)) + down;
+            const auto toRight = hn::Load(f32, kPassLanes32.right.data()) + hn::Set(f32, static_cast<float>(column));
+            const auto toDown  = hn::Load(f32, kPassLanes32.down.data()) + hn::Set(f32, static_cast<float>(line));
             const auto edge    = [&](std::size_t k) HWY_ATTR {
                 return hn::MulAdd(toDown, hn::Set(f32, triangles.perLine[k][t]),
-                                  hn::MulAdd(toRight, hn::Set(f32, triangles.perPixel[k][t]), hn::Set(f32, triangles.origin[k][t])));
+                                  hn::MulAdd(toRight, hn::Set(f32, triangles.perPixel[k][t]), hn::Set(f32, window.edges[k])));
             };
-            // Its sign says whether a pixel is inside. It is never -0: sums that are zero are +0.
-            const auto least = hn::Min(hn::Min(edge(0), edge(1)), edge(2));
+            // Negative outside. No edge is -0: sums that are zero are +0.
+            const auto sign = hn::Or3(edge(0), edge(1), edge(2));
             if constexpr (kLanes == 1)
-                if (hn::GetLane(least) < 0 || window.x() + column >= width) continue;
+                if (std::signbit(hn::GetLane(sign)) || window.x() + column >= width) continue;
 
             const auto depth = [&](int half) HWY_ATTR {
                 const auto lane = static_cast<std::size_t>(half * kLanes);
@@ -288,7 +290,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
             const hn::Rebind<std::uint32_t, Pass32> u32;
             const auto z      = hn::Min(hn::Max(hn::Combine(f32, depth(1), depth(0)), farthest), nearest);
-            const auto upper  = hn::BitCast(u32, hn::CopySignToAbs(z, least));  // outside: a negative key
+            const auto upper  = hn::BitCast(u32, hn::CopySignToAbs(z, sign));  // outside: a negative key
             const auto lower  = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::Set(u32, 0xFFFFFFFEu) - hn::Set(u32, triangles.id[t]);
             const auto asKeys = [](auto halves) { return hn::BitCast(I64(), halves); };
             offerKeys<kKeep>(asKeys(hn::InterleaveLower(u32, lower, upper)), empty, row, stride);
@@ -399,12 +401,11 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
     // The list's own addresses, which a stored key could change for all the compiler knows.
     const std::uint32_t* const owners = list.owners.data();
     const std::uint32_t* const places = list.places.data();
-    const float* const         right  = list.right.data();
-    const float* const         down   = list.down.data();
+    const std::array<const float*, 3> edges{list.edges[0].data(), list.edges[1].data(), list.edges[2].data()};
     const double* const        centreX = list.centreX.data();
     const double* const        centreY = list.centreY.data();
     for (std::size_t i = 0; i < count; ++i) {
-        const Window window{owners[i], right[i], down[i], centreX[i], centreY[i]};
+        const Window window{owners[i], {edges[0][i], edges[1][i], edges[2][i]}, centreX[i], centreY[i]};
         testWindow<kKeep>(triangles, window, picture + places[i], stride, visible.empty(), visible.width(), probe);
     }
     list.clear();
