@@ -71,7 +71,8 @@ struct ScanConvert {
     }
 
 private:
-    static constexpr std::uint64_t kWorthAsking = 32;
+    // Pixels: of a batch's triangles on average, and of a compact one.
+    static constexpr std::uint64_t kWorthAsking = 32, kWorthAskingOne = 128;
 
     template <Keep kKeep, class FragmentsOf>
     DrawnTriangles convert(TriangleList& triangles, const FragmentsOf& fragmentsOf) const
@@ -82,17 +83,18 @@ private:
         const bool     asksInTurn = asks && triangles.hasLarge();
         DrawnTriangles all;
         if (asks && !asksInTurn)
-            for (std::size_t i = 0; i < triangles.count; ++i) dropIfHidden(triangles, i, all);
+            for (std::size_t i = 0; i < triangles.count; ++i)
+                if (isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
 
         if constexpr (drawsWindows<Fragments>()) {
-            if (!asksInTurn && !needsEachAtOnce()) {
-                drawTogether<kKeep>(triangles, fragmentsOf);
+            if (!needsEachAtOnce() && (!asksInTurn || asksOfAskedNodes())) {
+                drawTogether<kKeep>(triangles, asksInTurn, fragmentsOf, all);
                 all.drawn = static_cast<std::uint32_t>(triangles.count) - all.hidden;
                 return all;
             }
         }
         for (std::size_t i = 0; i < triangles.count; ++i) {
-            if (asksInTurn) dropIfHidden(triangles, i, all);
+            if (asksInTurn && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
             if (triangles.isHidden(i)) continue;
             ++all.drawn;
             const ScreenTriangle triangle = triangles[i];
@@ -118,15 +120,22 @@ private:
                (occlusion.afterDrawing != AfterDrawing::Nothing && occlusion.afterDrawing != AfterDrawing::MarkStale);
     }
 
+    /// `asks`: compact triangles before any is drawn, the others, which may hide each other, in turn.
     template <Keep kKeep, class FragmentsOf>
-    void drawTogether(const TriangleList& triangles, const FragmentsOf& fragmentsOf) const
+    void drawTogether(TriangleList& triangles, bool asks, const FragmentsOf& fragmentsOf, DrawnTriangles& all) const
     {
+        const auto isCompact = [&](std::size_t i) { return triangles.is(TriangleList::kCompact, i); };
+        for (std::size_t i = 0; asks && i < triangles.count; ++i)
+            if (isCompact(i) && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
         if (const PixelBox& reach = triangles.compactReach; !reach.isEmpty()) {
             openTiles(stripe.visible, reach);
             markStale(triangles, reach);
         }
         WindowFinder finder(triangles, windows);
-        finder.add(0, triangles.count, [&](std::size_t i) { draw<kKeep>(triangles[i], fragmentsOf); });
+        finder.add(0, triangles.count, [&](std::size_t i) {
+            if (asks && !isCompact(i)) dropIfHidden(triangles, i, all);
+            if (!triangles.isHidden(i)) draw<kKeep>(triangles[i], fragmentsOf);
+        });
         testTiny<kKeep>(triangles, 0, triangles.count, samples, stripe.visible, probe);
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);
     }
@@ -184,15 +193,21 @@ private:
         }
     }
 
-    /// Where nodes are asked about and questions bring cells up to date, triangles of such a node are asked about only if they
-    /// have kWorthAsking pixels or more on average: of smaller ones a question costs more than the pixels that it could save.
+    /// Nodes are asked about, and questions bring cells up to date. Of a small triangle of such a node a question costs more than the
+    /// pixels that it could save.
+    bool asksOfAskedNodes() const { return occlusion.asksNodes && occlusion.afterDrawing == AfterDrawing::MarkStale; }
+
     bool asksTriangles(const TriangleList& triangles) const
     {
-        if (!occlusion.asksNodes || occlusion.afterDrawing != AfterDrawing::MarkStale) return occlusion.asksTriangles;
-        if (!occlusion.asksTriangles) return false;
+        if (!occlusion.asksTriangles || !asksOfAskedNodes()) return occlusion.asksTriangles;
         std::uint64_t pixels = 0;
         for (std::size_t i = 0; i < triangles.count; ++i) pixels += pixelsOf(triangles.box(i));
         return pixels >= kWorthAsking * triangles.count;
+    }
+
+    bool isWorthAsking(const TriangleList& triangles, std::size_t i) const
+    {
+        return !asksOfAskedNodes() || !triangles.is(TriangleList::kCompact, i) || pixelsOf(triangles.box(i)) >= kWorthAskingOne;
     }
 
     void dropIfHidden(TriangleList& triangles, std::size_t i, DrawnTriangles& all) const
