@@ -15,11 +15,11 @@ namespace zscope {
 
 struct WindowList {
     // Entry i is window i.
-    std::size_t                count = 0;
-    std::vector<std::uint32_t> owners;            // which triangle's
-    std::vector<std::uint32_t> places;            // its first pixel: x + 65536 y; when it is worked off, that pixel's place among the keys
-    std::array<std::vector<float>, 3> edges;      // of its owner there (core/geometry/triangle_list.h)
-    std::vector<double>        centreX, centreY;  // of its first pixel
+    std::size_t                       count = 0;
+    std::vector<std::uint32_t>        owners;            // which triangle's
+    std::vector<std::uint32_t>        places;            // its first pixel: x + 65536 y; when it is worked off, that pixel's place among the keys
+    std::array<std::vector<float>, 3> edges;             // the owner's there, as TriangleList counts them
+    std::vector<double>               centreX, centreY;  // the first pixel's, when it is worked off
 
     void clear() { count = 0; }
 
