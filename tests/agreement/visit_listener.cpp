@@ -3,6 +3,7 @@
 #include "tests/agreement/visit_listener.h"
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/frame/serial_run-inl.h"
@@ -39,17 +40,43 @@ private:
 };
 static_assert(observes<VisitRecorder, NodeJudged> && observes<VisitRecorder, NodeOpened>);
 
-}  // namespace
+class AskedRecorder {
+public:
+    void observe(const PyramidAsked& e)
+    {
+        if (e.node) return;
+        m_asked.insert(e.triangle.value);
+        m_all.asked.push_back(e.query.box);
+    }
+    void observe(const TriangleReached& e)
+    {
+        if (!m_asked.contains(e.triangle.id.value)) m_all.unasked.push_back(e.triangle.box);
+    }
 
-std::vector<OpenedNode> visitOf(const DrawRequest& request)
+    AskedTriangles finish() { return std::move(m_all); }
+
+private:
+    std::set<std::uint32_t> m_asked;
+    AskedTriangles          m_all;
+};
+static_assert(observes<AskedRecorder, PyramidAsked> && observes<AskedRecorder, TriangleReached>);
+
+template <class Recorder>
+auto recorded(const DrawRequest& request)
 {
     DrawRequest unshaded = request;
     unshaded.shade       = false;
     Frame         frame;
     StripeScratch scratch;
-    VisitRecorder recorder;
+    Recorder      recorder;
     HWY_STATIC_DISPATCH(runSerially)(unshaded, frame, scratch, Listening(recorder));
     return recorder.finish();
 }
+
+}  // namespace
+
+std::vector<OpenedNode> visitOf(const DrawRequest& request) { return recorded<VisitRecorder>(request); }
+
+AskedTriangles askedBy(const DrawRequest& request) { return recorded<AskedRecorder>(request); }
 
 }  // namespace zscope::tests

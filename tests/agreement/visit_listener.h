@@ -1,4 +1,4 @@
-// Draws one frame with one thread and one lane and keeps the order in which nodes were opened and judged.
+// Draws one frame with one thread and one lane and keeps the order in which nodes were opened and judged, or who was asked about.
 #pragma once
 
 #include <cstdint>
@@ -16,5 +16,11 @@ struct OpenedNode {
     std::vector<std::uint64_t>   judgedWhen; // position of each child's verdict among all verdicts
 };
 std::vector<OpenedNode> visitOf(const DrawRequest& request);
+
+/// The boxes of triangles: of those that the pyramid was asked about, and of those that were drawn without that.
+struct AskedTriangles {
+    std::vector<PixelBox> asked, unasked;
+};
+AskedTriangles askedBy(const DrawRequest& request);
 
 }  // namespace zscope::tests

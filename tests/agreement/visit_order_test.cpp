@@ -173,5 +173,29 @@ TEST(VisitOrder, TheCriterionSeesAWrongOrder)
     EXPECT_EQ(sidesOf({3, -2, 0}, {{-1, -1, -1}, {1, 1, 1}}, Affine{}), (std::array{1, -1, 0}));
 }
 
+TEST(VisitOrder, TrianglesOfANodeThatWasAskedAboutAreAskedAboutOnlyIfTheyAreWorthIt)
+{
+    auto loaded = loadScene("builtin:soccer-field?count=8");
+    ASSERT_TRUE(loaded.ok());
+    DrawRequest request;
+    request.scene = std::make_shared<const PreparedScene>(std::make_shared<const Scene>(*std::move(loaded)));
+    ViewRequest view;
+    view.width = 1280, view.height = 960;
+    request.camera        = *makeCamera(view, request.scene->scene().bounds);
+    const auto isWorth    = [](const PixelBox& box) { return (box.x1 - box.x0) * (box.y1 - box.y0) >= 128; };
+    const auto askedUnder = [&](const char* preset) {
+        request.pipeline = findPreset(preset)->pipeline;
+        return askedBy(request);
+    };
+    for (const char* asksNodes : {"hzb-octree", "hzb-bvh"}) {
+        const AskedTriangles triangles = askedUnder(asksNodes);
+        EXPECT_GT(triangles.asked.size(), 100u) << asksNodes;
+        EXPECT_TRUE(std::ranges::all_of(triangles.asked, isWorth)) << asksNodes;
+        EXPECT_GT(triangles.unasked.size(), 10'000u) << asksNodes;
+    }
+    const AskedTriangles all = askedUnder("hzb-simple");
+    EXPECT_FALSE(std::ranges::all_of(all.asked, isWorth)) << "without nodes small ones are asked about as well";
+}
+
 }  // namespace
 }  // namespace zscope::tests
