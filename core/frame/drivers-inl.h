@@ -71,7 +71,8 @@ struct ScanConvert {
     }
 
 private:
-    // Pixels: of a batch's triangles on average, and of a compact one.
+    /// Pixels in a triangle's box from which a question about it may pay, where its node has been asked about: on average over a batch, and
+    /// of one that is compact (measured, docs/performance.md).
     static constexpr std::uint64_t kWorthAsking = 32, kWorthAskingOne = 128;
 
     template <Keep kKeep, class FragmentsOf>
@@ -197,6 +198,7 @@ private:
     /// pixels that it could save.
     bool asksOfAskedNodes() const { return occlusion.asksNodes && occlusion.afterDrawing == AfterDrawing::MarkStale; }
 
+    /// Whether any of a batch is asked about; if so, isWorthAsking() says which.
     bool asksTriangles(const TriangleList& triangles) const
     {
         if (!occlusion.asksTriangles || !asksOfAskedNodes()) return occlusion.asksTriangles;

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <span>
 
@@ -125,6 +126,56 @@ private:
     static constexpr int      kTile       = 1 << Pyramid::kTileLevel;
     static constexpr PixelKey kNearestKey = std::numeric_limits<PixelKey>::max();
 
+    static constexpr std::size_t kParts = VisibilityBuffer::kTileWidth / kTile;
+    using Depths = std::array<float, kParts>;
+
+    /// What edges say of the parts of a box that lie in tiles of the pyramid side by side: bit i is the i-th of a tile of the visibility
+    /// buffer, from the left.
+    struct Parts {
+        std::uint32_t reached = 0;  // not wholly on the outer side of an edge
+        std::uint32_t whole   = 0;  // on the inner side of all
+    };
+
+    static std::uint32_t bitsOf(hn::Mask<F64> mask)
+    {
+        std::array<std::uint8_t, 8> bits{};
+        hn::StoreMaskBits(F64(), mask, bits.data());
+        return bits[0];
+    }
+
+    /// `isInside`: all of the box is on the inner side of all edges.
+    static Parts judgeParts(const PixelBox& box, bool isInside, const Edges& edges)
+    {
+        const F64 d64;
+        Parts     parts;
+        const int tileLeft = (box.x0 & -VisibilityBuffer::kTileWidth) - edges.x0;
+        for (std::size_t i = 0; i < kParts; i += hn::Lanes(d64)) {
+            const auto left  = hn::Iota(d64, static_cast<double>(i)) * hn::Set(d64, kTile) + hn::Set(d64, tileLeft);
+            const auto first = hn::Max(left, hn::Set(d64, box.x0 - edges.x0)), last = hn::Min(left + hn::Set(d64, kTile - 1), hn::Set(d64, box.x1 - 1 - edges.x0));
+            auto       reached = first <= last, whole = reached;
+            for (const HalfPlane& plane : edges.planes) {
+                if (isInside) break;
+                const auto   slope = hn::Set(d64, plane.perPixel), atFirst = first * slope, atLast = last * slope;
+                const double above = plane.at(0, box.y0 - edges.y0), below = plane.at(0, box.y1 - 1 - edges.y0);
+                reached = hn::And(reached, hn::Max(atFirst, atLast) + hn::Set(d64, std::max(above, below)) >= hn::Zero(d64));
+                whole   = hn::And(whole, hn::Min(atFirst, atLast) + hn::Set(d64, std::min(above, below)) >= hn::Zero(d64));
+            }
+            parts.reached |= bitsOf(reached) << i;
+            parts.whole |= bitsOf(whole) << i;
+        }
+        return parts;
+    }
+
+    /// The nearest depth that the triangle could store in each of those parts.
+    template <class Rules>
+    static Depths nearestOfParts(const DepthPlane& plane, const PixelBox& box, [[maybe_unused]] const Rules& rules)
+    {
+        if constexpr (Rules::kExact) return depthsAlong<kTile, true>(plane, box);
+        Depths all;
+        all.fill(rules.stored(plane.nearest));
+        return all;
+    }
+
     /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
     template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
     static void fillStoredTile(const PixelBox& stored, bool isInside, const ScreenTriangle& triangle, const Edges& edges,
@@ -132,14 +183,17 @@ private:
                                VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
-        bool isOpen = false;
-        for (int left = stored.x0 & -kTile; left < stored.x1; left += kTile) {
+        const Parts parts  = judgeParts(stored, isInside, edges);
+        const auto  nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
+        bool        isOpen  = false;
+        for (std::uint32_t reached = parts.reached; reached != 0; reached &= reached - 1) {
+            const auto part = static_cast<unsigned>(std::countr_zero(reached));
+            const int  left = (stored.x0 & -VisibilityBuffer::kTileWidth) + static_cast<int>(part) * kTile;
+            if (upkeep.isKept() && upkeep.hides(left, stored.y0, nearest[part])) continue;
             const PixelBox here{std::max(left, stored.x0), stored.y0, std::min(left + kTile, stored.x1), stored.y1};
-            if (!isInside && edges.areOutside(here)) continue;
-            if (upkeep.isKept() && upkeep.hides(here.x0, here.y0, nearestIn(triangle.depth, here, rules))) continue;
             if (!isOpen) openTiles(visible, here);
             isOpen = true;
-            const bool isWhole = isInside || edges.areInside(here);
+            const bool isWhole = (parts.whole >> part & 1) != 0;
             // Who goes over all of a tile sees what it holds, and need not look again.
             const bool sees = upkeep.isKept() && here.y1 - here.y0 == kTile && left + kTile <= visible.width();
             const int  from = sees ? left : here.x0 & -laneCount(), end = sees ? left + kTile : here.x1;
@@ -173,7 +227,7 @@ private:
         const PlaneAnswer answer = offerPlane(visible, here, isInside, {triangle.depth, triangle.rank()}, upkeep.isKept());
         if (answer != PlaneAnswer::Kept) return answer == PlaneAnswer::Hidden;
         if (upkeep.isKept()) {
-            const auto farthest = farthestAlong<kTile>(triangle.depth, here);
+            const auto farthest = depthsAlong<kTile, false>(triangle.depth, here);
             upkeep.drawnTiles(here.x0, here.y0, std::span(farthest).first(static_cast<std::size_t>((here.x1 - here.x0 + kTile - 1) / kTile)));
         } else {
             upkeep.touched(here);

@@ -57,22 +57,23 @@ inline void storePlanes(VisibilityBuffer& visible, int first, int end)
     hwy::FlushStream();  // before another thread reads them
 }
 
-/// farthestOver() of each part of a tile that is kSide pixels wide, from left to right; the last one may be narrower, and what comes
-/// after it means nothing.
-template <int kSide>
-auto farthestAlong(const DepthPlane& plane, const PixelBox& tile)
+/// The depths at the pixel of each part of a box that is nearest or farthest, as nearestOver() and farthestOver() have them. The box lies
+/// in one tile; parts are cut along multiples of kSide, and those that the box does not meet mean nothing.
+template <int kSide, bool kNearest>
+auto depthsAlong(const DepthPlane& plane, const PixelBox& box)
 {
-    HWY_ALIGN std::array<float, VisibilityBuffer::kTileWidth / kSide> farthest;
+    HWY_ALIGN std::array<float, VisibilityBuffer::kTileWidth / kSide> depths;
     const F64    d64;
-    const double first = plane.a > 0 ? 0.5 : kSide - 0.5;  // from the left edge of a part to its farthest column
-    const double line  = plane.b * ((plane.b > 0 ? tile.y0 : tile.y1 - 1) + 0.5) + plane.c;
-    for (std::size_t i = 0; i < farthest.size(); i += hn::Lanes(d64)) {
-        const auto left   = hn::Iota(d64, static_cast<double>(i)) * hn::Set(d64, kSide) + hn::Set(d64, tile.x0 + first);
-        const auto column = hn::Min(left, hn::Set(d64, tile.x1 - 0.5));
+    const bool   isRight = (plane.a > 0) == kNearest, isLow = (plane.b > 0) == kNearest;
+    const double first = (box.x0 & -VisibilityBuffer::kTileWidth) + (isRight ? kSide - 0.5 : 0.5);
+    const double line  = plane.b * ((isLow ? box.y1 - 1 : box.y0) + 0.5) + plane.c;
+    for (std::size_t i = 0; i < depths.size(); i += hn::Lanes(d64)) {
+        const auto inTile = hn::Iota(d64, static_cast<double>(i)) * hn::Set(d64, kSide) + hn::Set(d64, first);
+        const auto column = hn::Min(hn::Max(inTile, hn::Set(d64, box.x0 + 0.5)), hn::Set(d64, box.x1 - 0.5));
         const auto z      = hn::Set(d64, plane.a) * column + hn::Set(d64, line);
-        hn::Store(hn::DemoteTo(F32(), hn::Min(hn::Max(z, hn::Set(d64, plane.farthest)), hn::Set(d64, plane.nearest))), F32(), farthest.data() + i);
+        hn::Store(hn::DemoteTo(F32(), hn::Min(hn::Max(z, hn::Set(d64, plane.farthest)), hn::Set(d64, plane.nearest))), F32(), depths.data() + i);
     }
-    return farthest;
+    return depths;
 }
 
 /// What becomes of the part of a triangle's box that lies in one tile.

@@ -39,6 +39,9 @@ class WindowFinder {
     using DU = hn::RebindToUnsigned<D>;
     using VF = hn::Vec<DF>;
 
+    /// Values of the three edges of a triangle at the first pixel of a window, or differences of such.
+    using Edges = std::array<VF, 3>;
+
     static hn::Vec<D> all(std::int32_t value) { return hn::Set(D(), value); }
     template <class T>
     static hn::Vec<hn::Rebind<T, D>> load(const TriangleList::Column<T>& column, std::size_t i)
@@ -87,7 +90,8 @@ private:
         const auto hasFew  = hn::And(hn::AndNot(hasMore, mask), hn::Max(width, height) > all(kTinySide));
         if (hn::AllFalse(D(), hn::Or(hasFew, hn::And(hasMore, mask)))) return;
 
-        Edges first, across, below, inward;
+        Edges first, inward;
+        Edges across, below;  // from a window to the one to its right, to the one below it
         for (std::size_t k = 0; k < 3; ++k) {
             const auto perPixel = load(m_triangles.perPixel[k], i), perLine = load(m_triangles.perLine[k], i);
             first[k]  = load(m_triangles.origin[k], i);
@@ -113,8 +117,6 @@ private:
         forEach(hn::And(mask, hasMore), i, [this](std::size_t t) { addMany(t); });
     }
 
-    /// Values of the three edges of a triangle at the first pixel of a window, or differences of such.
-    using Edges = std::array<VF, 3>;
     static Edges plus(const Edges& a, const Edges& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
     static VF    least(const Edges& edges) { return hn::Min(hn::Min(edges[0], edges[1]), edges[2]); }
 
