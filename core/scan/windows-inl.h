@@ -23,6 +23,8 @@
 #include <cassert>
 #include <cmath>
 
+#include <hwy/cache_control.h>
+
 #include "core/geometry/triangle_list.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/window_list.h"
@@ -386,6 +388,9 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     }
 }
 
+/// Pixels are fetched so many windows before they are tested: triangles come in any order, and memory answers late.
+inline constexpr std::size_t kFetchedAhead = 16;
+
 /// Works the list off and empties it.
 template <Keep kKeep, class Probe>
 void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Probe& probe)
@@ -407,6 +412,8 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
     const double* const        centreX = list.centreX.data();
     const double* const        centreY = list.centreY.data();
     for (std::size_t i = 0; i < count; ++i) {
+        const PixelKey* const ahead = picture + places[std::min(i + kFetchedAhead, count - 1)];
+        for (int line = 0; line < kWindowSide; ++line) hwy::Prefetch(ahead + line * stride);
         const Window window{owners[i], {edges[0][i], edges[1][i], edges[2][i]}, centreX[i], centreY[i]};
         testWindow<kKeep>(triangles, window, picture + places[i], stride, visible.empty(), visible.width(), probe);
     }
