@@ -412,8 +412,11 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
     const double* const        centreX = list.centreX.data();
     const double* const        centreY = list.centreY.data();
     for (std::size_t i = 0; i < count; ++i) {
-        const PixelKey* const ahead = picture + places[std::min(i + kFetchedAhead, count - 1)];
-        for (int line = 0; line < kWindowSide; ++line) hwy::Prefetch(ahead + line * stride);
+        const PixelKey* ahead = picture + places[std::min(i + kFetchedAhead, count - 1)];
+        for (int line = 0; line < kWindowSide; ++line, ahead += stride) {
+            hwy::Prefetch(ahead);
+            hwy::Prefetch(ahead + kWindowSide - 1);  // often in another cache line
+        }
         const Window window{owners[i], {edges[0][i], edges[1][i], edges[2][i]}, centreX[i], centreY[i]};
         testWindow<kKeep>(triangles, window, picture + places[i], stride, visible.empty(), visible.width(), probe);
     }
