@@ -1,7 +1,6 @@
 #include "core/depth/pyramid_told.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <limits>
 
@@ -113,20 +112,12 @@ float Pyramid::farthestPixel(int tileX, int tileY) const
     if (!m_visible->isReadable(x0, y0)) return m_visible->empty();
     if (const TilePlane* plane = m_visible->planeAt(x0, y0); plane && m_fault != Fault::NearestInCells)
         return farthestOver(plane->depth, {x0, y0, x1, y1});
-    if (x1 - x0 < kTile || m_fault == Fault::NearestInCells) {
-        float all = m_visible->storedAt(x0, y0);
-        for (int y = y0; y < y1; ++y)
-            for (int x = x0; x < x1; ++x) all = kept(all, m_visible->storedAt(x, y));
-        return all;
-    }
-    // Column by column, then across: eight minima side by side, which the compiler keeps in vectors.
-    std::array<std::int32_t, kTile> least;  // upper halves of keys, which compare as depths do
-    least.fill(std::numeric_limits<std::int32_t>::max());
-    for (int y = y0; y < y1; ++y) {
-        const PixelKey* row = m_visible->row(y) + x0;
-        for (std::size_t x = 0; x < kTile; ++x) least[x] = std::min(least[x], static_cast<std::int32_t>(row[x] >> 32));
-    }
-    return depthOf(PixelKey{std::ranges::min(least)} << 32);
+    if (x1 - x0 == kTile && m_leastKey && m_fault != Fault::NearestInCells)
+        return depthOf(m_leastKey(m_visible->row(y0) + x0, m_visible->stride(), y1 - y0));
+    float all = m_visible->storedAt(x0, y0);
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) all = kept(all, m_visible->storedAt(x, y));
+    return all;
 }
 
 GridView<const float> Pyramid::stored(int level) const

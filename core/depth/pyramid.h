@@ -67,6 +67,9 @@ struct TileAnswer {
     bool  hidden   = false;
 };
 
+/// The least of the keys in `lines` lines of a tile's width each, `stride` keys from one to the next.
+using LeastKey = PixelKey (*)(const PixelKey* first, std::ptrdiff_t stride, int lines);
+
 class Pyramid {
 public:
     static constexpr int kTileLevel = 3;  // tiles of 8 x 8 pixels
@@ -76,6 +79,9 @@ public:
     /// Begins a frame: the region has just been cleared, so every cell is empty and none is stale.
     /// `fault`: which rule of the pyramid is broken on purpose, if any; the promise above is gone then.
     void reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault = Fault::None, bool masked = false);
+
+    /// From now on whole tiles are read so, side by side, and not pixel by pixel: whoever draws knows how wide the lanes are.
+    void readTilesBy(LeastKey leastKey) { m_leastKey = leastKey; }
 
     /// Depths inside `box`, which lies in the region, may have grown.
     void touched(const PixelBox& box);
@@ -190,6 +196,7 @@ private:
     float farthestPixel(int tileX, int tileY) const;
 
     const VisibilityBuffer* m_visible  = nullptr;
+    LeastKey                m_leastKey = nullptr;  // or nullptr: pixel by pixel
     int                     m_firstRow = 0;
     int                     m_endRow   = 0;
     int                     m_width    = 0;

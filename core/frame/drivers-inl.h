@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "core/cull/occlusion.h"
+#include "core/depth/least_key-inl.h"
 #include "core/frame/frame_events.h"
 #include "core/frame/pipeline.h"
 #include "core/scan/half_space-inl.h"
@@ -315,6 +316,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     beginPicture<Rules, Probe>(stripe);
     if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
     const bool asksLast  = pipeline.coherence == Coherence::LastPyramid;
+    scratch.pyramid.readTilesBy(leastKeyOfTile);
     const bool continues = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
     if ((hasPyramid || hasTiles) && !continues)
         scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault, pipeline.upkeep == Upkeep::Masked);

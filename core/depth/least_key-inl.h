@@ -1,0 +1,36 @@
+// The least key of a tile of the pyramid, in lanes: column by column, then across.
+//
+// Promise    the least of all, in any number of lanes: a minimum does not ask for an order
+#if defined(ZSCOPE_LEAST_KEY_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_LEAST_KEY_INL_H
+#undef ZSCOPE_LEAST_KEY_INL_H
+#else
+#define ZSCOPE_LEAST_KEY_INL_H
+#endif
+
+#include <limits>
+
+#include <hwy/highway.h>
+
+#include "core/depth/pyramid.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+/// A LeastKey (core/depth/pyramid.h).
+inline PixelKey leastKeyOfTile(const PixelKey* first, std::ptrdiff_t stride, int lines)
+{
+    namespace hn = hwy::HWY_NAMESPACE;
+    const hn::ScalableTag<PixelKey> keys;
+    constexpr int                   kTile = 1 << Pyramid::kTileLevel;
+    static_assert(kTile % hn::MaxLanes(hn::ScalableTag<PixelKey>()) == 0);
+    auto least = hn::Set(keys, std::numeric_limits<PixelKey>::max());
+    for (int y = 0; y < lines; ++y, first += stride)
+        for (std::size_t x = 0; x < kTile; x += hn::Lanes(keys)) least = hn::Min(least, hn::LoadU(keys, first + x));
+    return hn::GetLane(hn::MinOfLanes(keys, least));
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_LEAST_KEY_INL_H
