@@ -83,7 +83,7 @@ HWY_INLINE hn::Mask<I64> winners(Keys offered, Keys held, [[maybe_unused]] float
     return hn::And(hn::And(sameDepth, better), offered > hn::Set(I64(), keyOf(empty, 0)));
 }
 
-/// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c.
+/// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c in every lane.
 template <Keep kKeep, class Rules>
 class DepthTest {
 public:
@@ -113,7 +113,7 @@ public:
 
     /// Offers the covered lanes at row[0..]; they are the pixels x, x + 1, ... of line y. Returns what is held there now.
     template <class Fragments, class Probe>
-    Keys offer(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, [[maybe_unused]] int x, [[maybe_unused]] int y,
+    Keys offer(Vec64 column, Vec64 line, hn::Mask<F64> covered, PixelKey* row, [[maybe_unused]] int x, [[maybe_unused]] int y,
                [[maybe_unused]] const Fragments& fragments, const Probe& probe) const
     {
         if constexpr (Fragments::kPatterned) {
@@ -121,7 +121,7 @@ public:
         } else {
             constexpr ShadingMoment kShading = Fragments::kMoment;
             const U32  u32;
-            const auto offered = keysOf(limited(column + hn::Set(F64(), line)));
+            const auto offered = keysOf(limited(column + line));
 
             [[maybe_unused]] auto colours = hn::Undefined(u32);
             if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
@@ -151,10 +151,10 @@ public:
     }
 
     /// What every lane would store.
-    Keys keys(Vec64 column, double line) const { return keysOf(limited(column + hn::Set(F64(), line))); }
+    Keys keys(Vec64 column, Vec64 line) const { return keysOf(limited(column + line)); }
 
     /// Stores the first `count` lanes (all of them if there are fewer) without a test.
-    void store(Vec64 column, double line, int count, PixelKey* row) const
+    void store(Vec64 column, Vec64 line, int count, PixelKey* row) const
     {
         const auto inside = hn::RebindMask(I64(), hn::Iota(F64(), 0.0) < hn::Set(F64(), count));
         hn::StoreU(hn::IfThenElse(inside, keys(column, line), hn::LoadU(I64(), row)), I64(), row);
@@ -164,14 +164,14 @@ private:
     /// offer() for fragments that a pattern may discard or move. It never moves them nearer, so if a fragment fails where its
     /// triangle is, it fails; if it passes there, the pattern is looked up and it is tested where it is.
     template <class Fragments, class Probe>
-    Keys offerPatterned(Vec64 column, double line, hn::Mask<F64> covered, PixelKey* row, int x, int y, const Fragments& fragments,
+    Keys offerPatterned(Vec64 column, Vec64 line, hn::Mask<F64> covered, PixelKey* row, int x, int y, const Fragments& fragments,
                         const Probe& probe) const
     {
         constexpr bool kShadesFirst = Fragments::kMoment == ShadingMoment::BeforeTest;
         const F64  d64;
         const U32  u32;
         const auto inside = hn::RebindMask(I64(), covered);
-        const auto flat   = limited(column + hn::Set(d64, line));
+        const auto flat   = limited(column + line);
         const auto bound  = keysOf(flat);
         const auto held   = hn::LoadU(I64(), row);
         const bool moves  = fragments.moves();
@@ -276,13 +276,40 @@ double lineDepth(const DepthPlane& plane, int y, const Rules& rules)
     return static_cast<float>(plane.b) * (static_cast<float>(y) + 0.5f) + static_cast<float>(plane.c);
 }
 
+/// The same of line after line, in every lane.
+template <class Rules>
+class LineDepths {
+public:
+    LineDepths(const DepthPlane& plane, int y, const Rules& rules)
+        : m_plane(plane), m_rules(rules), m_y(y), m_centre(hn::Set(F64(), y + 0.5)), m_b(hn::Set(F64(), plane.b)), m_c(hn::Set(F64(), plane.c))
+    {
+    }
+
+    Vec64 here() const
+    {
+        if constexpr (Rules::kExact) return m_b * m_centre + m_c;
+        return hn::Set(F64(), lineDepth(m_plane, m_y, m_rules));
+    }
+    void toNext()
+    {
+        m_centre = m_centre + hn::Set(F64(), 1.0);
+        ++m_y;
+    }
+
+private:
+    const DepthPlane& m_plane;
+    const Rules&      m_rules;
+    int               m_y;
+    Vec64             m_centre, m_b, m_c;
+};
+
 /// Tests the pixels [x0, x1) of line y, all of them covered; they lie inside the picture.
 template <Keep kKeep = Keep::Nearest, class Fragments = UnshadedFragments, class Rules, class Probe>
 void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
               const Rules& rules, const Probe& probe, const Fragments& fragments = {})
 {
     const DepthTest<kKeep, Rules> test(plane, rankOfSpan, visible.empty(), rules);
-    const double                  line = lineDepth(plane, y, rules);
+    const auto                    line = LineDepths(plane, y, rules).here();
     PixelKey*                     row  = visible.row(y);
     for (int x = x0; x < x1; x += laneCount()) {
         const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
@@ -306,7 +333,7 @@ void storeSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0,
                const Rules& rules)
 {
     const DepthTest<Keep::Nearest, Rules> test(plane, rankOfSpan, visible.empty(), rules);
-    const double                          line = lineDepth(plane, y, rules);
+    const auto                            line = LineDepths(plane, y, rules).here();
     PixelKey*                             row  = visible.row(y);
     for (int x = x0; x < x1; x += laneCount()) test.store(test.column(x, x0), line, x1 - x, row + x);
 }

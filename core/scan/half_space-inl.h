@@ -261,11 +261,12 @@ private:
     static Keys fillWholeTile(const ScreenTriangle& triangle, const DepthTest<kKeep, Rules>& test, Vec64 column, int x, int y, int end,
                               const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
-        const DepthPlane plane = triangle.depth;
-        PixelKey*        row   = visible.row(y) + x;
-        auto             least = hn::Set(I64(), kNearestKey);
-        for (; y < end; ++y, row += visible.stride())
-            least = hn::Min(least, test.offer(column, lineDepth(plane, y, rules), allLanes(), row, x, y, fragments, probe));
+        const std::ptrdiff_t stride = visible.stride();
+        PixelKey*            row    = visible.row(y) + x;
+        LineDepths           lines(triangle.depth, y, rules);
+        auto                 least = hn::Set(I64(), kNearestKey);
+        for (; y < end; ++y, row += stride, lines.toNext())
+            least = hn::Min(least, test.offer(column, lines.here(), allLanes(), row, x, y, fragments, probe));
         return least;
     }
 
@@ -285,12 +286,13 @@ private:
         auto       e0 = start(planes[0]), e1 = start(planes[1]), e2 = start(planes[2]);
         const auto down0 = hn::Set(d64, planes[0].perLine), down1 = hn::Set(d64, planes[1].perLine),
                    down2 = hn::Set(d64, planes[2].perLine);
-        const DepthPlane plane = triangle.depth;
-        PixelKey*        row   = visible.row(y) + x;
-        for (; y < end; ++y, row += visible.stride()) {
+        const std::ptrdiff_t stride = visible.stride();
+        PixelKey*            row    = visible.row(y) + x;
+        LineDepths           lines(triangle.depth, y, rules);
+        for (; y < end; ++y, row += stride, lines.toNext()) {
             const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
             if (!hn::AllFalse(d64, inside))
-                least = hn::Min(least, test.offer(column, lineDepth(plane, y, rules), inside, row, x, y, fragments, probe));
+                least = hn::Min(least, test.offer(column, lines.here(), inside, row, x, y, fragments, probe));
             else if (sees)
                 least = hn::Min(least, hn::LoadU(I64(), row));
             e0 = e0 + down0;

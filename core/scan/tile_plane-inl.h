@@ -32,9 +32,10 @@ void storeTile(VisibilityBuffer& visible, const PixelBox& tile, const TilePlane&
     const std::size_t     vectors  = (static_cast<std::size_t>(tile.x1 - tile.x0) + hn::Lanes(F64()) - 1) / hn::Lanes(F64());
     std::array<Vec64, kVectors> columns;
     for (std::size_t i = 0; i < kVectors; ++i) columns[i] = test.column(tile.x0 + static_cast<int>(i) * laneCount(), tile.x0);
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        const double line = plane.depth.b * (y + 0.5) + plane.depth.c;
-        PixelKey*    row  = visible.row(y) + tile.x0;
+    LineDepths lines(plane.depth, tile.y0, rules);
+    for (int y = tile.y0; y < tile.y1; ++y, lines.toNext()) {
+        const auto line = lines.here();
+        PixelKey*  row  = visible.row(y) + tile.x0;
         for (std::size_t i = 0; i < vectors; ++i, row += laneCount()) {  // the last may reach into the padding of the row
             if constexpr (kLast)
                 hn::Stream(test.keys(columns[i], line), I64(), row);
