@@ -3,7 +3,7 @@
 // Edges      values are integers below 2^53 (core/geometry/half_plane.h), so float64 lanes hold them exactly
 // Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments are shaded
 // Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when something is drawn to
-//            it, and those along the pyramid's. A tile wholly on the outer side of one edge is skipped, one on the inner side
+//            it, and those along the pyramid's, which are judged side by side. A tile wholly on the outer side of one edge is skipped, one on the inner side
 //            of all edges needs no edge values, and one that is covered whole may be kept as a plane (tile_plane-inl.h)
 // Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped (at full speed; whoever listens
 //            sees its pixels lose), and one whose pixels are all gone over tells its farthest depth, which was in registers anyway

@@ -16,6 +16,18 @@ namespace {
 
 constexpr float kEmpty = 0.0009765f;
 
+int tilesRead = 0;
+
+/// As whoever draws would read a tile, with one lane.
+PixelKey leastKey(const PixelKey* first, std::ptrdiff_t stride, int lines)
+{
+    ++tilesRead;
+    PixelKey least = *first;
+    for (int y = 0; y < lines; ++y)
+        for (int x = 0; x < 1 << Pyramid::kTileLevel; ++x) least = std::min(least, first[y * stride + x]);
+    return least;
+}
+
 /// Depths and the pyramid over the lines [firstRow, endRow) of them. Lines outside hold the farthest depth, or the
 /// nearest: whatever they hold, no answer may depend on it.
 struct Screen {
@@ -26,6 +38,7 @@ struct Screen {
         for (int y = 0; y < height; ++y)
             if (y < firstRow || y >= endRow) std::fill_n(visible.row(y), width, keyOf(outside, 0));
         pyramid.reset(visible, firstRow, endRow);
+        pyramid.readTilesBy(leastKey);
     }
     Screen(int width, int height) : Screen(width, height, 0, height, 0) {}
 
@@ -170,6 +183,32 @@ TEST(Pyramid, ATileDrawnOverAsAWholeHidesWithoutItsPixelsBeingReadAgain)
     EXPECT_EQ(told[0].after, 0.6f);
     EXPECT_TRUE(screen.pyramid.hidesTile(15, 15, 0.59f));
     EXPECT_FALSE(screen.pyramid.hidesTile(15, 15, 0.6f)) << "on equal depth the lower id wins";
+}
+
+TEST(Pyramid, TilesOfFullWidthAreReadByWhoDrawsAndTheOthersPixelByPixel)
+{
+    Screen screen(21, 27), onItsOwn(21, 27);  // two columns of tiles are 8 pixels wide, the third has 5; the last of four lines of them has 3 lines
+    onItsOwn.pyramid.readTilesBy(nullptr);
+    Random random(3);
+    for (int i = 0; i < 40; ++i) {
+        const PixelBox box   = i == 0 ? screen.region() : screen.anyBox(random);
+        const auto     depth = static_cast<float>(1 + random.below(100)) / 100;
+        screen.draw(box, depth);
+        onItsOwn.draw(box, depth);
+    }
+    tilesRead = 0;
+    screen.pyramid.complete();
+    EXPECT_EQ(tilesRead, 2 * 4);
+    onItsOwn.pyramid.complete();
+    EXPECT_EQ(tilesRead, 2 * 4);
+    for (int level = Pyramid::kTileLevel; level < screen.pyramid.levels(); ++level) {
+        const auto stored = screen.pyramid.stored(level), expected = onItsOwn.pyramid.stored(level);
+        for (int y = 0; y < stored.height; ++y)
+            for (int x = 0; x < stored.width; ++x) {
+                EXPECT_EQ(stored.at(x, y), expected.at(x, y)) << level << ": " << x << ' ' << y;
+                EXPECT_EQ(stored.at(x, y), screen.farthest(screen.cell(level, x, y))) << level << ": " << x << ' ' << y;
+            }
+    }
 }
 
 TEST(Pyramid, TilesThatWereSeenAreNoLongerStaleAndTheirAncestorsAre)
