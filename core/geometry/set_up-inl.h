@@ -23,6 +23,7 @@
 #include <hwy/highway.h>
 
 #include "core/geometry/corner_rows-inl.h"
+#include "core/geometry/lane_order-inl.h"
 #include "core/geometry/set_up.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -127,7 +128,7 @@ private:
             const auto id   = hn::LoadU(hn::RebindToUnsigned<D>(), m_place.mesh.meshTriangle.data() + t);
             const auto kind = hn::IfThenElse(isBack, all(TriangleList::kCompact), all(TriangleList::kCompact | TriangleList::kFront));
             // The order that puts them side by side, found once: to compress each column by itself costs more.
-            const auto order = hn::IndicesFromVec(D(), hn::Compress(hn::Iota(D(), 0), kept));
+            const auto order = hn::IndicesFromVec(D(), keptFirst(D(), kept));
             const auto keep  = [&](V values, auto& column) HWY_ATTR {
                 hn::StoreU(hn::TableLookupLanes(values, order), D(), reinterpret_cast<std::int32_t*>(column.data()) + m_out.count);
             };

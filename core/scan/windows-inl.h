@@ -25,6 +25,7 @@
 
 #include <hwy/cache_control.h>
 
+#include "core/geometry/lane_order-inl.h"
 #include "core/geometry/triangle_list.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/window_list.h"
@@ -162,7 +163,7 @@ private:
     /// Those of these windows that `kept` names; `places` as in WindowList.
     void append(hn::Mask<D> kept, hn::Vec<DU> owners, hn::Vec<DU> places, const Edges& edges)
     {
-        const auto lanes = hn::Compress(hn::Iota(D(), 0), kept);
+        const auto lanes = keptFirst(D(), kept);
         const auto put   = [&](auto d, auto values, auto& column) HWY_ATTR {
             hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, lanes)), d, column.data() + m_list.count);
         };
@@ -353,16 +354,15 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
                 const auto covered = hn::And(hn::And(inside, exists), isDrawn);
                 if (hn::AllFalse(i32, covered)) continue;
                 const auto z    = hn::Min(hn::Max(hn::DemoteTo(f32, a * (centreX + hn::Set(d64, right)) + line), farthest), nearest);
-                const auto kept = hn::RebindMask(u32, covered);
                 const auto here  = place + hn::Set(u32, static_cast<std::uint32_t>(right + (down << 16)));
-                const auto order = hn::IndicesFromVec(u32, hn::Compress(hn::Iota(u32, 0), kept));
+                const auto order = hn::IndicesFromVec(u32, keptFirst(i32, covered));
                 const auto put   = [&](hn::Vec<U32> values, std::vector<std::uint32_t>& column) HWY_ATTR {
                     hn::StoreU(hn::TableLookupLanes(values, order), u32, column.data() + samples.count);
                 };
                 put(hn::BitCast(u32, z), samples.upper);
                 put(lower, samples.lower);
                 put(here, samples.places);
-                samples.count += hn::CountTrue(u32, kept);
+                samples.count += hn::CountTrue(i32, covered);
             }
         }
     }
