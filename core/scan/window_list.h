@@ -38,21 +38,17 @@ struct WindowList {
 
 struct SampleList {
     // Entry i is sample i.
-    std::size_t                count = 0;
-    std::vector<std::uint32_t> upper, lower;  // halves of keys
-    std::vector<std::uint32_t> places;        // x + 65536 y
+    std::vector<std::uint32_t> uppers, lowers;  // halves of keys
+    std::vector<std::uint32_t> places;          // its pixel's place among the keys
 
-    void clear() { count = 0; }
-
-    /// Room for so many samples in all, and for whole vectors behind them.
+    /// Room for so many samples, and for whole vectors behind them.
     void reserve(std::size_t samples)
     {
-        if (upper.size() >= samples + kBatchPadding) return;
-        for (auto* column : {&upper, &lower, &places}) column->resize(samples + kBatchPadding);
+        if (uppers.size() >= samples + kBatchPadding) return;
+        for (auto* column : {&uppers, &lowers, &places}) column->resize(samples + kBatchPadding);
     }
 
-    PixelKey    key(std::size_t i) const { return static_cast<PixelKey>(std::uint64_t{upper[i]} << 32 | lower[i]); }
-    std::size_t bytes() const { return 3 * upper.capacity() * sizeof(std::uint32_t); }
+    std::size_t bytes() const { return 3 * uppers.capacity() * sizeof(std::uint32_t); }
 };
 
 }  // namespace zscope

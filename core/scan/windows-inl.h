@@ -315,6 +315,9 @@ HWY_INLINE bool wins(PixelKey offered, PixelKey held, [[maybe_unused]] float emp
     return offered >> 32 == held >> 32 && (offered > held || isNobodys) && offered > keyOf(empty, 0);
 }
 
+/// Pixels are fetched so many windows or samples before they are tested: triangles come in any order, and memory answers late.
+inline constexpr std::size_t kFetchedAhead = 16;
+
 /// The tiny triangles among [first, end), from their edges to the picture.
 template <Keep kKeep, class Probe>
 void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples, VisibilityBuffer& visible,
@@ -324,8 +327,13 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     const F32 f32;
     const I32 i32;
     const U32 u32;
-    samples.clear();
     samples.reserve(kTinySide * kTinySide * (end - first));
+    PixelKey* const      picture = visible.row(0);
+    const auto           stride  = static_cast<std::uint32_t>(visible.stride());
+    std::uint32_t* const uppers  = samples.uppers.data();
+    std::uint32_t* const lowers  = samples.lowers.data();
+    std::uint32_t* const places  = samples.places.data();
+    std::size_t          count   = 0;
     for (std::size_t i = first; i < end; i += hn::Lanes(d64)) {
         const auto load   = [i](const TriangleList::Column<std::int32_t>& column) HWY_ATTR { return hn::LoadU(I32(), column.data() + i); };
         const auto kind   = hn::And(load(triangles.kind), hn::Set(i32, TriangleList::kPatterned | TriangleList::kCompact | TriangleList::kHidden));
@@ -339,7 +347,7 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         const auto rank  = hn::LoadU(u32, triangles.id.data() + i) + hn::Set(u32, 1);
         const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::Not(rank);
         const auto centreX = hn::PromoteTo(d64, load(triangles.x0)) + hn::Set(d64, 0.5), centreY = hn::PromoteTo(d64, load(triangles.top)) + hn::Set(d64, 0.5);
-        const auto place   = hn::BitCast(u32, load(triangles.x0) + hn::ShiftLeft<16>(load(triangles.top)));
+        const auto place   = hn::BitCast(u32, load(triangles.x0)) + hn::BitCast(u32, load(triangles.top)) * hn::Set(u32, stride);
         for (int down = 0; down < kTinySide; ++down) {
             const auto line = b * (centreY + hn::Set(d64, down)) + c;
             for (int right = 0; right < kTinySide; ++right) {
@@ -352,44 +360,37 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
                 const auto inside  = hn::RebindMask(i32, hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(f32));
                 const auto exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
                 const auto covered = hn::And(hn::And(inside, exists), isDrawn);
-                if (hn::AllFalse(i32, covered)) continue;
-                const auto z    = hn::Min(hn::Max(hn::DemoteTo(f32, a * (centreX + hn::Set(d64, right)) + line), farthest), nearest);
-                const auto here  = place + hn::Set(u32, static_cast<std::uint32_t>(right + (down << 16)));
+                const auto z     = hn::Min(hn::Max(hn::DemoteTo(f32, a * (centreX + hn::Set(d64, right)) + line), farthest), nearest);
+                const auto here  = place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
                 const auto order = hn::IndicesFromVec(u32, keptFirst(i32, covered));
-                const auto put   = [&](hn::Vec<U32> values, std::vector<std::uint32_t>& column) HWY_ATTR {
-                    hn::StoreU(hn::TableLookupLanes(values, order), u32, column.data() + samples.count);
+                const auto put   = [&](hn::Vec<U32> values, std::uint32_t* column) HWY_ATTR {
+                    hn::StoreU(hn::TableLookupLanes(values, order), u32, column + count);
                 };
-                put(hn::BitCast(u32, z), samples.upper);
-                put(lower, samples.lower);
-                put(here, samples.places);
-                samples.count += hn::CountTrue(i32, covered);
+                put(hn::BitCast(u32, z), uppers);
+                put(lower, lowers);
+                put(here, places);
+                count += hn::CountTrue(i32, covered);
             }
         }
     }
 
-    PixelKey* const      picture = visible.row(0);
-    const std::ptrdiff_t stride  = visible.stride();
-    const float          empty   = visible.empty();
-    const std::size_t    count   = samples.count;
+    const float empty = visible.empty();
     for (std::size_t i = 0; i < count; ++i) {
-        const std::ptrdiff_t x = samples.places[i] & 0xFFFF, y = samples.places[i] >> 16;
-        const PixelKey       offered = samples.key(i);
-        PixelKey&            held    = picture[y * stride + x];
-        const bool           won     = wins<kKeep>(offered, held, empty);
+        hwy::Prefetch(picture + places[std::min(i + kFetchedAhead, count - 1)]);
+        const auto     offered = static_cast<PixelKey>(std::uint64_t{uppers[i]} << 32 | lowers[i]);
+        PixelKey&      held    = picture[places[i]];
+        const bool     won     = wins<kKeep>(offered, held, empty);
         if constexpr (Probe::listens) {
             assert(end - first == 1);
             const PixelKey rival = held;
             if (won) held = offered;
-            probe(PixelTested{static_cast<int>(x), static_cast<int>(y), TriangleId{triangles.id[first]}, depthOf(offered), won, rankOf(rival),
-                              depthOf(rival), kKeep, false, false});
+            probe(PixelTested{static_cast<int>(places[i] % stride), static_cast<int>(places[i] / stride), TriangleId{triangles.id[first]},
+                              depthOf(offered), won, rankOf(rival), depthOf(rival), kKeep, false, false});
         } else {
             held = won ? offered : held;
         }
     }
 }
-
-/// Pixels are fetched so many windows before they are tested: triangles come in any order, and memory answers late.
-inline constexpr std::size_t kFetchedAhead = 16;
 
 /// Works the list off and empties it.
 template <Keep kKeep, class Probe>
