@@ -128,24 +128,25 @@ private:
             const auto id   = hn::LoadU(hn::RebindToUnsigned<D>(), m_place.mesh.meshTriangle.data() + t);
             const auto kind = hn::IfThenElse(isBack, all(TriangleList::kCompact), all(TriangleList::kCompact | TriangleList::kFront));
             // The order that puts them side by side, found once: to compress each column by itself costs more.
-            const auto order = hn::IndicesFromVec(D(), keptFirst(D(), kept));
-            const auto keep  = [&](V values, auto& column) HWY_ATTR {
-                hn::StoreU(hn::TableLookupLanes(values, order), D(), reinterpret_cast<std::int32_t*>(column.data()) + m_out.count);
+            const auto        order = hn::IndicesFromVec(D(), keptFirst(D(), kept));
+            TriangleList&     out   = m_out;  // read before the first store, which could change it for all the compiler knows
+            const std::size_t count = out.count;
+            const auto        keep  = [&, order, count](V values, auto& column) HWY_ATTR {
+                hn::StoreU(hn::TableLookupLanes(values, order), D(), reinterpret_cast<std::int32_t*>(column.data()) + count);
             };
-            keep(x[0], m_out.sx[0]), keep(hn::IfThenElse(isBack, x[1], x[2]), m_out.sx[1]), keep(hn::IfThenElse(isBack, x[2], x[1]), m_out.sx[2]);
-            keep(y[0], m_out.sy[0]), keep(hn::IfThenElse(isBack, y[1], y[2]), m_out.sy[1]), keep(hn::IfThenElse(isBack, y[2], y[1]), m_out.sy[2]);
-            for (std::size_t k = 0; k < 3; ++k) keep(vertex[k], m_out.vertex[k]);
-            keep(left, m_out.x0), keep(above, m_out.y0), keep(right, m_out.x1), keep(below, m_out.y1);
-            keep(top, m_out.top);
-            keep(kind, m_out.kind);
-            keep(hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle)), m_out.id);
+            keep(x[0], out.sx[0]), keep(hn::IfThenElse(isBack, x[1], x[2]), out.sx[1]), keep(hn::IfThenElse(isBack, x[2], x[1]), out.sx[2]);
+            keep(y[0], out.sy[0]), keep(hn::IfThenElse(isBack, y[1], y[2]), out.sy[1]), keep(hn::IfThenElse(isBack, y[2], y[1]), out.sy[2]);
+            for (std::size_t k = 0; k < 3; ++k) keep(vertex[k], out.vertex[k]);
+            keep(left, out.x0), keep(above, out.y0), keep(right, out.x1), keep(below, out.y1);
+            keep(top, out.top);
+            keep(kind, out.kind);
+            keep(hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle)), out.id);
             const auto grow = [&](V& least, V& most, V from, V to) HWY_ATTR {
                 least = hn::Min(least, hn::IfThenElse(kept, from, least)), most = hn::Max(most, hn::IfThenElse(kept, to, most));
             };
             grow(m_left, m_right, left, right), grow(m_above, m_below, above, below);
-            const std::size_t before = m_out.count;
-            m_out.count += hn::CountTrue(D(), kept);
-            if (!m_place.mesh.patterned.empty()) markPatterned(t, kept, before);
+            out.count = count + hn::CountTrue(D(), kept);
+            if (!m_place.mesh.patterned.empty()) markPatterned(t, kept, count);
         }
         if constexpr (Probe::listens) {
             static_assert(!Probe::listens || hn::MaxLanes(D()) == 1, "a run that is listened to uses one lane");

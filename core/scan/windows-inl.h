@@ -164,13 +164,16 @@ private:
     void append(hn::Mask<D> kept, hn::Vec<DU> owners, hn::Vec<DU> places, const Edges& edges)
     {
         const auto lanes = keptFirst(D(), kept);
-        const auto put   = [&](auto d, auto values, auto& column) HWY_ATTR {
-            hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, lanes)), d, column.data() + m_list.count);
-        };
-        put(DU(), owners, m_list.owners);
-        put(DU(), places, m_list.places);
-        for (std::size_t k = 0; k < 3; ++k) put(DF(), edges[k], m_list.edges[k]);
-        m_list.count += hn::CountTrue(D(), kept);
+        const auto put   = [&](auto d, auto values, auto* to) HWY_ATTR { hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, lanes)), d, to); };
+        // Where they go is read before the first store, which could change it for all the compiler knows.
+        const std::size_t           at = m_list.count;
+        std::uint32_t* const        toOwners = m_list.owners.data() + at;
+        std::uint32_t* const        toPlaces = m_list.places.data() + at;
+        const std::array<float*, 3> toEdges{m_list.edges[0].data() + at, m_list.edges[1].data() + at, m_list.edges[2].data() + at};
+        put(DU(), owners, toOwners);
+        put(DU(), places, toPlaces);
+        for (std::size_t k = 0; k < 3; ++k) put(DF(), edges[k], toEdges[k]);
+        m_list.count = at + hn::CountTrue(D(), kept);
     }
 
     const TriangleList& m_triangles;
