@@ -69,7 +69,7 @@ struct TileUpkeep {
     bool isKept() const { return pyramid && pyramid->takesTiles(); }
     /// Of the tile that holds (x, y), if isKept(). Whoever listens gets no yes: they see its pixels tested one by one, and lose.
     bool hides(int x, int y, float nearest) const { return !Probe::listens && pyramid->hidesTile(x, y, nearest); }
-    void drawnTile(const PixelBox& tile, float farthest) const { pyramid->drawnTile(tile.x0, tile.y0, farthest, tellingOfCells(probe)); }
+    void drawnTile(int x, int y, float farthest) const { pyramid->drawnTile(x, y, farthest, tellingOfCells(probe)); }
     /// The same of tiles side by side, the first of which holds (x, y).
     void drawnTiles(int x, int y, std::span<const float> farthest) const { pyramid->drawnTiles(x, y, farthest, tellingOfCells(probe)); }
     void touched(const PixelBox& box) const

@@ -183,12 +183,15 @@ private:
                                VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
-        const Parts parts  = judgeParts(stored, isInside, edges);
-        const auto  nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
-        bool        isOpen  = false;
+        const Parts   parts   = judgeParts(stored, isInside, edges);
+        const auto    nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
+        bool          isOpen  = false;
+        std::uint32_t seen    = 0;  // parts whose farthest depth is known, but not yet told
+        Depths        farthest;
+        const auto    leftOf = [tileLeft = stored.x0 & -VisibilityBuffer::kTileWidth](unsigned part) { return tileLeft + static_cast<int>(part) * kTile; };
         for (std::uint32_t reached = parts.reached; reached != 0; reached &= reached - 1) {
             const auto part = static_cast<unsigned>(std::countr_zero(reached));
-            const int  left = (stored.x0 & -VisibilityBuffer::kTileWidth) + static_cast<int>(part) * kTile;
+            const int  left = leftOf(part);
             if (upkeep.isKept() && upkeep.hides(left, stored.y0, nearest[part])) continue;
             const PixelBox here{std::max(left, stored.x0), stored.y0, std::min(left + kTile, stored.x1), stored.y1};
             if (!isOpen) openTiles(visible, here);
@@ -206,10 +209,18 @@ private:
                 else
                     least = hn::Min(least, fillTile(triangle, edges, test, column, x, here.y0, here.y1, sees, fragments, visible, rules, probe));
             }
-            if (sees)
-                upkeep.drawnTile(here, farthestOf(least));
-            else
+            if (!sees) {
                 upkeep.touched(here);
+            } else if (Probe::listens) {
+                upkeep.drawnTile(here.x0, here.y0, farthestOf(least));
+            } else {  // when all of them are drawn: what becomes of one would be waited for, and the next one's pixels not fetched meanwhile
+                farthest[part] = farthestOf(least);
+                seen |= 1u << part;
+            }
+        }
+        for (; seen != 0; seen &= seen - 1) {
+            const auto part = static_cast<unsigned>(std::countr_zero(seen));
+            upkeep.drawnTile(leftOf(part), stored.y0, farthest[part]);
         }
     }
 
