@@ -47,7 +47,7 @@ inline void baseColoursFromTable(const PixelKey* keys, int width, const std::uin
             hn::StoreU(hn::Set(u32, table[first]), u32, colour + x);
             continue;
         }
-        hn::StoreU(hn::GatherIndex(u32, table, hn::BitCast(hn::RebindToSigned<decltype(u32)>(), ranks)), u32, colour + x);
+        for (int i = 0; i < lanes; ++i) colour[x + i] = table[rankOf(keys[x + i])];
     }
     for (; x < width; ++x) colour[x] = table[rankOf(keys[x])];
 }
