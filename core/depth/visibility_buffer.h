@@ -78,6 +78,8 @@ public:
             for (int x = 0; x < m_tiles.width(); ++x)
                 if (m_tiles.at(x, y) == Tile::Plane) openTile(x, y, store);
     }
+    /// First column of the tile that holds column x.
+    static int leftOfTile(int x) { return x / kTileWidth * kTileWidth; }
     int tileColumns() const { return m_tiles.width(); }
     int tileRows() const { return m_tiles.height(); }
     /// False if nothing was drawn to the tile of the pixel, which is background then.

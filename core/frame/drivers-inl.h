@@ -312,11 +312,11 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                             : pipeline.depth == DepthMoment::Late ? ShadingMoment::BeforeTest
                                                                   : ShadingMoment::AfterTest;
 
+    scratch.pyramid.readTilesBy(leastKeyOfTile);
     probe(StageStarted{Stage::Clear});
     beginPicture<Rules, Probe>(stripe);
     if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
     const bool asksLast  = pipeline.coherence == Coherence::LastPyramid;
-    scratch.pyramid.readTilesBy(leastKeyOfTile);
     const bool continues = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
     if ((hasPyramid || hasTiles) && !continues)
         scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault, pipeline.upkeep == Upkeep::Masked);

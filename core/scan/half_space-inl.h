@@ -3,8 +3,9 @@
 // Edges      values are integers below 2^53 (core/geometry/half_plane.h), so float64 lanes hold them exactly
 // Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments are shaded
 // Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when something is drawn to
-//            it, and those along the pyramid's, which are judged side by side. A tile wholly on the outer side of one edge is skipped, one on the inner side
-//            of all edges needs no edge values, and one that is covered whole may be kept as a plane (tile_plane-inl.h)
+//            it, and those along the pyramid's, which are judged side by side. A tile wholly on the outer side of one edge is
+//            skipped, one on the inner side of all edges needs no edge values, and one that is covered whole may be kept as a plane
+//            (tile_plane-inl.h)
 // Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped (at full speed; whoever listens
 //            sees its pixels lose), and one whose pixels are all gone over tells its farthest depth, which was in registers anyway
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
@@ -148,7 +149,7 @@ private:
     {
         const F64 d64;
         Parts     parts;
-        const int tileLeft = (box.x0 & -VisibilityBuffer::kTileWidth) - edges.x0;
+        const int tileLeft = VisibilityBuffer::leftOfTile(box.x0) - edges.x0;
         for (std::size_t i = 0; i < kParts; i += hn::Lanes(d64)) {
             const auto left  = hn::Iota(d64, static_cast<double>(i)) * hn::Set(d64, kTile) + hn::Set(d64, tileLeft);
             const auto first = hn::Max(left, hn::Set(d64, box.x0 - edges.x0)), last = hn::Min(left + hn::Set(d64, kTile - 1), hn::Set(d64, box.x1 - 1 - edges.x0));
@@ -176,7 +177,8 @@ private:
         return all;
     }
 
-    /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
+    /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid. At full speed these are told of when all of
+    /// them are drawn, so that the pixels of one need not arrive before those of the next are asked for.
     template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
     static void fillStoredTile(const PixelBox& stored, bool isInside, const ScreenTriangle& triangle, const Edges& edges,
                                const DepthTest<kKeep, Rules>& test, const Fragments& fragments, const Upkeep& upkeep,
@@ -187,8 +189,8 @@ private:
         const auto    nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
         bool          isOpen  = false;
         std::uint32_t seen    = 0;  // parts whose farthest depth is known, but not yet told
-        Depths        farthest;
-        const auto    leftOf = [tileLeft = stored.x0 & -VisibilityBuffer::kTileWidth](unsigned part) { return tileLeft + static_cast<int>(part) * kTile; };
+        Depths        farthest{};
+        const auto    leftOf = [&](unsigned part) { return VisibilityBuffer::leftOfTile(stored.x0) + static_cast<int>(part) * kTile; };
         for (std::uint32_t reached = parts.reached; reached != 0; reached &= reached - 1) {
             const auto part = static_cast<unsigned>(std::countr_zero(reached));
             const int  left = leftOf(part);
@@ -213,7 +215,7 @@ private:
                 upkeep.touched(here);
             } else if (Probe::listens) {
                 upkeep.drawnTile(here.x0, here.y0, farthestOf(least));
-            } else {  // when all of them are drawn: what becomes of one would be waited for, and the next one's pixels not fetched meanwhile
+            } else {
                 farthest[part] = farthestOf(least);
                 seen |= 1u << part;
             }

@@ -66,7 +66,7 @@ auto depthsAlong(const DepthPlane& plane, const PixelBox& box)
     HWY_ALIGN std::array<float, VisibilityBuffer::kTileWidth / kSide> depths;
     const F64    d64;
     const bool   isRight = (plane.a > 0) == kNearest, isLow = (plane.b > 0) == kNearest;
-    const double first = (box.x0 & -VisibilityBuffer::kTileWidth) + (isRight ? kSide - 0.5 : 0.5);
+    const double first = VisibilityBuffer::leftOfTile(box.x0) + (isRight ? kSide - 0.5 : 0.5);
     const double line  = plane.b * ((isLow ? box.y1 - 1 : box.y0) + 0.5) + plane.c;
     for (std::size_t i = 0; i < depths.size(); i += hn::Lanes(d64)) {
         const auto inTile = hn::Iota(d64, static_cast<double>(i)) * hn::Set(d64, kSide) + hn::Set(d64, first);
