@@ -1,8 +1,8 @@
 // The order that brings chosen lanes of a vector side by side, to be found once and used for every column.
 //
-// Promise    the same order in every instruction set
-// Cost       one instruction where the machine has it, one load from a table where it has not: Highway 1.0.3 copies its own table to
-//            the stack at each call there, because it is no static one (docs/performance.md)
+// Promise    the same order of the chosen lanes in every instruction set
+// Cost       one instruction where the machine has it, one load from a table of 2 KB where it has not: Highway 1.0.3 copies its own
+//            table to the stack at each call there, because it is no static one (docs/performance.md)
 #if defined(ZSCOPE_LANE_ORDER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_LANE_ORDER_INL_H
 #undef ZSCOPE_LANE_ORDER_INL_H

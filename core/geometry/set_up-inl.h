@@ -129,7 +129,8 @@ private:
             const auto kind = hn::IfThenElse(isBack, all(TriangleList::kCompact), all(TriangleList::kCompact | TriangleList::kFront));
             // The order that puts them side by side, found once: to compress each column by itself costs more.
             const auto        order = hn::IndicesFromVec(D(), keptFirst(D(), kept));
-            TriangleList&     out   = m_out;  // read before the first store, which could change it for all the compiler knows
+            // Read before the first store, which could change them for all the compiler knows.
+            TriangleList&     out   = m_out;
             const std::size_t count = out.count;
             const auto        keep  = [&, order, count](V values, auto& column) HWY_ATTR {
                 hn::StoreU(hn::TableLookupLanes(values, order), D(), reinterpret_cast<std::int32_t*>(column.data()) + count);

@@ -166,7 +166,7 @@ private:
         const auto lanes = keptFirst(D(), kept);
         const auto put   = [&](auto d, auto values, auto* to) HWY_ATTR { hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, lanes)), d, to); };
         // Where they go is read before the first store, which could change it for all the compiler knows.
-        const std::size_t           at = m_list.count;
+        const std::size_t           at       = m_list.count;
         std::uint32_t* const        toOwners = m_list.owners.data() + at;
         std::uint32_t* const        toPlaces = m_list.places.data() + at;
         const std::array<float*, 3> toEdges{m_list.edges[0].data() + at, m_list.edges[1].data() + at, m_list.edges[2].data() + at};
@@ -380,9 +380,9 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     const float empty = visible.empty();
     for (std::size_t i = 0; i < count; ++i) {
         hwy::Prefetch(picture + places[std::min(i + kFetchedAhead, count - 1)]);
-        const auto     offered = static_cast<PixelKey>(std::uint64_t{uppers[i]} << 32 | lowers[i]);
-        PixelKey&      held    = picture[places[i]];
-        const bool     won     = wins<kKeep>(offered, held, empty);
+        const auto offered = static_cast<PixelKey>(std::uint64_t{uppers[i]} << 32 | lowers[i]);
+        PixelKey&  held    = picture[places[i]];
+        const bool won     = wins<kKeep>(offered, held, empty);
         if constexpr (Probe::listens) {
             assert(end - first == 1);
             const PixelKey rival = held;
