@@ -60,7 +60,9 @@ struct TriangleList {
     // Of compact triangles.
     alignas(64) Column<std::int32_t> top;                               // first line of their windows
     alignas(64) std::array<Column<float>, 3> origin, perPixel, perLine;  // edges, counted from pixel (x0, top)
-    alignas(64) std::array<Column<std::int32_t>, 3> vertex;             // corners as they were given: positions in the batch
+    // Corners as they were given: positions in the batch. All entries are, from the first on: the lanes of a vector that lie beyond the last
+    // triangle look their corners up like the others.
+    alignas(64) std::array<Column<std::int32_t>, 3> vertex{};
 
     bool isEmpty() const { return count == 0; }
     void clear() { count = 0, compactReach = {}; }
