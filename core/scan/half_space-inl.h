@@ -177,23 +177,19 @@ private:
         return all;
     }
 
-    /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid. At full speed these are told of when all of
-    /// them are drawn, so that the pixels of one need not arrive before those of the next are asked for.
+    /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
     template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
     static void fillStoredTile(const PixelBox& stored, bool isInside, const ScreenTriangle& triangle, const Edges& edges,
                                const DepthTest<kKeep, Rules>& test, const Fragments& fragments, const Upkeep& upkeep,
                                VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
-        const Parts   parts   = judgeParts(stored, isInside, edges);
-        const auto    nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
-        bool          isOpen  = false;
-        std::uint32_t seen    = 0;  // parts whose farthest depth is known, but not yet told
-        Depths        farthest{};
-        const auto    leftOf = [&](unsigned part) { return VisibilityBuffer::leftOfTile(stored.x0) + static_cast<int>(part) * kTile; };
+        const Parts parts   = judgeParts(stored, isInside, edges);
+        const auto  nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
+        bool        isOpen  = false;
         for (std::uint32_t reached = parts.reached; reached != 0; reached &= reached - 1) {
             const auto part = static_cast<unsigned>(std::countr_zero(reached));
-            const int  left = leftOf(part);
+            const int  left = VisibilityBuffer::leftOfTile(stored.x0) + static_cast<int>(part) * kTile;
             if (upkeep.isKept() && upkeep.hides(left, stored.y0, nearest[part])) continue;
             const PixelBox here{std::max(left, stored.x0), stored.y0, std::min(left + kTile, stored.x1), stored.y1};
             if (!isOpen) openTiles(visible, here);
@@ -211,18 +207,10 @@ private:
                 else
                     least = hn::Min(least, fillTile(triangle, edges, test, column, x, here.y0, here.y1, sees, fragments, visible, rules, probe));
             }
-            if (!sees) {
+            if (sees)
+                upkeep.drawnTile(left, here.y0, farthestOf(least));
+            else
                 upkeep.touched(here);
-            } else if (Probe::listens) {
-                upkeep.drawnTile(here.x0, here.y0, farthestOf(least));
-            } else {
-                farthest[part] = farthestOf(least);
-                seen |= 1u << part;
-            }
-        }
-        for (; seen != 0; seen &= seen - 1) {
-            const auto part = static_cast<unsigned>(std::countr_zero(seen));
-            upkeep.drawnTile(leftOf(part), stored.y0, farthest[part]);
         }
     }
 

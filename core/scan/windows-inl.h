@@ -263,13 +263,23 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
     const auto farthest = hn::Set(f32, triangles.farthest[t]), nearest = hn::Set(f32, triangles.nearest[t]);
     const auto left = hn::Set(d64, window.centreX), above = hn::Set(d64, window.centreY);
 
+    const auto perPixel = [&](std::size_t k) HWY_ATTR { return hn::Set(f32, triangles.perPixel[k][t]); };
+    const auto perLine  = [&](std::size_t k) HWY_ATTR { return hn::Set(f32, triangles.perLine[k][t]); };
+    const auto lower    = lowerHalf<kKeep>(triangles.id[t] + 1);
+
+    // Of the first pass; the others are reached from there: whole numbers, exact on any way.
+    const auto toRight = hn::Load(f32, kPassLanes32.right.data()), toDown = hn::Load(f32, kPassLanes32.down.data());
+    const auto edgeOf  = [&](std::size_t k) HWY_ATTR {
+        return hn::MulAdd(toDown, perLine(k), hn::MulAdd(toRight, perPixel(k), hn::Set(f32, window.edges[k])));
+    };
+    std::array<hn::Vec<Pass32>, 3> edges{edgeOf(0), edgeOf(1), edgeOf(2)};
+
     for (int line = 0; line < kWindowSide; line += kPassLines) {
+        if (line > 0)
+            for (std::size_t k = 0; k < 3; ++k) edges[k] = hn::MulAdd(hn::Set(f32, kPassLines), perLine(k), edges[k]);
         for (int column = 0; column < kWindowSide; column += kPassColumns) {
-            const auto toRight = hn::Load(f32, kPassLanes32.right.data()) + hn::Set(f32, static_cast<float>(column));
-            const auto toDown  = hn::Load(f32, kPassLanes32.down.data()) + hn::Set(f32, static_cast<float>(line));
-            const auto edge    = [&](std::size_t k) HWY_ATTR {
-                return hn::MulAdd(toDown, hn::Set(f32, triangles.perLine[k][t]),
-                                  hn::MulAdd(toRight, hn::Set(f32, triangles.perPixel[k][t]), hn::Set(f32, window.edges[k])));
+            const auto edge = [&](std::size_t k) HWY_ATTR {
+                return column == 0 ? edges[k] : hn::MulAdd(hn::Set(f32, static_cast<float>(column)), perPixel(k), edges[k]);
             };
             // Negative outside. No edge is -0: sums that are zero are +0.
             const auto sign = hn::Or3(edge(0), edge(1), edge(2));
@@ -285,7 +295,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
             PixelKey* const row = first + line * stride + column;
 #if HWY_TARGET == HWY_SCALAR
             const auto z       = hn::Min(hn::Max(depth(0), farthest), nearest);
-            const auto offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id[t] + 1)));
+            const auto offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lower));
             if constexpr (Probe::listens) {
                 const PixelKey rival = *row;
                 const auto     won   = offerKeys<kKeep>(offered, empty, row, stride);
@@ -299,10 +309,10 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
             const hn::Rebind<std::uint32_t, Pass32> u32;
             const auto z      = hn::Min(hn::Max(hn::Combine(f32, depth(1), depth(0)), farthest), nearest);
             const auto upper  = hn::BitCast(u32, hn::CopySignToAbs(z, sign));  // outside: a negative key
-            const auto lower  = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::Set(u32, 0xFFFFFFFEu) - hn::Set(u32, triangles.id[t]);
+            const auto lowers = hn::Set(u32, static_cast<std::uint32_t>(lower));
             const auto asKeys = [](auto halves) { return hn::BitCast(I64(), halves); };
-            offerKeys<kKeep>(asKeys(hn::InterleaveLower(u32, lower, upper)), empty, row, stride);
-            offerKeys<kKeep>(asKeys(hn::InterleaveUpper(u32, lower, upper)), empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide,
+            offerKeys<kKeep>(asKeys(hn::InterleaveLower(u32, lowers, upper)), empty, row, stride);
+            offerKeys<kKeep>(asKeys(hn::InterleaveUpper(u32, lowers, upper)), empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide,
                              stride);
 #endif
         }

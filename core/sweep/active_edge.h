@@ -21,7 +21,7 @@ enum class Inside : std::uint8_t {
     AnyWinding,  // its sides wind round the place, whichever way
 };
 
-class ActiveEdge {
+class alignas(32) ActiveEdge {
 public:
     static constexpr std::uint32_t kMaxSide = (1u << 31) - 1;
 

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <hwy/cache_control.h>
+
 #include "core/sweep/active_edge.h"
 #include "core/sweep/edge_table.h"
 #include "core/sweep/sweep_events.h"
@@ -29,7 +31,7 @@ public:
     void advanceTo(int y, const EdgeTable& table, const Rules& rules, const Probe& probe)
     {
         const bool                        sorts    = rules.sortsActiveEdges();
-        const std::span<const ActiveEdge> entering = inOrder(table.startingAt(y), sorts);
+        const std::span<const ActiveEdge> entering = inOrder(table, y, sorts);
         NearlySorted order(m_next, m_edges.count + entering.size(), sorts);
         std::size_t  entered = 0;
         const auto   enter   = [&] {
@@ -104,10 +106,13 @@ private:
     };
 
     /// The edges of a bucket, which stand by pixels, by their places.
-    std::span<const ActiveEdge> inOrder(std::span<const ActiveEdge> bucket, bool sorts)
+    std::span<const ActiveEdge> inOrder(const EdgeTable& table, int y, bool sorts)
     {
-        NearlySorted order(m_entering, bucket.size(), sorts);
-        for (const ActiveEdge& edge : bucket) order.append(edge, edge.crossing());
+        if (y + 1 < table.endLine())  // they lie anywhere in the table: those of the next line are fetched meanwhile
+            for (const std::uint32_t edge : table.startingAt(y + 1)) hwy::Prefetch(&table[edge]);
+        const std::span<const std::uint32_t> bucket = table.startingAt(y);
+        NearlySorted                         order(m_entering, bucket.size(), sorts);
+        for (const std::uint32_t edge : bucket) order.append(table[edge], table[edge].crossing());
         order.finish();
         return m_entering.view();
     }

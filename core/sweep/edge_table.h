@@ -5,7 +5,7 @@
 //            the quarter of a pixel they enter at, so that the active edge table only has to merge them
 // Sides      of wide edges, which are placed from them on every line; of the others only if somebody looks on
 // Polygons   triangles after set-up (one that the near plane cut in two is two parts with one id), or faces as they were read
-// Cost       two counting sorts, the first of numbers, the second of edges: linear in edges, lines and columns
+// Cost       two counting sorts of places: linear in edges, lines and columns
 #pragma once
 
 #include <algorithm>
@@ -79,7 +79,7 @@ public:
         for (std::uint32_t i = 0; i < starts.size(); ++i) m_byColumn[m_bounds[starts[i].column]++] = i;
 
         countInto(m_bounds, &Start::line, m_endLine - m_firstLine);
-        for (const std::uint32_t i : std::span(m_byColumn).first(m_edgeCount)) m_byLine[m_bounds[starts[i].line]++] = m_edges[i];
+        for (const std::uint32_t i : std::span(m_byColumn).first(m_edgeCount)) m_byLine[m_bounds[starts[i].line]++] = i;
         // Each bound has moved to its bucket's end, which is where the next bucket begins.
         std::copy_backward(m_bounds.begin(), m_bounds.end() - 1, m_bounds.end());
         m_bounds.front() = 0;
@@ -89,8 +89,10 @@ public:
     int                           endLine() const { return m_endLine; }
     std::size_t                   edgeCount() const { return m_edgeCount; }
     std::span<const SweepPolygon> parts() const { return std::span(m_parts).first(m_partCount); }
-    /// The edges whose first line is y, as they stand on it.
-    std::span<const ActiveEdge> startingAt(int y) const
+    /// An edge as it stands on its first line.
+    const ActiveEdge& operator[](std::uint32_t edge) const { return m_edges[edge]; }
+    /// The edges whose first line is y, by their places.
+    std::span<const std::uint32_t> startingAt(int y) const
     {
         const auto bucket = static_cast<std::size_t>(y - m_firstLine);
         return std::span(m_byLine).subspan(m_bounds[bucket], m_bounds[bucket + 1] - m_bounds[bucket]);
@@ -104,9 +106,9 @@ public:
 
     std::size_t bytes() const
     {
-        return m_parts.capacity() * sizeof(SweepPolygon) + (m_edges.capacity() + m_byLine.capacity()) * sizeof(ActiveEdge) +
+        return m_parts.capacity() * sizeof(SweepPolygon) + m_edges.capacity() * sizeof(ActiveEdge) +
                m_sides.capacity() * sizeof(ScreenSide) + m_starts.capacity() * sizeof(Start) +
-               (m_byColumn.capacity() + m_bounds.capacity()) * sizeof(std::uint32_t);
+               (m_byColumn.capacity() + m_byLine.capacity() + m_bounds.capacity()) * sizeof(std::uint32_t);
     }
 
     struct Lines {
@@ -153,7 +155,7 @@ private:
     std::vector<ActiveEdge>    m_edges;     // in the order they were added, each on its first line
     std::vector<Start>         m_starts;    // likewise
     std::vector<std::uint32_t> m_byColumn;  // indices of m_edges
-    std::vector<ActiveEdge>    m_byLine;    // the edges again, bucket after bucket
+    std::vector<std::uint32_t> m_byLine;    // likewise, bucket after bucket
     std::vector<ScreenSide>    m_sides;     // those that are kept; no more
     std::vector<std::uint32_t> m_bounds;    // lines + 1 entries: where each bucket begins in m_byLine
 };

@@ -41,10 +41,8 @@ public:
     template <class Probe>
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
     {
-        if (isCrowded(active, polygons)) {
-            LineZBuffer(m_visible, m_patterns, m_rules).line(y, active, polygons, probe);
-            return;
-        }
+        LineZBuffer byPixels(m_visible, m_patterns, m_rules);
+        if (Probe::listens && isCrowded(active, polygons)) return byPixels.line(y, active, polygons, probe);
         Open open;
         int  from = 0;
         for (const ActiveEdge& edge : active) {
@@ -52,6 +50,10 @@ public:
             if (from < to && open.count > 0) resolve(y, from, to, open.view(), polygons, probe);
             from = to;
             pass(polygons, edge, open);
+            if (!Probe::listens && open.count > kCrowd) {  // seen on the way: what has been stored wins again
+                for (const ActiveEdge& passed : active) polygons.spanOf(passed.polygon()) = {};
+                return byPixels.line(y, active, polygons, probe);
+            }
         }
         for (const std::uint32_t polygon : open.view()) polygons.spanOf(polygon) = {};  // a fault has lost the edge that closes it
     }
