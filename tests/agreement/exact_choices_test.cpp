@@ -100,6 +100,29 @@ INSTANTIATE_TEST_SUITE_P(Builtin, ExactChoicesOnScenes,
                              return name;
                          });
 
+/// Lines that are crowded on their right only, between lines that are not: the interval method finds it out in the middle of a line.
+TEST(ExactChoices, CrowdsThatBeginInTheMiddleOfALineAreDrawnLikeTheReference)
+{
+    constexpr int        kWidth = 128, kHeight = 96;
+    const Camera         camera = plainCamera(kWidth, kHeight);
+    std::vector<Corners> triangles;
+    const auto           add = [&](double z, double x, double y, double width, double height) {
+        triangles.push_back({pointAt(camera, x, y, z), pointAt(camera, x + width, y + height / 2, z + 1), pointAt(camera, x, y + height, z)});
+    };
+    for (int i = 0; i < 20; ++i) add(3 + 0.25 * i, 2 + i, 3 + 2 * i, 30, 40);               // a few on the left, on most lines
+    for (int i = 0; i < 400; ++i) add(20 - 0.03125 * i, 50 + 0.1 * i, 20 + 0.05 * i, 60, 50);  // 400 one upon the other, on some
+    std::vector<Preset> algorithms;
+    for (const char* name : {"interval", "interval-polygon", "scanline"}) algorithms.push_back(*findPreset(name));
+    const auto rows = verify({.scene      = std::make_shared<const PreparedScene>(sceneOf(triangles)),
+                              .camera     = camera,
+                              .algorithms = std::move(algorithms),
+                              .threads    = {1, 2},
+                              .simd       = {Simd::Scalar, resolved(Simd::Auto)}});
+    ASSERT_TRUE(rows.ok());
+    for (const VerifyRow& row : *rows) EXPECT_TRUE(row.passed()) << row.algorithm << ", " << row.threads << " threads";
+    EXPECT_GT(rows->front().figures.covered, 3000u);
+}
+
 DrawRequest requestOf(const std::string& word, const Pipeline& pipeline)
 {
     auto loaded = loadScene("builtin:" + word);
