@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/lesson/replay.h"
 #include "core/measure/cull_audit.h"
 #include "core/measure/verify.h"
 #include "core/scene/load.h"
@@ -101,19 +102,23 @@ INSTANTIATE_TEST_SUITE_P(Builtin, ExactChoicesOnScenes,
                          });
 
 /// Lines that are crowded on their right only, between lines that are not: the interval method finds it out in the middle of a line.
-TEST(ExactChoices, CrowdsThatBeginInTheMiddleOfALineAreDrawnLikeTheReference)
+std::shared_ptr<const Scene> crowdedOnTheRight(const Camera& camera)
 {
-    constexpr int        kWidth = 128, kHeight = 96;
-    const Camera         camera = plainCamera(kWidth, kHeight);
     std::vector<Corners> triangles;
     const auto           add = [&](double z, double x, double y, double width, double height) {
         triangles.push_back({pointAt(camera, x, y, z), pointAt(camera, x + width, y + height / 2, z + 1), pointAt(camera, x, y + height, z)});
     };
     for (int i = 0; i < 20; ++i) add(3 + 0.25 * i, 2 + i, 3 + 2 * i, 30, 40);               // a few on the left, on most lines
     for (int i = 0; i < 400; ++i) add(20 - 0.03125 * i, 50 + 0.1 * i, 20 + 0.05 * i, 60, 50);  // 400 one upon the other, on some
+    return sceneOf(triangles);
+}
+
+TEST(ExactChoices, CrowdsThatBeginInTheMiddleOfALineAreDrawnLikeTheReference)
+{
+    const Camera camera = plainCamera(128, 96);
     std::vector<Preset> algorithms;
     for (const char* name : {"interval", "interval-polygon", "scanline"}) algorithms.push_back(*findPreset(name));
-    const auto rows = verify({.scene      = std::make_shared<const PreparedScene>(sceneOf(triangles)),
+    const auto rows = verify({.scene      = std::make_shared<const PreparedScene>(crowdedOnTheRight(camera)),
                               .camera     = camera,
                               .algorithms = std::move(algorithms),
                               .threads    = {1, 2},
@@ -121,6 +126,24 @@ TEST(ExactChoices, CrowdsThatBeginInTheMiddleOfALineAreDrawnLikeTheReference)
     ASSERT_TRUE(rows.ok());
     for (const VerifyRow& row : *rows) EXPECT_TRUE(row.passed()) << row.algorithm << ", " << row.threads << " threads";
     EXPECT_GT(rows->front().figures.covered, 3000u);
+}
+
+TEST(ExactChoices, CrowdsByWrongRulesAreDrawnAsTheyAreStepped)
+{
+    const Camera camera = plainCamera(320, 200);
+    for (const Fault fault : {Fault::EdgesUnsorted, Fault::OneTestPerInterval}) {
+        DrawRequest request{.scene = std::make_shared<const PreparedScene>(crowdedOnTheRight(camera)), .camera = camera,
+                            .pipeline = findPreset("interval")->pipeline, .threads = 1};
+        request.pipeline.fault = fault;
+        Frame drawn;
+        ASSERT_TRUE(Renderer().draw(request, drawn).ok());
+        Replay     replay(request);
+        const auto count = replay.count(Grain::Line);
+        ASSERT_TRUE(count.ok());
+        const auto last = replay.at(Grain::Line, StepIndex{*count - 1});
+        ASSERT_TRUE(last.ok());
+        EXPECT_TRUE(pictureOf(drawn.visible) == pictureOf(last->frame.visible)) << static_cast<int>(fault);
+    }
 }
 
 DrawRequest requestOf(const std::string& word, const Pipeline& pipeline)
