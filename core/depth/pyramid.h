@@ -5,10 +5,10 @@
 //            [x 2^n, (x+1) 2^n) x [firstRow + y 2^n, ...); pixels outside the region do not exist and take no part
 // Levels     1 and 2 are not stored: a cell of them is at most 16 pixels, which are read instead. From kTileLevel up
 //            each level is half the one below, rounded up, to a single cell
-// Question   first what is stored, which may say yes; then the pixel in the middle of the box, which may say no and mostly does
-//            of what can be seen; then cell by cell
+// Question   first what is stored, which may say yes; then the pixel in the middle of the box, at full speed those in its corners, too,
+//            each of which may say no and mostly one does of what can be seen; then cell by cell
 // Upkeep     touched() marks the tiles under a box and their ancestors as stale, and stops where they already are; a
-//            stale cell is recomputed when a query meets it and neither its old value nor that pixel could answer. A tile all of
+//            stale cell is recomputed when a query meets it and neither its old value nor those pixels could answer. A tile all of
 //            whose pixels were seen by who drew takes its value from there (drawnTile()). Or push(): the tiles are
 //            recomputed at once, and from each of them its ancestors, up to the first that does not change. Or, if the
 //            pyramid was reset as masked, cover(): tiles know two depths and a mask, and no pixel is ever read
@@ -16,7 +16,7 @@
 //            too far at worst. hides() may say no of a hidden box, never yes of one that could win a pixel
 // Frozen     complete() brings every cell up to date and ends the upkeep: from then on the cells alone answer, whatever
 //            becomes of the pixels. For methods that ask about the frame before
-// Cost       query: at most 2 x 2 cells of one level and a pixel, more only where undecided; touched(): constant for small boxes;
+// Cost       query: at most 2 x 2 cells of one level and a few pixels, more only where undecided; touched(): constant for small boxes;
 //            push(): 64 pixels per tile and 4 cells per level that changes
 // Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993; docs/correctness.md, rules 1 to 3
 #pragma once
@@ -160,8 +160,8 @@ private:
     };
 
     PyramidQuery askAtCorners(const PixelBox& box, float nearest) const;
-    template <class Shape>
-    bool showsAtMiddle(const PixelBox& box, float nearest, const Shape& shape) const;
+    template <bool kLooksAtCorners, class Shape>
+    bool shows(const PixelBox& box, float nearest, const Shape& shape) const;
     template <class Shape, class Told>
     bool cellsHide(PyramidQuery& query, const Shape& shape, const Told& told);
     bool         isBehind(float nearest, float value) const { return nearest < value || (m_fault == Fault::EqualIsHidden && nearest == value); }

@@ -2,19 +2,20 @@
 // tells nobody, and for stepping.
 //
 // Told       called with a CellWrite right after the cell holds its new value; it may throw to end the run there
-// Full speed pyramid.cpp instantiates this once for Untold; only runs that are listened to include it
+// Full speed pyramid.cpp instantiates this once for Untold; only runs that are listened to include it. It looks at more pixels before
+//            cells: the same answers, but fewer cells are brought up to date than whoever listens is shown, who wants to see them
 #pragma once
 
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <type_traits>
 
 #include "core/depth/pyramid.h"
 
 namespace zscope {
 
-/// The quick answers: what is stored says yes, or a pixel in the middle says no. Inlined where it is asked; what they leave
-/// undecided is not.
+/// The quick answers: what is stored says yes, or a pixel says no. Inlined where it is asked; what they leave undecided is not.
 template <class Shape, class Told>
 [[gnu::always_inline]] inline PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Shape& shape, const Told& told)
 {
@@ -37,17 +38,21 @@ template <class Shape, class Told>
     if (query.cells == 0)
         query.value = 0;
     else if (!isBehind(nearest, query.value))
-        query.hidden = !showsAtMiddle(box, nearest, shape) && cellsHide(query, shape, told);
+        query.hidden = !shows<std::is_same_v<Told, Untold>>(box, nearest, shape) && cellsHide(query, shape, told);
     return query;
 }
 
-/// True if the pixel in the middle is enough to know that something could be seen.
-template <class Shape>
-bool Pyramid::showsAtMiddle(const PixelBox& box, float nearest, const Shape& shape) const
+/// True if the pixel in the middle of the box, or one in its corners if they are looked at, is enough to know that something could be seen.
+template <bool kLooksAtCorners, class Shape>
+bool Pyramid::shows(const PixelBox& box, float nearest, const Shape& shape) const
 {
     if (!m_readsPixels) return false;
-    const int x = (box.x0 + box.x1) / 2, y = (box.y0 + box.y1) / 2;
-    return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->storedAt(x, y)));
+    const auto showsAt = [&](int x, int y) {
+        return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->storedAt(x, y)));
+    };
+    if (showsAt((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)) return true;
+    const int right = box.x1 - 1, bottom = box.y1 - 1;
+    return kLooksAtCorners && (showsAt(box.x0, box.y0) || showsAt(right, box.y0) || showsAt(box.x0, bottom) || showsAt(right, bottom));
 }
 
 /// Cell by cell, each brought up to date if it must be. The query's value becomes what they hold then.

@@ -228,6 +228,28 @@ TEST(Pyramid, TilesThatWereSeenAreNoLongerStaleAndTheirAncestorsAre)
     EXPECT_EQ(fresh.pyramid.stored(Pyramid::kTileLevel + 1).row(0)[0], 0.5f);
 }
 
+TEST(Pyramid, AtFullSpeedACornerOfTheBoxAnswersWhereWhoeverListensSeesCellsBroughtUpToDate)
+{
+    const PixelBox box{4, 4, 44, 44};
+    for (const int x : {box.x0, box.x1 - 1})
+        for (const int y : {box.y0, box.y1 - 1}) {
+            Screen silent(64, 64), heard(64, 64);
+            int    writes = 0;
+            for (Screen* screen : {&silent, &heard}) {  // all but this corner is in front
+                for (int line = 0; line < 64; ++line)
+                    for (int column = 0; column < 64; ++column)
+                        if (column != x || line != y) screen->write({column, line, column + 1, line + 1}, 0.5f);
+                screen->pyramid.touched({0, 0, 64, 64});
+            }
+            EXPECT_FALSE(silent.pyramid.ask(box, 0.4f, WholeBox{}, Untold{}).hidden) << x << ' ' << y;
+            EXPECT_FALSE(heard.pyramid.ask(box, 0.4f, WholeBox{}, [&](const CellWrite&) { ++writes; }).hidden) << x << ' ' << y;
+            EXPECT_GT(writes, 0) << x << ' ' << y;
+            const auto stored = silent.pyramid.stored(Pyramid::kTileLevel);
+            for (int row = 0; row < stored.height; ++row)
+                EXPECT_EQ(std::ranges::count(stored.row(row), kEmpty), stored.width) << x << ' ' << y;
+        }
+}
+
 TEST(Pyramid, D3EveryCellOfAnySizeIsTheMinimumOfThePixelsThatExistOnceAQueryNeededIt)
 {
     for (const auto& [width, height] : kSizes) {
