@@ -8,25 +8,25 @@
 #define ZSCOPE_LEAST_KEY_INL_H
 #endif
 
-#include <limits>
-
 #include <hwy/highway.h>
 
+#include "core/depth/key_order-inl.h"
 #include "core/depth/pyramid.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// A LeastKey (core/depth/pyramid.h).
-inline PixelKey leastKeyOfTile(const PixelKey* first, std::ptrdiff_t stride, int lines)
+/// A LeastKey (core/depth/pyramid.h). `kNormal`: so are all keys (key_order-inl.h).
+template <bool kNormal>
+PixelKey leastKeyOfTile(const PixelKey* first, std::ptrdiff_t stride, int lines)
 {
     namespace hn = hwy::HWY_NAMESPACE;
     const hn::ScalableTag<PixelKey> keys;
     constexpr int                   kTile = 1 << Pyramid::kTileLevel;
     static_assert(kTile % hn::MaxLanes(hn::ScalableTag<PixelKey>()) == 0);
-    auto least = hn::Set(keys, std::numeric_limits<PixelKey>::max());
+    auto least = hn::Set(keys, kNearestKey);
     for (int y = 0; y < lines; ++y, first += stride)
-        for (std::size_t x = 0; x < kTile; x += hn::Lanes(keys)) least = hn::Min(least, hn::LoadU(keys, first + x));
+        for (std::size_t x = 0; x < kTile; x += hn::Lanes(keys)) least = fartherOf<kNormal>(least, hn::LoadU(keys, first + x));
     return hn::GetLane(hn::MinOfLanes(keys, least));
 }
 

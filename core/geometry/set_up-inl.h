@@ -198,9 +198,9 @@ private:
             const auto        dx = x[next] - x[k], dy = y[next] - y[k];
             const auto        owns = hn::Or(dy < hn::Zero(D()), hn::And(dy == hn::Zero(D()), dx > hn::Zero(D())));
             const auto        edge = dx * (py - y[k]) - dy * (px - x[k]) - hn::IfThenElse(owns, hn::Zero(D()), all(1));
-            keepAsFloat(hn::ShiftRight<8>(edge), m_out.origin[k], i);
-            keepAsFloat(hn::Zero(D()) - dy, m_out.perPixel[k], i);
-            keepAsFloat(dx, m_out.perLine[k], i);
+            keepAsFloat(hn::Or(hn::ShiftRight<7>(edge), all(1)), m_out.origin[k], i);
+            keepAsFloat(hn::ShiftLeft<1>(hn::Zero(D()) - dy), m_out.perPixel[k], i);
+            keepAsFloat(hn::ShiftLeft<1>(dx), m_out.perLine[k], i);
         }
     }
     static void keepAsFloat(V value, TriangleList::Column<float>& column, std::size_t i)

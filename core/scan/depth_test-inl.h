@@ -18,6 +18,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/depth/key_order-inl.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/rules.h"
 #include "core/scan/fragments.h"
@@ -83,9 +84,12 @@ HWY_INLINE hn::Mask<I64> winners(Keys offered, Keys held, [[maybe_unused]] float
     return hn::And(hn::And(sameDepth, better), offered > hn::Set(I64(), keyOf(empty, 0)));
 }
 
-/// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c in every lane.
-template <Keep kKeep, class Rules>
+/// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c in every lane. `kNormal`: so
+/// are all keys that the buffer holds (core/depth/key_order-inl.h).
+template <Keep kKeep, class Rules, bool kNormal = false>
 class DepthTest {
+    static_assert(!kNormal || (Rules::kExact && kKeep != Keep::Equal));
+
 public:
     /// `empty` is the depth of the background of the buffer that is tested against.
     DepthTest(const DepthPlane& plane, std::uint32_t rank, float empty, const Rules& rules)
@@ -127,6 +131,11 @@ public:
             if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
 
             const auto held = hn::LoadU(I64(), row);
+            if constexpr (kNormal && kShading == ShadingMoment::Never && !Probe::listens) {
+                const auto kept = nearerOf<kNormal>(hn::IfThenElseZero(hn::RebindMask(I64(), covered), offered), held);
+                hn::StoreU(kept, I64(), row);
+                return kept;
+            }
             const auto won  = hn::And(hn::RebindMask(I64(), covered), wins(offered, held));
             const auto kept = hn::IfThenElse(won, offered, held);
             hn::StoreU(kept, I64(), row);

@@ -58,37 +58,9 @@ struct HalfSpace {
     static void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep, VisibilityBuffer& visible,
                      const Rules& rules, const Probe& probe)
     {
-        const PixelBox& box = triangle.box;
-        if (triangle.wide && !(Rules::kExact && fitsTiles(triangle))) {
-            visible.open(box);
-            EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules, probe);
-            upkeep.touched(box);
-            return;
-        }
-        const Edges                   fromBox{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
-        const DepthTest<kKeep, Rules> test(triangle.depth, triangle.rank(), visible.empty(), rules);
-        if constexpr (kLanes == 1) {  // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
-            if (isCompact(triangle)) {
-                visible.open(box);
-                forEachPixelByWindows(box, [&](int x, int y) {
-                    fillTile(triangle, fromBox, test, test.column(x, box.x0), x, y, y + 1, false, fragments, visible, rules, probe);
-                });
-                upkeep.touched(box);
-                return;
-            }
-        }
-        constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
-        for (int top = box.y0 / kLines * kLines; top < box.y1; top += kLines) {
-            for (int left = box.x0 / kWidth * kWidth; left < box.x1; left += kWidth) {
-                const PixelBox here{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kWidth, box.x1), std::min(top + kLines, box.y1)};
-                const Edges    edges = triangle.wide ? Edges{wideHalfPlanesOf(triangle, left, top), left, top} : fromBox;
-                if (edges.areOutside(here)) continue;
-                const bool isInside = edges.areInside(here);
-                if constexpr (keepsPlanes<kKeep, Fragments, Rules, Probe>())
-                    if (upkeep.takesPlanes && isKeptAsPlane(here, isInside, triangle, upkeep, visible)) continue;
-                fillStoredTile(here, isInside, triangle, edges, test, fragments, upkeep, visible, rules, probe);
-            }
-        }
+        if constexpr (kComparesAsFloats && Rules::kExact && kKeep != Keep::Equal && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned)
+            if (areNormal(visible.empty())) return fillBoxes<kKeep, true>(triangle, fragments, upkeep, visible, rules, probe);
+        fillBoxes<kKeep, false>(triangle, fragments, upkeep, visible, rules, probe);
     }
 
     /// The same, tile by tile of `tiles`, which is told what may have changed; `told` hears what it brings up to date.
@@ -124,8 +96,7 @@ struct HalfSpace {
     }
 
 private:
-    static constexpr int      kTile       = 1 << Pyramid::kTileLevel;
-    static constexpr PixelKey kNearestKey = std::numeric_limits<PixelKey>::max();
+    static constexpr int kTile = 1 << Pyramid::kTileLevel;
 
     static constexpr std::size_t kParts = VisibilityBuffer::kTileWidth / kTile;
     using Depths = std::array<float, kParts>;
@@ -177,10 +148,48 @@ private:
         return all;
     }
 
+    /// fill(); `kNormal` as in DepthTest.
+    template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules, class Probe>
+    static void fillBoxes(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep, VisibilityBuffer& visible,
+                          const Rules& rules, const Probe& probe)
+    {
+        const PixelBox& box = triangle.box;
+        if (triangle.wide && !(Rules::kExact && fitsTiles(triangle))) {
+            visible.open(box);
+            EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules, probe);
+            upkeep.touched(box);
+            return;
+        }
+        const Edges fromBox{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
+        const DepthTest<kKeep, Rules, kNormal> test(triangle.depth, triangle.rank(), visible.empty(), rules);
+        if constexpr (kLanes == 1) {  // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
+            if (isCompact(triangle)) {
+                visible.open(box);
+                forEachPixelByWindows(box, [&](int x, int y) {
+                    fillTile(triangle, fromBox, test, test.column(x, box.x0), x, y, y + 1, false, fragments, visible, rules, probe);
+                });
+                upkeep.touched(box);
+                return;
+            }
+        }
+        constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
+        for (int top = box.y0 / kLines * kLines; top < box.y1; top += kLines) {
+            for (int left = box.x0 / kWidth * kWidth; left < box.x1; left += kWidth) {
+                const PixelBox here{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kWidth, box.x1), std::min(top + kLines, box.y1)};
+                const Edges    edges = triangle.wide ? Edges{wideHalfPlanesOf(triangle, left, top), left, top} : fromBox;
+                if (edges.areOutside(here)) continue;
+                const bool isInside = edges.areInside(here);
+                if constexpr (keepsPlanes<kKeep, Fragments, Rules, Probe>())
+                    if (upkeep.takesPlanes && isKeptAsPlane(here, isInside, triangle, upkeep, visible)) continue;
+                fillStoredTile(here, isInside, triangle, edges, test, fragments, upkeep, visible, rules, probe);
+            }
+        }
+    }
+
     /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
-    template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
+    template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules, class Probe>
     static void fillStoredTile(const PixelBox& stored, bool isInside, const ScreenTriangle& triangle, const Edges& edges,
-                               const DepthTest<kKeep, Rules>& test, const Fragments& fragments, const Upkeep& upkeep,
+                               const DepthTest<kKeep, Rules, kNormal>& test, const Fragments& fragments, const Upkeep& upkeep,
                                VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
@@ -199,13 +208,12 @@ private:
             const bool sees = upkeep.isKept() && here.y1 - here.y0 == kTile && left + kTile <= visible.width();
             const int  from = sees ? left : here.x0 & -laneCount(), end = sees ? left + kTile : here.x1;
             auto       least = hn::Set(I64(), kNearestKey);
-            for (int x = from; x < end; x += laneCount()) {
-                const auto column = test.column(x, triangle.box.x0);
-                // Edges may say no of pixels beside the box; where it ends inside a vector, they are asked.
-                if (isWhole && x >= here.x0 && x + laneCount() <= here.x1)
-                    least = hn::Min(least, fillWholeTile(triangle, test, column, x, here.y0, here.y1, fragments, visible, rules, probe));
-                else
-                    least = hn::Min(least, fillTile(triangle, edges, test, column, x, here.y0, here.y1, sees, fragments, visible, rules, probe));
+            if (!Probe::listens && isWhole && here.x1 - here.x0 == kTile) {  // who listens sees columns
+                least = fillWholeTile(triangle, test, left, here.y0, here.y1, fragments, visible, rules, probe);
+            } else {
+                for (int x = from; x < end; x += laneCount())
+                    least = fartherOf<kNormal>(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0, here.y1, sees, fragments,
+                                                               visible, rules, probe));
             }
             if (sees)
                 upkeep.drawnTile(left, here.y0, farthestOf(least));
@@ -257,24 +265,32 @@ private:
         return nearestOver(plane, box);
     }
 
-    /// Lines [y, end) of the column of pixels x, x + 1, ..., all of them covered. Returns the least key that each of its columns holds then.
-    template <Keep kKeep, class Fragments, class Rules, class Probe>
-    static Keys fillWholeTile(const ScreenTriangle& triangle, const DepthTest<kKeep, Rules>& test, Vec64 column, int x, int y, int end,
+    /// Lines [y, end) of the kTile columns from x on, all of them covered. Returns the least keys that they hold then.
+    template <Keep kKeep, bool kNormal, class Fragments, class Rules, class Probe>
+    static Keys fillWholeTile(const ScreenTriangle& triangle, const DepthTest<kKeep, Rules, kNormal>& test, int x, int y, int end,
                               const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
-        const std::ptrdiff_t stride = visible.stride();
-        PixelKey*            row    = visible.row(y) + x;
-        LineDepths           lines(triangle.depth, y, rules);
-        auto                 least = hn::Set(I64(), kNearestKey);
-        for (; y < end; ++y, row += stride, lines.toNext())
-            least = hn::Min(least, test.offer(column, lines.here(), allLanes(), row, x, y, fragments, probe));
+        constexpr std::size_t       kVectors = kTile / hn::MaxLanes(F64());
+        const std::ptrdiff_t        stride   = visible.stride();
+        PixelKey*                   row      = visible.row(y) + x;
+        LineDepths                  lines(triangle.depth, y, rules);
+        auto                        least = hn::Set(I64(), kNearestKey);
+        std::array<Vec64, kVectors> columns;
+        for (std::size_t i = 0; i < kVectors; ++i) columns[i] = test.column(x + static_cast<int>(i) * laneCount(), triangle.box.x0);
+        for (; y < end; ++y, row += stride, lines.toNext()) {
+            const auto line = lines.here();
+            for (std::size_t i = 0; i < kVectors; ++i) {
+                const int right = static_cast<int>(i) * laneCount();
+                least = fartherOf<kNormal>(least, test.offer(columns[i], line, allLanes(), row + right, x + right, y, fragments, probe));
+            }
+        }
         return least;
     }
 
     /// Lines [y, end) of the column of pixels x, x + 1, ... Returns the least key that each of its columns holds then, in lines that
     /// the triangle misses only if the caller `sees` all.
-    template <Keep kKeep, class Fragments, class Rules, class Probe>
-    static Keys fillTile(const ScreenTriangle& triangle, const Edges& edges, const DepthTest<kKeep, Rules>& test, Vec64 column, int x,
+    template <Keep kKeep, bool kNormal, class Fragments, class Rules, class Probe>
+    static Keys fillTile(const ScreenTriangle& triangle, const Edges& edges, const DepthTest<kKeep, Rules, kNormal>& test, Vec64 column, int x,
                          int y, int end, bool sees, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         const F64  d64;
@@ -293,9 +309,9 @@ private:
         for (; y < end; ++y, row += stride, lines.toNext()) {
             const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
             if (!hn::AllFalse(d64, inside))
-                least = hn::Min(least, test.offer(column, lines.here(), inside, row, x, y, fragments, probe));
+                least = fartherOf<kNormal>(least, test.offer(column, lines.here(), inside, row, x, y, fragments, probe));
             else if (sees)
-                least = hn::Min(least, hn::LoadU(I64(), row));
+                least = fartherOf<kNormal>(least, hn::LoadU(I64(), row));
             e0 = e0 + down0;
             e1 = e1 + down1;
             e2 = e2 + down2;

@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #include <hwy/cache_control.h>
 
@@ -228,15 +227,15 @@ inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
 #endif
 
-/// Offers to as many pixels as there are lanes. A depth at or above 0 whose sign is turned has a key below any that a buffer holds, that of
-/// background included, and so wins nowhere.
-template <Keep kKeep>
-HWY_INLINE hn::Mask<I64> offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff_t stride)
+/// Offers to as many pixels as there are lanes; `kNormal` as in DepthTest. A negative depth of -1 or less wins nowhere.
+template <Keep kKeep, bool kNormal>
+HWY_INLINE void offerKeys(Keys offered, [[maybe_unused]] float empty, PixelKey* row, std::ptrdiff_t stride)
 {
     const auto held = loadKeys(row, stride);
-    const auto won  = winners<kKeep>(offered, held, empty);
-    storeKeys(hn::IfThenElse(won, offered, held), row, stride);
-    return won;
+    if constexpr (kKeep != Keep::Equal)
+        storeKeys(nearerOf<kNormal>(offered, held), row, stride);
+    else
+        storeKeys(hn::IfThenElse(winners<kKeep>(offered, held, empty), offered, held), row, stride);
 }
 
 /// One entry of a WindowList, whose columns have these names; centres in pixels.
@@ -250,8 +249,8 @@ struct Window {
     int y() const { return static_cast<int>(centreY); }
 };
 
-/// Tests a window and stores what it wins; `first` is the key of its first pixel.
-template <Keep kKeep, class Probe>
+/// Tests a window and stores what it wins; `first` is the key of its first pixel. `kNormal` as in DepthTest.
+template <Keep kKeep, bool kNormal, class Probe>
 HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, PixelKey* first, std::ptrdiff_t stride, float empty,
                            [[maybe_unused]] int width, [[maybe_unused]] const Probe& probe)
 {
@@ -267,24 +266,29 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
     const auto perLine  = [&](std::size_t k) HWY_ATTR { return hn::Set(f32, triangles.perLine[k][t]); };
     const auto lower    = lowerHalf<kKeep>(triangles.id[t] + 1);
 
-    // Of the first pass; the others are reached from there: whole numbers, exact on any way.
+    // At the pixels of each pass. Those of the first are computed, the others reached from there: whole numbers, exact on any way.
     const auto toRight = hn::Load(f32, kPassLanes32.right.data()), toDown = hn::Load(f32, kPassLanes32.down.data());
     const auto edgeOf  = [&](std::size_t k) HWY_ATTR {
         return hn::MulAdd(toDown, perLine(k), hn::MulAdd(toRight, perPixel(k), hn::Set(f32, window.edges[k])));
     };
-    std::array<hn::Vec<Pass32>, 3> edges{edgeOf(0), edgeOf(1), edgeOf(2)};
-
-    for (int line = 0; line < kWindowSide; line += kPassLines) {
-        if (line > 0)
+    constexpr int kColumns = kWindowSide / kPassColumns, kPasses = kWindowSide / kPassLines * kColumns;
+    std::array<hn::Vec<Pass32>, kPasses> leasts;
+    std::array<hn::Vec<Pass32>, 3>       edges{edgeOf(0), edgeOf(1), edgeOf(2)};
+    for (int pass = 0; pass < kPasses; ++pass) {
+        const int column = pass % kColumns * kPassColumns;
+        if (pass > 0 && column == 0)
             for (std::size_t k = 0; k < 3; ++k) edges[k] = hn::MulAdd(hn::Set(f32, kPassLines), perLine(k), edges[k]);
-        for (int column = 0; column < kWindowSide; column += kPassColumns) {
-            const auto edge = [&](std::size_t k) HWY_ATTR {
-                return column == 0 ? edges[k] : hn::MulAdd(hn::Set(f32, static_cast<float>(column)), perPixel(k), edges[k]);
-            };
-            // Negative outside. No edge is -0: sums that are zero are +0.
-            const auto sign = hn::Or3(edge(0), edge(1), edge(2));
+        const auto edge = [&](std::size_t k) HWY_ATTR {
+            return column == 0 ? edges[k] : hn::MulAdd(hn::Set(f32, static_cast<float>(column)), perPixel(k), edges[k]);
+        };
+        leasts[static_cast<std::size_t>(pass)] = hn::Min(hn::Min(edge(0), edge(1)), edge(2));
+    }
+
+    for (int line = 0, pass = 0; line < kWindowSide; line += kPassLines) {
+        for (int column = 0; column < kWindowSide; column += kPassColumns, ++pass) {
+            const auto least = leasts[static_cast<std::size_t>(pass)];
             if constexpr (kLanes == 1)
-                if (std::signbit(hn::GetLane(sign)) || window.x() + column >= width) continue;
+                if (hn::GetLane(least) < 0 || window.x() + column >= width) continue;
 
             const auto depth = [&](int half) HWY_ATTR {
                 const auto lane = static_cast<std::size_t>(half * kLanes);
@@ -294,26 +298,22 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
             };
             PixelKey* const row = first + line * stride + column;
 #if HWY_TARGET == HWY_SCALAR
-            const auto z       = hn::Min(hn::Max(depth(0), farthest), nearest);
-            const auto offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lower));
-            if constexpr (Probe::listens) {
-                const PixelKey rival = *row;
-                const auto     won   = offerKeys<kKeep>(offered, empty, row, stride);
-                probe(PixelTested{window.x() + column, window.y() + line, TriangleId{triangles.id[t]}, depthOf(hn::GetLane(offered)),
-                                  !hn::AllFalse(I64(), won), rankOf(rival), depthOf(rival), kKeep, false, false});
-            } else {
-                offerKeys<kKeep>(offered, empty, row, stride);
-            }
+            const auto     z       = hn::Min(hn::Max(depth(0), farthest), nearest);
+            const auto     offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lower));
+            const PixelKey rival   = *row;
+            offerKeys<kKeep, kNormal>(offered, empty, row, stride);
+            probe(PixelTested{window.x() + column, window.y() + line, TriangleId{triangles.id[t]}, depthOf(hn::GetLane(offered)),
+                              !hn::AllFalse(I64(), winners<kKeep>(offered, hn::Set(I64(), rival), empty)), rankOf(rival), depthOf(rival), kKeep, false,
+                              false});
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
-            const hn::Rebind<std::uint32_t, Pass32> u32;
             const auto z      = hn::Min(hn::Max(hn::Combine(f32, depth(1), depth(0)), farthest), nearest);
-            const auto upper  = hn::BitCast(u32, hn::CopySignToAbs(z, sign));  // outside: a negative key
-            const auto lowers = hn::Set(u32, static_cast<std::uint32_t>(lower));
+            const auto upper  = hn::Min(z, least);  // outside: -1 or less
+            const auto lowers = hn::BitCast(f32, hn::Set(hn::Rebind<std::uint32_t, Pass32>(), static_cast<std::uint32_t>(lower)));
             const auto asKeys = [](auto halves) { return hn::BitCast(I64(), halves); };
-            offerKeys<kKeep>(asKeys(hn::InterleaveLower(u32, lowers, upper)), empty, row, stride);
-            offerKeys<kKeep>(asKeys(hn::InterleaveUpper(u32, lowers, upper)), empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide,
-                             stride);
+            offerKeys<kKeep, kNormal>(asKeys(hn::InterleaveLower(f32, lowers, upper)), empty, row, stride);
+            offerKeys<kKeep, kNormal>(asKeys(hn::InterleaveUpper(f32, lowers, upper)), empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide,
+                                      stride);
 #endif
         }
     }
@@ -405,8 +405,8 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     }
 }
 
-/// Works the list off and empties it.
-template <Keep kKeep, class Probe>
+/// Works the list off and empties it. `kNormal` as in DepthTest.
+template <Keep kKeep, bool kNormal, class Probe>
 void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Probe& probe)
 {
     PixelKey* const      picture = visible.row(0);
@@ -432,9 +432,17 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
             hwy::Prefetch(ahead + kWindowSide - 1);  // often in another cache line
         }
         const Window window{owners[i], {edges[0][i], edges[1][i], edges[2][i]}, centreX[i], centreY[i]};
-        testWindow<kKeep>(triangles, window, picture + places[i], stride, visible.empty(), visible.width(), probe);
+        testWindow<kKeep, kNormal>(triangles, window, picture + places[i], stride, visible.empty(), visible.width(), probe);
     }
     list.clear();
+}
+
+template <Keep kKeep, class Probe>
+void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Probe& probe)
+{
+    if constexpr (kComparesAsFloats && kKeep != Keep::Equal)
+        if (areNormal(visible.empty())) return testWindows<kKeep, true>(triangles, list, visible, probe);
+    testWindows<kKeep, false>(triangles, list, visible, probe);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

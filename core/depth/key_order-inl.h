@@ -1,0 +1,61 @@
+// The nearer and the farther of two keys, lane by lane.
+//
+// Idea       the bits of two positive float64 numbers compare as the numbers do. Not every processor knows the larger of two integers of 64
+//            bits, but each knows the larger of two such numbers
+// Normal     keys of depths above 0 are the bits of normal numbers above 0. Those of depths below 0 are the bits of no number: where a buffer
+//            may hold such, as that of background where there is no far plane, integers are compared
+// Source     core/depth/pixel_key.h; IEEE 754-2019, 5.10
+#if defined(ZSCOPE_KEY_ORDER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_KEY_ORDER_INL_H
+#undef ZSCOPE_KEY_ORDER_INL_H
+#else
+#define ZSCOPE_KEY_ORDER_INL_H
+#endif
+
+#include <bit>
+#include <limits>
+
+#include <hwy/highway.h>
+
+#include "core/depth/pixel_key.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Whether numbers are compared faster than integers.
+inline constexpr bool kComparesAsFloats = HWY_TARGET != HWY_AVX3 && HWY_TARGET != HWY_SCALAR;
+
+/// True if all keys are normal that a buffer with this background may hold, by exact rules.
+inline bool areNormal(float empty) { return empty >= std::numeric_limits<float>::min(); }
+
+/// No pixel's key is larger; normal.
+inline constexpr PixelKey kNearestKey = std::bit_cast<PixelKey>(std::numeric_limits<double>::max());
+
+/// The float64 numbers with the same bits.
+template <class Keys>
+HWY_INLINE auto asNumbers(Keys keys)
+{
+    return hn::BitCast(hn::RebindToFloat<hn::DFromV<Keys>>(), keys);
+}
+
+/// `kNormal`: the second key is, and the first, too, or it is 0 or has the bits of a negative number.
+template <bool kNormal, class Keys>
+HWY_INLINE Keys nearerOf(Keys a, Keys b)
+{
+    if constexpr (kNormal) return hn::BitCast(hn::DFromV<Keys>(), hn::Max(asNumbers(a), asNumbers(b)));
+    return hn::Max(a, b);
+}
+/// `kNormal`: both are.
+template <bool kNormal, class Keys>
+HWY_INLINE Keys fartherOf(Keys a, Keys b)
+{
+    if constexpr (kNormal) return hn::BitCast(hn::DFromV<Keys>(), hn::Min(asNumbers(a), asNumbers(b)));
+    return hn::Min(a, b);
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_KEY_ORDER_INL_H
