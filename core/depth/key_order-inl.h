@@ -40,7 +40,7 @@ HWY_INLINE auto asNumbers(Keys keys)
     return hn::BitCast(hn::RebindToFloat<hn::DFromV<Keys>>(), keys);
 }
 
-/// `kNormal`: the second key is, and the first, too, or it is 0 or has the bits of a negative number.
+/// `kNormal`: the second key is, and the first, too, or it is smaller than all normal ones, with the bits of a number.
 template <bool kNormal, class Keys>
 HWY_INLINE Keys nearerOf(Keys a, Keys b)
 {

@@ -59,8 +59,8 @@ struct HalfSpace {
                      const Rules& rules, const Probe& probe)
     {
         if constexpr (kComparesAsFloats && Rules::kExact && kKeep != Keep::Equal && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned)
-            if (areNormal(visible.empty())) return fillBoxes<kKeep, true>(triangle, fragments, upkeep, visible, rules, probe);
-        fillBoxes<kKeep, false>(triangle, fragments, upkeep, visible, rules, probe);
+            if (areNormal(visible.empty())) return fillBox<kKeep, true>(triangle, fragments, upkeep, visible, rules, probe);
+        fillBox<kKeep, false>(triangle, fragments, upkeep, visible, rules, probe);
     }
 
     /// The same, tile by tile of `tiles`, which is told what may have changed; `told` hears what it brings up to date.
@@ -150,7 +150,7 @@ private:
 
     /// fill(); `kNormal` as in DepthTest.
     template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules, class Probe>
-    static void fillBoxes(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep, VisibilityBuffer& visible,
+    static void fillBox(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep, VisibilityBuffer& visible,
                           const Rules& rules, const Probe& probe)
     {
         const PixelBox& box = triangle.box;
