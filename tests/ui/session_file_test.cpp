@@ -236,6 +236,24 @@ private slots:
         desk.settings.forgetOwnLayout("mine / \u6211");
         QVERIFY(desk.settings.ownLayouts().isEmpty());
     }
+    void noLayoutKeepsTheHeightsOfTheOneBefore()
+    {
+        Desk desk("interval", {1280, 800});
+        QVERIFY(desk.open("builtin:cubes"));
+        const auto timeline = [&] {
+            QTest::qWait(50);
+            return desk.window.dock("timeline")->height();
+        };
+        desk.window.useLayout("teach");
+        const int before = timeline();
+        for (const char* layout : {"teach", "compare"}) {
+            desk.window.useLayout("profile");  // a high panel stands below
+            QTest::qWait(50);
+            QVERIFY(desk.window.dock("measure")->height() > 3 * before / 2);
+            desk.window.useLayout(layout);
+            QVERIFY2(timeline() <= 5 * before / 4, layout);
+        }
+    }
     void noLayoutMakesTheWindowGrow()
     {
         Desk desk("scanline");  // 1280 x 800

@@ -145,8 +145,11 @@ void MainWindow::useLayout(const QString& word)
     m_layout                  = layout.word;
     placeDocks(layout);
     shareWidths();
-    for (const LayoutPlace& place : layout.places())
-        if (layout.bottom > 0 && place.area == Qt::BottomDockWidgetArea) resizeDocks({dock(place.panel)}, {height() * layout.bottom / 100}, Qt::Vertical);
+    for (const LayoutPlace& place : layout.places()) {
+        if (place.area != Qt::BottomDockWidgetArea) continue;
+        PanelDock* below = dock(place.panel);  // else as high as what stood there in the layout before
+        resizeDocks({below}, {layout.bottom > 0 ? height() * layout.bottom / 100 : below->sizeHint().height()}, Qt::Vertical);
+    }
     if (dock("scene")->isWanted()) resizeDocks({dock("scene"), dock("pipeline")}, {42, 58}, Qt::Vertical);
     shareHeights();
     m_actions->showLayout(m_layout);
