@@ -25,7 +25,7 @@ namespace zscope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Whether numbers are compared faster than integers.
-inline constexpr bool kComparesAsFloats = HWY_TARGET != HWY_AVX3 && HWY_TARGET != HWY_SCALAR;
+inline constexpr bool kComparesAsFloats = HWY_TARGET != HWY_SCALAR;
 
 /// True if all keys are normal that a buffer with this background may hold, by exact rules.
 inline bool areNormal(float empty) { return empty >= std::numeric_limits<float>::min(); }

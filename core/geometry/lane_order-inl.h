@@ -45,6 +45,13 @@ HWY_INLINE hn::Vec<D> keptFirst(D d, hn::Mask<D> kept)
 #endif
 }
 
+/// first, first + 1, ... Highway 1.0.3 puts such a vector together in memory, lane by lane, unless `first` is a constant.
+template <class D>
+HWY_INLINE hn::Vec<D> countFrom(D d, hn::TFromD<D> first)
+{
+    return hn::Iota(d, hn::TFromD<D>{}) + hn::Set(d, first);
+}
+
 }  // namespace zscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

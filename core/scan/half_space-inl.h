@@ -29,6 +29,7 @@
 
 #include "core/depth/pyramid_told.h"
 #include "core/geometry/half_plane.h"
+#include "core/geometry/lane_order-inl.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/edge_walk-inl.h"
 #include "core/scan/tile_plane-inl.h"
@@ -122,7 +123,7 @@ private:
         Parts     parts;
         const int tileLeft = VisibilityBuffer::leftOfTile(box.x0) - edges.x0;
         for (std::size_t i = 0; i < kParts; i += hn::Lanes(d64)) {
-            const auto left  = hn::Iota(d64, static_cast<double>(i)) * hn::Set(d64, kTile) + hn::Set(d64, tileLeft);
+            const auto left  = countFrom(d64, static_cast<double>(i)) * hn::Set(d64, kTile) + hn::Set(d64, tileLeft);
             const auto first = hn::Max(left, hn::Set(d64, box.x0 - edges.x0)), last = hn::Min(left + hn::Set(d64, kTile - 1), hn::Set(d64, box.x1 - 1 - edges.x0));
             auto       reached = first <= last, whole = reached;
             for (const HalfPlane& plane : edges.planes) {
@@ -295,7 +296,7 @@ private:
     {
         const F64  d64;
         const auto& planes = edges.planes;
-        const auto lane  = hn::Iota(d64, x - edges.x0);
+        const auto lane  = countFrom(d64, x - edges.x0);
         const auto start = [&](const HalfPlane& plane) HWY_ATTR {
             return hn::Set(d64, plane.at(0, y - edges.y0)) + lane * hn::Set(d64, plane.perPixel);
         };

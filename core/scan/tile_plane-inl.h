@@ -17,6 +17,7 @@
 
 #include <hwy/cache_control.h>
 
+#include "core/geometry/lane_order-inl.h"
 #include "core/scan/depth_test-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -69,7 +70,7 @@ auto depthsAlong(const DepthPlane& plane, const PixelBox& box)
     const double first = VisibilityBuffer::leftOfTile(box.x0) + (isRight ? kSide - 0.5 : 0.5);
     const double line  = plane.b * ((isLow ? box.y1 - 1 : box.y0) + 0.5) + plane.c;
     for (std::size_t i = 0; i < depths.size(); i += hn::Lanes(d64)) {
-        const auto inTile = hn::Iota(d64, static_cast<double>(i)) * hn::Set(d64, kSide) + hn::Set(d64, first);
+        const auto inTile = countFrom(d64, static_cast<double>(i)) * hn::Set(d64, kSide) + hn::Set(d64, first);
         const auto column = hn::Min(hn::Max(inTile, hn::Set(d64, box.x0 + 0.5)), hn::Set(d64, box.x1 - 0.5));
         const auto z      = hn::Set(d64, plane.a) * column + hn::Set(d64, line);
         hn::Store(hn::DemoteTo(F32(), hn::Min(hn::Max(z, hn::Set(d64, plane.farthest)), hn::Set(d64, plane.nearest))), F32(), depths.data() + i);

@@ -21,7 +21,24 @@ struct WindowList {
     std::array<std::vector<float>, 3> edges;             // the owner's there, as TriangleList counts them
     std::vector<double>               centreX, centreY;  // the first pixel's, when it is worked off
 
-    void clear() { count = 0; }
+    /// Triangles of a batch with up to kMost x kMost windows, which are still to be found.
+    struct Some {
+        static constexpr int kMost = 4;
+        template <class T>
+        using Column = std::array<T, 2 * kBatchTriangles + kBatchPadding>;
+
+        std::size_t                  count = 0;
+        Column<std::uint32_t>        owners, places;                // as below
+        Column<std::int32_t>         width, height;                 // of its box, in pixels
+        std::array<Column<float>, 3> first, across, below, inward;  // edges: at the first window; from there to the right, and down; to a window's innermost pixel
+    };
+    Some some;
+
+    // Those with more, one after another.
+    std::size_t                                              manyCount = 0;
+    std::array<std::uint32_t, 2 * kBatchTriangles + kBatchPadding> many;
+
+    void clear() { count = 0, manyCount = 0, some.count = 0; }
 
     /// Room for so many windows more, and for whole vectors behind them.
     void reserve(std::size_t more)

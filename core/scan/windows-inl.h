@@ -67,6 +67,9 @@ public:
             addWindows(i, byWindows);
             forEach(hn::And(special, isDrawn), i, others);
         }
+        // Not where they are found: which lanes they stand in, nobody could predict.
+        for (std::size_t m = 0; m < m_list.some.count; m += hn::Lanes(D())) addSome(m);
+        for (std::size_t m = 0; m < m_list.manyCount; ++m) addMany(m_list.many[m]);
     }
 
 private:
@@ -88,7 +91,7 @@ private:
         const auto width  = load(m_triangles.x1, i) - load(m_triangles.x0, i);
         const auto height = load(m_triangles.y1, i) - load(m_triangles.top, i);
         const auto isWide = width > all(kWindowSide), isHigh = height > all(kWindowSide);
-        const auto hasMore = hn::Max(width, height) > all(2 * kWindowSide);
+        const auto hasMore = hn::Max(width, height) > all(2 * kWindowSide), hasMany = hn::Max(width, height) > all(WindowList::Some::kMost * kWindowSide);
         const auto hasFew  = hn::And(hn::AndNot(hasMore, mask), hn::Max(width, height) > all(kTinySide));
         if (hn::AllFalse(D(), hn::Or(hasFew, hn::And(hasMore, mask)))) return;
 
@@ -102,7 +105,7 @@ private:
             inward[k] = toInnermost(perPixel, perLine);
         }
         m_list.reserve(4 * hn::Lanes(D()));
-        const auto owners = hn::Iota(DU(), static_cast<std::uint32_t>(i));
+        const auto owners = countFrom(DU(), static_cast<std::uint32_t>(i));
         const auto place  = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
         const auto judge  = [&](const Edges& edges, hn::Mask<D> exists, int right, int down) HWY_ATTR {
             const auto kept = hn::And(exists, hn::RebindMask(D(), least(plus(edges, inward)) >= hn::Zero(DF())));
@@ -116,7 +119,45 @@ private:
             judge(lower, high, 0, kWindowSide);
             judge(plus(lower, across), hn::And(high, isWide), kWindowSide, kWindowSide);
         }
-        forEach(hn::And(mask, hasMore), i, [this](std::size_t t) { addMany(t); });
+        const auto many = hn::And(mask, hasMany);
+        hn::StoreU(hn::TableLookupLanes(owners, hn::IndicesFromVec(DU(), keptFirst(D(), many))), DU(), m_list.many.data() + m_list.manyCount);
+        m_list.manyCount += hn::CountTrue(D(), many);
+
+        const auto           some  = hn::AndNot(hasMany, hn::And(mask, hasMore));
+        const auto           order = keptFirst(D(), some);
+        WindowList::Some&    to    = m_list.some;
+        const std::size_t    count = to.count;
+        const auto keep = [&](auto d, auto values, auto& column) HWY_ATTR { hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, order)), d, column.data() + count); };
+        keep(DU(), owners, to.owners), keep(DU(), place, to.places), keep(D(), width, to.width), keep(D(), height, to.height);
+        for (std::size_t k = 0; k < 3; ++k) keep(DF(), first[k], to.first[k]), keep(DF(), across[k], to.across[k]), keep(DF(), below[k], to.below[k]);
+        for (std::size_t k = 0; k < 3; ++k) keep(DF(), inward[k], to.inward[k]);
+        to.count = count + hn::CountTrue(D(), some);
+    }
+
+    /// The windows of the waiting triangles from the m-th on, as many triangles as there are lanes: each line of windows from left to right.
+    void addSome(std::size_t m)
+    {
+        const WindowList::Some& from = m_list.some;
+        m_list.reserve(WindowList::Some::kMost * WindowList::Some::kMost * hn::Lanes(D()));
+        const auto isThere = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(from.count - m));
+        const auto owners = hn::LoadU(DU(), from.owners.data() + m), places = hn::LoadU(DU(), from.places.data() + m);
+        const auto width = hn::LoadU(D(), from.width.data() + m), height = hn::LoadU(D(), from.height.data() + m);
+        const auto edges = [m](const auto& columns) HWY_ATTR {
+            return Edges{hn::LoadU(DF(), columns[0].data() + m), hn::LoadU(DF(), columns[1].data() + m), hn::LoadU(DF(), columns[2].data() + m)};
+        };
+        const Edges across = edges(from.across), below = edges(from.below), inward = edges(from.inward);
+        Edges       line = edges(from.first);
+        for (int down = 0; down < WindowList::Some::kMost * kWindowSide; down += kWindowSide, line = plus(line, below)) {
+            const auto hasLine = hn::And(isThere, height > all(down));
+            if (hn::AllFalse(D(), hasLine)) break;
+            Edges here = line;
+            for (int right = 0; right < WindowList::Some::kMost * kWindowSide; right += kWindowSide, here = plus(here, across)) {
+                const auto exists = hn::And(hasLine, width > all(right));
+                if (hn::AllFalse(D(), exists)) break;
+                const auto kept = hn::And(exists, hn::RebindMask(D(), least(plus(here, inward)) >= hn::Zero(DF())));
+                append(kept, owners, places + hn::Set(DU(), static_cast<std::uint32_t>(right + (down << 16))), here);
+            }
+        }
     }
 
     static Edges plus(const Edges& a, const Edges& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -148,13 +189,13 @@ private:
         }
         const auto side = hn::Set(DF(), kWindowSide), perLine = hn::Set(DF(), static_cast<float>(columns)), perColumn = hn::Set(DF(), 1 / static_cast<float>(columns));
         for (int first = 0; first < count; first += step) {
-            const auto  at    = hn::Iota(DF(), static_cast<float>(first));
+            const auto  at    = countFrom(DF(), static_cast<float>(first));
             const auto  line  = hn::Floor((at + hn::Set(DF(), 0.5f)) * perColumn);
             const auto  right = (at - line * perLine) * side, down = line * side;
             const auto  edge  = [&](std::size_t k) HWY_ATTR { return hn::MulAdd(right, across[k], hn::MulAdd(down, below[k], start[k])); };
             const Edges edges{edge(0), edge(1), edge(2)};
             const auto  isInside = hn::And(least(plus(edges, inward)) >= hn::Zero(DF()), at < hn::Set(DF(), static_cast<float>(count)));
-            const auto  here     = place + hn::BitCast(DU(), hn::ConvertTo(D(), right) + hn::ShiftLeft<16>(hn::ConvertTo(D(), down)));
+            const auto  here     = place + hn::BitCast(DU(), hn::ConvertTo(D(), hn::MulAdd(down, hn::Set(DF(), 65536), right)));
             append(hn::RebindMask(D(), isInside), owner, here, edges);
         }
     }

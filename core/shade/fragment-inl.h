@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/geometry/lane_order-inl.h"
 #include "core/scan/fragments.h"
 #include "core/shade/painter.h"
 
@@ -30,7 +31,7 @@ template <class U32>
 hn::Vec<U32> shaded(U32 u32, hn::Vec<U32> base, hn::Vec<U32> rank, int x, int y, int operations)
 {
     if (operations == 0) return base;
-    const auto pixel = hn::Iota(u32, static_cast<std::uint32_t>(x)) + hn::Set(u32, static_cast<std::uint32_t>(y) << 16);
+    const auto pixel = countFrom(u32, static_cast<std::uint32_t>(x)) + hn::Set(u32, static_cast<std::uint32_t>(y) << 16);
     auto       chain = pixel ^ (rank * hn::Set(u32, 0x9E3779B1u));
     for (int done = 0; done < operations; done += kOperationsPerRound) {
         chain = chain + hn::ShiftLeft<10>(chain);
