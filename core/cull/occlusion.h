@@ -23,6 +23,7 @@ struct Occlusion {
     bool     asksNodes     = false;    // is this node hidden?
     bool     asksTriangles = false;    // is this triangle hidden?
     bool     asksByShape   = false;    // of a triangle only what it covers, not its whole box
+    bool     asksPixels    = false;    // of compact triangles, before they are set up, all pixels of their boxes; at full speed only
     AfterDrawing afterDrawing = AfterDrawing::Nothing;
 };
 

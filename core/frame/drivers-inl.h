@@ -250,7 +250,7 @@ void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratc
     using Convert = ScanConvert<Scan, Rules, Probe>;
     scratch.memory.begin(trees);
     probe(PassStarted{1});
-    const Occlusion blind{.pyramid = occlusion.pyramid, .afterDrawing = occlusion.afterDrawing};
+    const Occlusion blind{.pyramid = occlusion.pyramid, .asksPixels = occlusion.asksPixels, .afterDrawing = occlusion.afterDrawing};
     const Convert   drawAll{pass, stripe, scratch.windows, scratch.samples, blind, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, probe, &scratch.memory).drawRemembered();
     probe(PassStarted{2});
@@ -301,6 +301,14 @@ inline AfterDrawing afterDrawing(const Pipeline& pipeline)
     return AfterDrawing::Nothing;
 }
 
+/// Whether the visibility buffer's own pixels are asked, before set-up, where nodes and triangles are asked about: only where each frame's
+/// pyramid is its own and whatever is hidden costs nothing.
+inline bool asksPixels(const Pipeline& pipeline, ShadingMoment shading)
+{
+    return pipeline.cull == Cull::NodesAndTriangles && pipeline.upkeep == Upkeep::OnQuery && pipeline.depth == DepthMoment::Deferred &&
+           pipeline.coherence != Coherence::LastPyramid && shading == ShadingMoment::Never;
+}
+
 template <class Scan, class Rules, class Probe>
 void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
                 const Probe& probe)
@@ -342,6 +350,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                               .asksNodes     = asksNodes(pipeline.cull),
                               .asksTriangles = asksTriangles(pipeline.cull),
                               .asksByShape   = pipeline.query == TriangleQuery::Triangle,
+                              .asksPixels    = asksPixels(pipeline, shading) && std::is_same_v<Scan, HalfSpace>,
                               .afterDrawing  = asksLast ? AfterDrawing::Nothing : afterDrawing(pipeline)};
     const Pass      pass{.keep    = hasPrepass ? Keep::Equal : Keep::Nearest,
                          .shading = shading,

@@ -1,6 +1,7 @@
 #include "core/geometry/batches.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <numeric>
 
@@ -30,7 +31,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t   kSlots = 4 * kBatchVertices;  // a power of two, never more than a quarter full
+    static constexpr std::size_t   kSlots = std::bit_ceil(4 * kBatchVertices);  // a power of two, never more than a quarter full
     static constexpr std::uint32_t kNone  = std::numeric_limits<std::uint32_t>::max();  // no mesh has that many vertices
 
     /// The slot that holds the vertex, or the free one where it would be put.
@@ -48,7 +49,7 @@ private:
 /// Fills one batch after another.
 class BatchBuilder {
 public:
-    BatchBuilder(const Mesh& mesh, MeshBatches& out) : m_mesh(mesh), m_out(out) { m_places.clear(); }
+    BatchBuilder(const Mesh& mesh, BatchSize size, MeshBatches& out) : m_mesh(mesh), m_size(size), m_out(out) { m_places.clear(); }
 
     void add(std::uint32_t triangle)
     {
@@ -77,7 +78,7 @@ private:
     {
         std::size_t added = 0;
         for (const std::uint32_t vertex : corners) added += m_places.find(vertex) == nullptr;
-        return m_batch.triangleCount < kBatchTriangles && m_batch.vertexCount + added <= kBatchVertices;
+        return m_batch.triangleCount < m_size.triangles && m_batch.vertexCount + added <= m_size.vertices;
     }
 
     std::uint16_t placeOf(std::uint32_t vertex)
@@ -94,6 +95,7 @@ private:
     }
 
     const Mesh&  m_mesh;
+    BatchSize    m_size;
     MeshBatches& m_out;
     VertexPlaces m_places;
     Batch        m_batch;
@@ -120,10 +122,10 @@ std::vector<std::uint32_t> neighboursTogether(const Mesh& mesh)
 }
 
 /// The batches, without cones.
-MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted)
+MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted, BatchSize size = {})
 {
     MeshBatches  out;
-    BatchBuilder builder(mesh, out);
+    BatchBuilder builder(mesh, size, out);
     for (std::vector<std::uint16_t>& corner : out.corners) corner.reserve(triangles.size() + kBatchPadding);
     out.meshTriangle.reserve(triangles.size() + kBatchPadding);
     for (const std::uint32_t t : triangles)
@@ -167,9 +169,9 @@ Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
     return mesh.materialOf(mesh.trianglePolygon[triangle]).opacity < 1 ? Surfaces::Transparent : Surfaces::Opaque;
 }
 
-MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted)
+MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted, BatchSize size)
 {
-    return withCones(cut(mesh, triangles, wanted));
+    return withCones(cut(mesh, triangles, wanted, size));
 }
 
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)

@@ -6,7 +6,7 @@
 //            load order, in which they may be blended
 // Layout     a batch has its own copy of the vertices it uses, structure of arrays, so that lanes load them side
 //            by side; a vertex shared by two batches is transformed once in each
-// Size       at most kBatchVertices vertices and kBatchTriangles triangles
+// Size       as it is wanted (BatchSize), at most kBatchVertices vertices and kBatchTriangles triangles
 // Cone       of the normals of its triangles, so that a batch that shows its back is dropped whole (normal_cone.h)
 // Source     the curve is Morton's, as meshoptimizer sorts along it
 #pragma once
@@ -21,10 +21,17 @@
 
 namespace zscope {
 
-inline constexpr std::size_t kBatchVertices  = 256;
-inline constexpr std::size_t kBatchTriangles = 512;
+inline constexpr std::size_t kBatchVertices  = 640;
+inline constexpr std::size_t kBatchTriangles = 1024;
 /// Values past the end of the vectors of MeshBatches that may be read: one widest vector.
 inline constexpr std::size_t kBatchPadding = 16;
+
+/// At most so many in a batch.
+struct BatchSize {
+    std::size_t vertices = 256, triangles = 512;
+};
+/// What is drawn of a tree at once is mostly one batch.
+inline constexpr BatchSize kWholeLeaf{kBatchVertices, kBatchTriangles};
 
 struct Batch {
     std::uint32_t firstVertex   = 0;  // into MeshBatches::x, y, z
@@ -60,6 +67,6 @@ Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle);
 /// Triangles of the other kind are in no batch.
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted = Surfaces::Opaque);
 /// The same for some of its triangles, in the order given.
-MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted = Surfaces::Opaque);
+MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted = Surfaces::Opaque, BatchSize size = {});
 
 }  // namespace zscope

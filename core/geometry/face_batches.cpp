@@ -81,12 +81,12 @@ private:
     bool fits(std::uint32_t first, std::uint32_t end) const
     {
         if (m_batch.faceCount == 0) return true;
-        if (m_points.triangleCount + (end - first) > kBatchTriangles) return false;
+        if (m_points.triangleCount + (end - first) > BatchSize().triangles) return false;
         std::size_t fresh = 0;  // at most; a vertex of several ears is counted several times
         for (std::uint32_t t = first; t < end; ++t)
             for (const std::uint32_t vertex : m_mesh.triangles[t]) fresh += m_places[vertex] == kNone;
         if (end - first > 1) fresh = std::min<std::size_t>(fresh, end - first + 2);
-        return m_points.vertexCount + fresh <= kBatchVertices;
+        return m_points.vertexCount + fresh <= BatchSize().vertices;
     }
 
     std::uint32_t placeOf(std::uint32_t vertex)

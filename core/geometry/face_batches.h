@@ -6,7 +6,7 @@
 //            as the face's triangles cover it, counted by their sense of turning
 // Plane      in model space: Newell's normal, through the mean of the corners
 // Order      load order; triangles of a face are consecutive, its id is that of the first
-// Size       a batch has at most kBatchVertices vertices and kBatchTriangles triangles, or a single face of any size
+// Size       a batch has at most as many vertices and triangles as BatchSize says, or a single face of any size
 // Made       on first request, for the whole scene (facesOf)
 #pragma once
 

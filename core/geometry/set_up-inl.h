@@ -5,7 +5,8 @@
 // Edges      in int32 lanes: exact, because the sides of compact triangles are short. Then float32
 // Planes     in float64 lanes, in the order of depthPlane() (core/geometry/screen_triangle.h), nothing fused
 // One by one triangles with a long side, and all of them where rules are chosen at run time (corners need not be whole then)
-// Promise    each triangle's fate is told once (TriangleSetUp), and the list holds what setUpTriangle() would have made
+// Hidden     if somebody knows which boxes of pixels can show nothing of the batch any more, the sieve drops what lies in one
+// Promise    each triangle's fate is told once (TriangleSetUp), and the list holds what setUpTriangle() would have made, but for the hidden
 // Source     docs/correctness.md, Coverage, Depth and the winner
 #if defined(ZSCOPE_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_SET_UP_INL_H
@@ -18,6 +19,7 @@
 #include <array>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <hwy/highway.h>
@@ -31,16 +33,26 @@ namespace zscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <class Rules, class Probe>
+/// Where no box is known to be hidden.
+struct NoHiddenBoxes {};
+
+/// What was left out of the list, because nothing of it can be seen.
+struct LeftOut {
+    std::uint32_t triangles = 0;
+    std::uint64_t pixels    = 0;  // of their boxes
+};
+
+/// `Hidden`: hidden(asked, left, above, right, below) says which of those boxes can show nothing of the batch any more.
+template <class Rules, class Probe, class Hidden = NoHiddenBoxes>
 class PlainSetUp {
 public:
     PlainSetUp(const BatchPlace& place, const ScreenVertices& vertices, FaceCulling culling, const PixelBox& region, const Rules& rules,
-               TriangleList& out, const Probe& probe)
-        : m_place(place), m_vertices(vertices), m_culling(culling), m_region(region), m_rules(rules), m_out(out), m_probe(probe)
+               TriangleList& out, const Probe& probe, const Hidden& hidden = {})
+        : m_place(place), m_vertices(vertices), m_culling(culling), m_region(region), m_rules(rules), m_out(out), m_probe(probe), m_hidden(hidden)
     {
     }
 
-    void run()
+    LeftOut run()
     {
         const std::uint32_t first = m_place.batch.firstTriangle, end = first + m_place.batch.triangleCount;
         if constexpr (Rules::kExact) {
@@ -55,6 +67,8 @@ public:
         } else {
             for (std::uint32_t t = first; t < end; ++t) setUpOne(m_place, t, m_vertices, m_culling, m_region, m_rules, m_out, m_probe);
         }
+        return {static_cast<std::uint32_t>(hn::GetLane(hn::SumOfLanes(D(), m_leftOut))),
+                static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(D(), m_leftOutPixels)))};
     }
 
 private:
@@ -121,7 +135,8 @@ private:
         const auto lines = hn::And(below - above + all(kWindowSide - 1), all(-kWindowSide));
         const auto top   = hn::Min(above, all(m_region.y1) - lines);
         const auto fits  = hn::Not(top < all(m_region.y0));
-        const auto kept  = hn::And(hn::And(isCompact, hasCentre), hn::And(isTurned, fits));
+        const auto drawn = hn::And(hn::And(isCompact, hasCentre), hn::And(isTurned, fits));
+        const auto kept  = leaveOutHidden(drawn, left, above, right, below);
         const auto alone = hn::AndNot(hn::And(isCompact, fits), isThere);  // to be set up one by one
 
         if (!hn::AllFalse(D(), kept)) {
@@ -161,6 +176,22 @@ private:
         finish();
         forEach(alone, [&](std::uint32_t lane) { setUpOne(m_place, t + lane, m_vertices, m_culling, m_region, m_rules, m_out, m_probe); });
         m_finished = m_out.count;
+    }
+
+    /// Those of `drawn` that may be seen.
+    M leaveOutHidden(M drawn, V left, V above, V right, V below)
+    {
+        if constexpr (std::is_same_v<Hidden, NoHiddenBoxes>) {
+            return drawn;
+        } else {
+            static_assert(!Probe::listens);
+            if (hn::AllFalse(D(), drawn)) return drawn;
+            const auto hidden = m_hidden(drawn, left, above, right, below);
+            if (hn::AllFalse(D(), hidden)) return drawn;
+            m_leftOut       = m_leftOut + hn::IfThenElseZero(hidden, all(1));
+            m_leftOutPixels = m_leftOutPixels + hn::IfThenElseZero(hidden, (right - left) * (below - above));
+            return hn::AndNot(hidden, drawn);
+        }
     }
 
     template <class Each>
@@ -254,11 +285,14 @@ private:
     const Rules&          m_rules;
     TriangleList&         m_out;
     const Probe&          m_probe;
+    [[no_unique_address]] Hidden m_hidden;
     std::size_t           m_finished = 0;  // entries of the list whose edges and planes are there
 
     // Edges of the boxes of all that the sieve has left, lane by lane.
     V m_left = all(std::numeric_limits<std::int32_t>::max()), m_above = m_left;
     V m_right = all(std::numeric_limits<std::int32_t>::min()), m_below = m_right;
+
+    V m_leftOut = hn::Zero(D()), m_leftOutPixels = m_leftOut;  // see LeftOut
 
     static constexpr std::uint32_t kFetched = 64;
     alignas(64) std::array<std::array<std::uint64_t, kFetched>, 3> m_fetched;  // snapped corners of the triangles at hand

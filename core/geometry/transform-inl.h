@@ -9,8 +9,12 @@
 #define ZSCOPE_TRANSFORM_INL_H
 #endif
 
+#include <algorithm>
+#include <array>
+
 #include <hwy/highway.h>
 
+#include "core/geometry/lane_order-inl.h"
 #include "core/geometry/projection.h"
 #include "core/geometry/rules.h"
 #include "core/geometry/screen_vertices.h"
@@ -81,7 +85,7 @@ struct VertexStage {
 
             // NaN compares false, so a vertex without a place is not plain either.
             const auto plain = hn::And(wide(vz) >= wide(near), hn::And(hn::Abs(xs) <= guard, hn::Abs(ys) <= guard));
-            const auto isVertex = hn::Iota(d64, static_cast<double>(i)) < hn::Set(d64, batch.vertexCount);
+            const auto isVertex = countFrom(d64, static_cast<double>(i)) < hn::Set(d64, batch.vertexCount);
             worst               = hn::Max(worst, hn::IfThenZeroElse(plain, hn::IfThenElseZero(isVertex, one)));
 
             hn::StoreInterleaved4(sx, sy, wide(d), wide(d), d64, out.rows.data() + ScreenVertices::kRow * i);
@@ -108,6 +112,53 @@ void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* t
         VertexStage<float>::run(mesh, batch, toWorld, p, rules, out);
     else
         VertexStage<double>::run(mesh, batch, toWorld, p, rules, out);
+}
+
+/// Where the triangles of a plain batch may have pixels.
+struct BatchReach {
+    PixelBox pixels;
+    float    nearest;  // no fragment of them is nearer
+};
+
+/// The largest d of the first `count` vertices.
+inline double nearestOf(const ScreenVertices& vertices, std::size_t count)
+{
+    const hn::ScalableTag<double> d64;
+    constexpr std::size_t kRow = ScreenVertices::kRow, kCount = hn::MaxLanes(d64);
+    constexpr std::size_t kFirst = kRow - std::min(kRow, kCount), kRows = std::max(kRow, kCount) / kRow;  // d is last in a row
+    const auto from = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d64, vertices.rows.data() + kRow * i + kFirst); };
+    std::array<hn::Vec<decltype(d64)>, 4> most;  // side by side, because each maximum waits for the one before
+    most.fill(hn::Zero(d64));
+    std::size_t i = 0;
+    for (; i + 4 * kRows <= count; i += 4 * kRows)
+        for (std::size_t k = 0; k < 4; ++k) most[k] = hn::Max(most[k], from(i + k * kRows));
+    HWY_ALIGN std::array<double, kCount> lanes;
+    hn::Store(hn::Max(hn::Max(most[0], most[1]), hn::Max(most[2], most[3])), d64, lanes.data());
+    double nearest = 0;
+    for (std::size_t lane = kRow - kFirst - 1; lane < kCount; lane += kRow) nearest = std::max(nearest, lanes[lane]);
+    for (; i < count; ++i) nearest = std::max(nearest, vertices.rows[kRow * i + 2]);
+    return nearest;
+}
+
+/// Of the first `count` vertices, at least one, inside `region`.
+inline BatchReach reachOf(const ScreenVertices& vertices, std::size_t count, const PixelBox& region)
+{
+    const hn::CappedTag<double, 8> d64;
+    const std::size_t lanes = hn::Lanes(d64);
+    const auto        isVertex = hn::Iota(d64, 0.0) < hn::Set(d64, static_cast<double>(count));
+    const auto        load = [&](const double* column, std::size_t at) HWY_ATTR {
+        return hn::IfThenElse(isVertex, hn::LoadU(d64, column + at), hn::Set(d64, column[0]));
+    };
+    auto left = hn::Set(d64, vertices.xs[0]), right = left, above = hn::Set(d64, vertices.ys[0]), below = above;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const std::size_t at = count < lanes ? 0 : std::min(i, count - lanes);  // some of them twice
+        const auto        x = load(vertices.xs.data(), at), y = load(vertices.ys.data(), at);
+        left = hn::Min(left, x), right = hn::Max(right, x), above = hn::Min(above, y), below = hn::Max(below, y);
+    }
+    const auto first = [](double snapped) { return firstPixelCentreFrom(snapped); };
+    return {{std::max(region.x0, first(hn::GetLane(hn::MinOfLanes(d64, left)))), std::max(region.y0, first(hn::GetLane(hn::MinOfLanes(d64, above)))),
+             std::min(region.x1, first(hn::GetLane(hn::MaxOfLanes(d64, right)))), std::min(region.y1, first(hn::GetLane(hn::MaxOfLanes(d64, below))))},
+            static_cast<float>(nearestOf(vertices, count))};
 }
 
 }  // namespace zscope::HWY_NAMESPACE

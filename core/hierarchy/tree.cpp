@@ -186,14 +186,28 @@ std::vector<Tree::Group> Tree::halves(const TreeNode& node) const
 const MeshBatches& Tree::batchesOf(const TreeNode& node, const Mesh& mesh) const
 {
     if (node.hasBatches.load(std::memory_order_acquire)) return *node.batches;
+    TreeNode& mine = const_cast<TreeNode&>(node);
+    return make(mine.batches, mine.hasBatches, mesh, ownItems(node), {});
+}
+
+const MeshBatches& Tree::allBatchesOf(const TreeNode& node, const Mesh& mesh) const
+{
+    if (node.hasAllBatches.load(std::memory_order_acquire)) return *node.allBatches;
+    TreeNode& mine = const_cast<TreeNode&>(node);
+    return make(mine.allBatches, mine.hasAllBatches, mesh, allItems(node), kWholeLeaf);
+}
+
+/// The items stand still as long as the lock is held.
+const MeshBatches& Tree::make(std::unique_ptr<const MeshBatches>& batches, std::atomic<bool>& isMade, const Mesh& mesh,
+                              std::span<const std::uint32_t> items, BatchSize size) const
+{
     const std::scoped_lock lock(m_mutex);
-    if (!node.hasBatches.load(std::memory_order_relaxed)) {
-        TreeNode& mine = const_cast<TreeNode&>(node);
-        mine.batches   = std::make_unique<const MeshBatches>(makeBatches(mesh, ownItems(node)));
-        m_batchBytes.fetch_add(sizeof(MeshBatches) + mine.batches->bytes(), std::memory_order_relaxed);
-        mine.hasBatches.store(true, std::memory_order_release);
+    if (!isMade.load(std::memory_order_relaxed)) {
+        batches = std::make_unique<const MeshBatches>(makeBatches(mesh, items, Surfaces::Opaque, size));
+        m_batchBytes.fetch_add(sizeof(MeshBatches) + batches->bytes(), std::memory_order_relaxed);
+        isMade.store(true, std::memory_order_release);
     }
-    return *node.batches;
+    return *batches;
 }
 
 std::string pathOf(const TreeNode& node)

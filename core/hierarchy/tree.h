@@ -48,13 +48,13 @@ struct TreeNode {
 
     // Written once, when the node is opened.
     std::atomic<bool>           isOpen = false;
-    std::atomic<bool>           hasBatches = false;  // see `batches`
+    std::atomic<bool>           hasBatches = false, hasAllBatches = false;  // see `batches`
     int                         childCount = 0;
     std::uint32_t               ownEnd = 0;  // items [first, ownEnd) belong to no child: all of them, or none
     std::unique_ptr<TreeNode[]> children;
 
-    // Mesh trees: the batches of its own items, made when they are first drawn.
-    std::unique_ptr<const MeshBatches> batches;
+    // Mesh trees: the batches of its own items, and those of everything below, made when they are first drawn.
+    std::unique_ptr<const MeshBatches> batches, allBatches;
 
     const TreeNode* parent = nullptr;  // of the root
     Bounds          cell;              // octree: the box that is cut in octants; of a straddling node: its parent's
@@ -93,6 +93,8 @@ public:
     }
     /// The node's own items as batches of `mesh`; the node must be open, and the items triangles of the mesh.
     const MeshBatches& batchesOf(const TreeNode& node, const Mesh& mesh) const;
+    /// The same of everything below the node, opened or not.
+    const MeshBatches& allBatchesOf(const TreeNode& node, const Mesh& mesh) const;
 
     Bounds        boxOf(std::uint32_t item) const { return m_boxes->boxOf(item); }
 
@@ -108,6 +110,8 @@ private:
         bool          straddles;
     };
 
+    const MeshBatches& make(std::unique_ptr<const MeshBatches>& batches, std::atomic<bool>& isMade, const Mesh& mesh,
+                            std::span<const std::uint32_t> items, BatchSize size) const;
     void               divide(TreeNode& node) const;
     std::vector<Group> byPlanes(const TreeNode& node) const;
     std::vector<Group> halves(const TreeNode& node) const;

@@ -7,6 +7,9 @@
 //            planes, so the eye is taken into the tree's own space. What straddles the planes has no exact place between
 //            the octants: it comes before the first octant whose box is farther from the eye. BVH: the nearer box first.
 //            Instances and batches of one node: the nearer box first. Triangles of one batch, where they are large: the nearer first
+// Pixels     at full speed a batch's small triangles are left out where all pixels of their boxes hold something nearer than the batch
+//            comes (core/depth/hidden_squares.h)
+// Whole      where that is so, a small node is drawn with everything below it, and not divided: the squares tell its parts apart
 // Recall     with a memory of the last frame: what it saw is drawn first, unasked, in the order in which it came then; the
 //            visit that follows judges it again, to learn whether it stays remembered, but does not draw it twice (NodeMemory)
 // Promise    skips only what cannot win a pixel (StripeVolume, NodeReach, Pyramid); a node that reaches before the near
@@ -139,10 +142,12 @@ private:
     DrawnTriangles drawOwn(const PlacedTree& placed, const TreeNode& node)
     {
         const Mesh&        mesh    = m_scene.meshOf(placed.instance);
-        const MeshBatches& batches = placed.tree.batchesOf(node, mesh);
+        const bool         isWhole = isDrawnWhole(placed, node);
+        const MeshBatches& batches = isWhole ? placed.tree.allBatchesOf(node, mesh) : placed.tree.batchesOf(node, mesh);
         const Affine*      toWorld = placed.toWorld.isIdentity() ? nullptr : &placed.toWorld;
         DrawnTriangles     all;
-        m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size() - batches.triangleCount())});
+        if (!isWhole)
+            m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size() - batches.triangleCount())});
         for (const WaitingBatch& next : inOrder(placed, batches)) {
             const Batch& batch = batches.batches[next.batch];
             if (m_stripe.progress.cancelled()) break;
@@ -150,7 +155,8 @@ private:
             const BatchPlace place{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]};
             if (isCulledAsBack(place, placed.backs, placed.view, m_stripe, m_rules, m_probe)) continue;
             m_clock.lap(Stage::Cull);
-            setUpBatch(place, placed.instance, m_stripe, m_scratch, m_clock, m_rules, m_probe);
+            const LeftOut leftOut = setUpBatch(place, placed.instance, m_stripe, m_scratch, m_clock, m_rules, m_probe, m_occlusion.asksPixels);
+            all.add({.hidden = leftOut.triangles, .hiddenPixels = leftOut.pixels});
             if (m_scratch.triangles.areLarge()) m_scratch.triangles.sort(m_scratch.sorted, isNearer);
             all.add(m_consume(m_scratch.triangles));
         }
@@ -184,6 +190,7 @@ private:
     void visit(const PlacedTree& placed, const TreeNode& node, Planes open, const DrawItems& drawItems)
     {
         if (m_stripe.progress.cancelled() || judge(placed, node, open) != Verdict::Entered) return;
+        if (isDrawnWhole(placed, node)) return drawItems(node, open);
         const Tree& tree = placed.tree;
         tree.open(node);
         auto children = inOrder(placed, node);
@@ -191,6 +198,15 @@ private:
         m_probe(NodeOpened{placed.place(node), std::span(children.nodes).first(children.count)});
         if (!tree.ownItems(node).empty()) drawItems(node, open);
         for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], open, drawItems);
+    }
+
+    /// Triangles of a node that is drawn at once, with everything below it, where pixels are asked (measured, docs/performance.md). Nodes that are
+    /// remembered stay as small as those that are asked about.
+    static constexpr std::uint32_t kDrawnWhole = 768;
+    bool isDrawnWhole(const PlacedTree& placed, const TreeNode& node) const
+    {
+        if constexpr (Probe::listens || !Rules::kExact) return false;
+        return m_occlusion.asksPixels && !m_memory && !placed.isInstanceTree && node.size() <= kDrawnWhole;
     }
 
     /// Strikes out of `open` the planes that the node lies wholly inside of.

@@ -7,6 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/stage_clock.h"
+#include "core/depth/hidden_squares.h"
 #include "core/depth/pyramid.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/face_set_up.h"
@@ -62,6 +63,7 @@ struct StripeScratch {
     ActivePolygons   polygons;
     FaceScratch      faces;    // methods that draw whole faces only
     Pyramid          pyramid;  // hierarchical methods only
+    HiddenSquares    hidden;   // likewise, of the batch at hand
     BlendScratch     blend;    // scenes with transparent surfaces only
     NodeMemory       memory;   // methods with coherence only
 

@@ -11,6 +11,7 @@
 #define ZSCOPE_SUBMITTED_INL_H
 #endif
 
+#include "core/depth/hidden_squares-inl.h"
 #include "core/geometry/set_up-inl.h"
 #include "core/geometry/stripe_volume.h"
 #include "core/geometry/transform-inl.h"
@@ -20,10 +21,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// Transforms one batch and leaves its screen triangles in `scratch.triangles`.
+/// Pixels of a batch's reach that are worth a look for each of its triangles.
+inline constexpr std::uint64_t kWorthLooking = 16;
+
+/// Transforms one batch and leaves its screen triangles in `scratch.triangles`. `asksPixels`: at full speed those may be left out that can win no
+/// pixel any more, all of whose pixels hold something nearer than the batch comes. Whoever listens sees them drawn, and lose.
 template <class Rules, class Probe>
-void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch,
-                StageClock& clock, const Rules& rules, const Probe& probe)
+LeftOut setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
+                   const Probe& probe, [[maybe_unused]] bool asksPixels = false)
 {
     transformBatch(place.mesh, place.batch, place.toWorld, stripe.projection, rules, scratch.vertices);
     probe(BatchTransformed{instance, place.batch.vertexCount});
@@ -31,11 +36,25 @@ void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stri
 
     scratch.triangles.clear();
     const PixelBox region = stripe.region();
-    if (scratch.vertices.plain)
-        PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe).run();
-    else
+    LeftOut        leftOut;
+    if (!scratch.vertices.plain)
         setUpCarefully(place, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe);
+    else if constexpr (Rules::kExact && !Probe::listens) {
+        const BatchReach reach  = asksPixels ? reachOf(scratch.vertices, place.batch.vertexCount, region) : BatchReach{};
+        const auto       pixels = static_cast<std::uint64_t>(reach.pixels.x1 - reach.pixels.x0) * static_cast<std::uint64_t>(reach.pixels.y1 - reach.pixels.y0);
+        const bool       looks  = !reach.pixels.isEmpty() && pixels <= kWorthLooking * place.batch.triangleCount;
+        switch (looks ? HiddenSquaresFinder::find(stripe.visible, reach.pixels, reach.nearest, scratch.hidden) : HiddenPart::Nothing) {
+        case HiddenPart::Everything: leftOut = {place.batch.triangleCount, pixels}; break;
+        case HiddenPart::Squares:
+            leftOut = PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe, HiddenBoxes(scratch.hidden)).run();
+            break;
+        case HiddenPart::Nothing: PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe).run(); break;
+        }
+    } else {
+        PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe).run();
+    }
     clock.lap(Stage::Setup);
+    return leftOut;
 }
 
 /// True if the batch need not be set up, because all of its triangles are culled as back faces; their fates are told then.
