@@ -71,7 +71,8 @@ void fill(VisibilityBuffer& visible, int share, Random& random)
             const auto     kind = random.below(8);
             if (kind == 0) continue;
             if (kind == 1) {
-                const double a = 0.001 * random.between(-1, 1), c = random.below(2) ? 0.7 : 0.5;
+                // Before kNearest everywhere, just there, or on one side of the tile's middle, where groups of pixels meet.
+                const double a = random.below(2) ? 0.001 * random.between(-1, 1) : 0, c = random.below(2) ? 0.7 : 0.5;
                 visible.setPlane(x, y, {{a, 0, c - a * (x + 32), 0.1f, 0.9f}, 5});
                 continue;
             }
