@@ -83,8 +83,8 @@ private:
             if (lanes[lane] != 0) each(first + lane);
     }
 
-    /// The windows of those of the triangles i, i + 1, ... that `mask` names. Up to two by two of them are judged for all triangles
-    /// side by side; a triangle with more has its windows judged side by side.
+    /// The windows of those of the triangles i, i + 1, ... that `mask` names, if there are up to two by two of them: they are judged for all
+    /// triangles side by side. Triangles with more are put aside, for addSome() and addMany().
     void addWindows(std::size_t i, hn::Mask<D> mask)
     {
         if (hn::AllFalse(D(), mask)) return;
