@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "tests/agreement/soups.h"
@@ -55,8 +54,9 @@ TEST(NodeMemory, TheNextFrameBeginsWithWhatThisOneRemembered)
 TEST(NodeMemory, OtherTreesMakeItForgetEvenWhereTheyStandAtTheSameAddress)
 {
     const auto                shared = scene(1);
-    std::optional<SceneTrees> trees;
-    trees.emplace(*shared, TreeKind::Octree);
+    std::allocator<SceneTrees> places;
+    SceneTrees* const          trees = places.allocate(1);
+    std::construct_at(trees, *shared, TreeKind::Octree);
     NodeMemory memory;
     memory.begin(*trees);
     memory.remember({InstanceId{0}, &trees->instances().root(), &trees->mesh(MeshId{0}).root()});
@@ -66,10 +66,12 @@ TEST(NodeMemory, OtherTreesMakeItForgetEvenWhereTheyStandAtTheSameAddress)
     memory.remember(memory.lastFrame().front());
     memory.finish();
 
-    trees.reset();
-    trees.emplace(*shared, TreeKind::Octree);  // in the same place
+    std::destroy_at(trees);
+    std::construct_at(trees, *shared, TreeKind::Octree);  // in the same place
     memory.begin(*trees);
     EXPECT_TRUE(memory.lastFrame().empty());
+    std::destroy_at(trees);
+    places.deallocate(trees, 1);
 }
 
 }  // namespace
