@@ -33,7 +33,8 @@ class HiddenSquaresFinder {
     using D = hn::ScalableTag<std::uint32_t>;
     using V = hn::Vec<D>;
 
-    static constexpr int kWordPixels = 32, kGroup = 16;  // pixels that are compared together; they lie in one tile
+    static constexpr int kWordPixels = HiddenSquares::kWordPixels;
+    static constexpr int kGroup      = kWordPixels / 2;  // pixels that are compared together; they lie in one tile
     static_assert(VisibilityBuffer::kTileWidth % kGroup == 0 && kGroup <= kRowPadding);
     static constexpr std::uint32_t kWholeGroup = 0xFFFF;
 
@@ -53,17 +54,14 @@ public:
         finder.comparePixels();
         if (const HiddenPart part = finder.finishPixels(); part != HiddenPart::Squares) return part;
         out.levels = 1;
-        for (const int side : HiddenSquares::kSides) {
-            if (side == 1) continue;
-            if (!finder.grow(side - HiddenSquares::kSides[static_cast<std::size_t>(out.levels - 1)])) break;
-            ++out.levels;
-        }
+        const auto& sides = HiddenSquares::kSides;
+        for (std::size_t level = 1; level < sides.size() && finder.grow(sides[level] - sides[level - 1]); ++level) ++out.levels;
         return HiddenPart::Squares;
     }
 
 private:
     static constexpr int kSpareLines = 32;  // of a column, behind its last: whole vectors are written there
-    static_assert(HiddenSquares::kMostLines + kSpareLines <= 256);
+    static_assert(HiddenSquares::kMostLines + kSpareLines <= HiddenSquares::kColumnWords);
 
     HiddenSquaresFinder(const VisibilityBuffer& visible, float nearest, int columns, int lines, HiddenSquares& out)
         : m_visible(visible), m_nearest(nearest), m_columns(columns), m_lines(lines), m_out(out)
@@ -149,10 +147,10 @@ private:
             const auto     outside = hn::Set(D(), outsideOf(column));
             for (int line = 0; line < m_lines; line += kStep) {
                 const auto beyond = hn::Or(outside, hn::Not(linesThere(line)));
-                const auto found = hn::Load(D(), words + line);
+                const auto found  = hn::Load(D(), words + line);
                 const auto hidden = hn::Or(found, beyond);
-                any              = hn::Or(any, hn::AndNot(beyond, found));
-                every            = hn::And(every, hidden);
+                any               = hn::Or(any, hn::AndNot(beyond, found));
+                every             = hn::And(every, hidden);
                 hn::Store(hidden, D(), words + line);
             }
             spare(words);
@@ -191,8 +189,8 @@ private:
         return !hn::AllTrue(D(), any == hn::Zero(D()));
     }
 
-    static constexpr int kStep = static_cast<int>(hn::MaxLanes(D()));  // lines in a vector
-    static constexpr int kMostGrowth = 4;                              // from one side to the next
+    static constexpr int kStep       = static_cast<int>(hn::MaxLanes(D()));  // lines in a vector
+    static constexpr int kMostGrowth = 4;                                    // from one side to the next
 
     /// All bits of the lines that there are.
     V linesThere(int line) const
@@ -243,9 +241,9 @@ public:
         if (hn::AllFalse(D(), known)) return known;
 
         const auto x = left - all(m_squares.left), y = above - all(m_squares.reach.y0);
-        const auto place = hn::ShiftLeftSame(level, m_squares.levelShift) + hn::ShiftLeftSame(hn::ShiftRight<5>(x), m_squares.lineShift) + y;
+        const auto place = hn::ShiftLeftSame(level, m_squares.levelShift) + hn::ShiftLeftSame(hn::ShiftRight<std::bit_width(kLastBit)>(x), m_squares.lineShift) + y;
         const auto word  = hn::GatherIndex(D(), reinterpret_cast<const std::int32_t*>(m_squares.words.data()), hn::IfThenElseZero(known, place));
-        const auto bit   = all(1) << hn::And(x, all(31));
+        const auto bit   = all(1) << hn::And(x, all(kLastBit));
         return hn::And(known, hn::TestBit(word, bit));
     }
 
@@ -261,6 +259,8 @@ private:
         return hn::BitCast(D(), hn::TableLookupBytes(hn::LoadDup128(u8, kLevels.data()), hn::BitCast(u8, side - hn::Set(D(), 1))));
 #endif
     }
+
+    static constexpr unsigned kLastBit = HiddenSquares::kWordPixels - 1;
 
     const HiddenSquares& m_squares;
 };

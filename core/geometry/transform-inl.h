@@ -143,7 +143,7 @@ inline double nearestOf(const ScreenVertices& vertices, std::size_t count)
 /// Of the first `count` vertices, at least one, inside `region`.
 inline BatchReach reachOf(const ScreenVertices& vertices, std::size_t count, const PixelBox& region)
 {
-    const hn::CappedTag<double, 8> d64;
+    const hn::ScalableTag<double> d64;
     const std::size_t lanes = hn::Lanes(d64);
     const auto        isVertex = hn::Iota(d64, 0.0) < hn::Set(d64, static_cast<double>(count));
     const auto        load = [&](const double* column, std::size_t at) HWY_ATTR {

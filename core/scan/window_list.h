@@ -28,15 +28,16 @@ struct WindowList {
         using Column = std::array<T, 2 * kBatchTriangles + kBatchPadding>;
 
         std::size_t                  count = 0;
-        Column<std::uint32_t>        owners, places;                // as below
-        Column<std::int32_t>         width, height;                 // of its box, in pixels
-        std::array<Column<float>, 3> first, across, below, inward;  // edges: at the first window; from there to the right, and down; to a window's innermost pixel
+        Column<std::uint32_t>        owners, places;         // as of a window
+        Column<std::int32_t>         width, height;          // of its box, in pixels
+        std::array<Column<float>, 3> first;                  // edges at its first window's first pixel
+        std::array<Column<float>, 3> across, below, inward;  // from there to the next window, to the one below, to the innermost pixel
     };
     Some some;
 
     // Those with more, one after another.
-    std::size_t                                              manyCount = 0;
-    std::array<std::uint32_t, 2 * kBatchTriangles + kBatchPadding> many;
+    std::size_t                 manyCount = 0;
+    Some::Column<std::uint32_t> many;
 
     void clear() { count = 0, manyCount = 0, some.count = 0; }
 

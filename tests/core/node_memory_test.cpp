@@ -53,7 +53,7 @@ TEST(NodeMemory, TheNextFrameBeginsWithWhatThisOneRemembered)
 
 TEST(NodeMemory, OtherTreesMakeItForgetEvenWhereTheyStandAtTheSameAddress)
 {
-    const auto                shared = scene(1);
+    const auto                 shared = scene(1);
     std::allocator<SceneTrees> places;
     SceneTrees* const          trees = places.allocate(1);
     std::construct_at(trees, *shared, TreeKind::Octree);
