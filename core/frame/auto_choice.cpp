@@ -83,12 +83,11 @@ void AutoChoice::drawnInTrial(const FrameCost& cost)
     const bool   isTimed  = m_frames > kWarmUp;
     // Whoever builds nothing has no warming up that could make up for this.
     const bool isHopeless = cost.whole > kHopeless * bestMs && !visitsTree(*now.preset);
-    const bool isBeaten   = isTimed && !m_takesTurns && cost.whole > kDrift * bestMs;
     if (isTimed || isHopeless) {
         if (!now.isKnown || cost.whole < now.cost.whole) now.cost = cost;
         now.isKnown = true;
     }
-    if (isHopeless || isBeaten || m_frames == kWarmUp + (m_takesTurns ? kTimedInTurn : kTimed)) nextTrial();
+    if (isHopeless || m_frames == kWarmUp + (m_takesTurns ? kTimedInTurn : kTimed)) nextTrial();
 }
 
 void AutoChoice::drawnAsKept(const FrameCost& cost)
@@ -191,7 +190,7 @@ double AutoChoice::costOfTrials(double keptMs) const
         const double ratio  = ms > 0 && usual > 0 ? ms / usual : kHopeless;
         const bool   isHopeless = ratio > kHopeless && !visitsTree(*m_candidates[i].preset);
         const int    whole      = kWarmUp + kTimed;
-        const int    frames     = isHopeless ? 1 : ratio > kDrift ? kWarmUp + 1 : ratio > kClose ? whole : whole + kTurns * (kWarmUp + kTimedInTurn);
+        const int    frames     = isHopeless ? 1 : ratio > kClose ? whole : whole + kTurns * (kWarmUp + kTimedInTurn);
         extra += std::max(0.0, ratio - 1) * keptMs * frames;
     }
     return extra;

@@ -2,11 +2,11 @@
 //
 // First      a frame of which nothing is known takes the z-buffer if few triangles can be in view, else the hierarchical
 //            z-buffer over an octree. This depends on scene and camera only; stepping and counting stop here
-// Trials     then every candidate draws kWarmUp frames that are not timed (trees are built, memories filled) and up to kTimed
-//            that are; the shortest counts. Those within kClose of the fastest then take turns, kTurns times: a machine has other
-//            work, for a frame or for a second, and who draws by turns meets the same of it. One that cannot pay is left out: a
-//            method without a hierarchy whose least conceivable time is kHopeless times the best known, a sweep with more than
-//            a few triangles in view
+// Trials     then every candidate draws kWarmUp frames that are not timed (trees are built, memories filled) and kTimed that
+//            are; the shortest counts, for any one of them may have been held up. Those within kClose of the fastest then take
+//            turns, kTurns times: a machine has other work, for a frame or for a second, and who draws by turns meets the same
+//            of it. One that cannot pay is left out: a method without a hierarchy whose least conceivable time is kHopeless
+//            times the best known, a sweep with more than a few triangles in view
 // Kept       the fastest draws until its time has drifted by kDrift for kDriftFrames frames in a row, or for kKeptFrames;
 //            then the others are tried again, but not before it has drawn kBudget times as long as that cost last time, so
 //            that trials take about one part in kBudget of all time at most

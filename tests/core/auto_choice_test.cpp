@@ -94,6 +94,22 @@ TEST(AutoChoice, AFrameThatWarmsUpDoesNotCountAndTheShorterOfTwoDoes)
     EXPECT_NE(drawing.choice.why().find("3.00 ms"), std::string::npos) << drawing.choice.why();
 }
 
+TEST(AutoChoice, OneFrameThatWasHeldUpDropsNobody)
+{
+    for (const int held : {0, 1}) {  // of the two that are timed
+        Drawing                    drawing(kLarge);
+        std::map<std::string, int> frames;
+        while (drawing.choice.isTrial()) {
+            const std::string name(drawing.choice.preset().name);
+            Times             times = kTreesPay;
+            if (frames[name]++ == AutoChoice::kWarmUp + held) times[name] *= 30;
+            drawing.draw(times);
+            ASSERT_LT(drawing.frames, 100);
+        }
+        EXPECT_EQ(drawing.choice.preset().name, "two-pass") << held;
+    }
+}
+
 TEST(AutoChoice, ThoseThatAreCloseToTheFastestTakeTurns)
 {
     Drawing drawing(kSmall);
