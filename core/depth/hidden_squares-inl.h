@@ -233,21 +233,40 @@ public:
     /// Which of the boxes [left, right) x [above, below) that `asked` names, all of them in the reach and not empty, are hidden.
     hn::Mask<D> operator()(hn::Mask<D> asked, V left, V above, V right, V below) const
     {
-        const auto all  = [](int value) HWY_ATTR { return hn::Set(D(), value); };
-        const auto side = hn::Max(right - left, below - above);
+        const auto side    = hn::Max(right - left, below - above);
         const auto isLarge = side > all(HiddenSquares::kSides.back());
         const auto level   = levelOf(hn::IfThenElse(isLarge, all(1), side));
         const auto known   = hn::And(hn::AndNot(isLarge, asked), level < all(m_squares.levels));
         if (hn::AllFalse(D(), known)) return known;
+        return squaresAt(known, level, left, above);
+    }
 
-        const auto x = left - all(m_squares.left), y = above - all(m_squares.reach.y0);
-        const auto place = hn::ShiftLeftSame(level, m_squares.levelShift) + hn::ShiftLeftSame(hn::ShiftRight<std::bit_width(kLastBit)>(x), m_squares.lineShift) + y;
-        const auto word  = hn::GatherIndex(D(), reinterpret_cast<const std::int32_t*>(m_squares.words.data()), hn::IfThenElseZero(known, place));
-        const auto bit   = all(1) << hn::And(x, all(kLastBit));
-        return hn::And(known, hn::TestBit(word, bit));
+    /// The same of boxes with sides of up to twice the largest square: by four of these, one in each corner.
+    hn::Mask<D> ofLarge(hn::Mask<D> asked, V left, V above, V right, V below) const
+    {
+        constexpr int kSide = HiddenSquares::kSides.back();
+        const auto    side  = hn::Max(right - left, below - above);
+        const auto    isLarge = hn::And(hn::And(asked, side > all(kSide)), side < all(2 * kSide + 1));
+        if (static_cast<std::size_t>(m_squares.levels) < HiddenSquares::kSides.size() || hn::AllFalse(D(), isLarge)) return hn::And(asked, all(1) < all(0));
+        const auto level = all(static_cast<int>(HiddenSquares::kSides.size()) - 1), x = hn::Max(left, right - all(kSide)), y = hn::Max(above, below - all(kSide));
+        auto       hidden = isLarge;
+        for (const auto& [atX, atY] : {std::pair(left, above), std::pair(x, above), std::pair(left, y), std::pair(x, y)}) hidden = squaresAt(hidden, level, atX, atY);
+        return hidden;
     }
 
 private:
+    static V all(int value) { return hn::Set(D(), value); }
+
+    /// Of `asked`, those whose squares of the level that begin there are hidden.
+    hn::Mask<D> squaresAt(hn::Mask<D> asked, V level, V left, V above) const
+    {
+        const auto x = left - all(m_squares.left), y = above - all(m_squares.reach.y0);
+        const auto place = hn::ShiftLeftSame(level, m_squares.levelShift) + hn::ShiftLeftSame(hn::ShiftRight<std::bit_width(kLastBit)>(x), m_squares.lineShift) + y;
+        const auto word  = hn::GatherIndex(D(), reinterpret_cast<const std::int32_t*>(m_squares.words.data()), hn::IfThenElseZero(asked, place));
+        const auto bit   = all(1) << hn::And(x, all(kLastBit));
+        return hn::And(asked, hn::TestBit(word, bit));
+    }
+
     /// The first level whose squares have sides of so many pixels or more.
     static V levelOf(V side)
     {

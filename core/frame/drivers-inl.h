@@ -248,7 +248,7 @@ void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratc
                    const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
 {
     using Convert = ScanConvert<Scan, Rules, Probe>;
-    scratch.memory.begin(trees);
+    scratch.memory.begin(trees, Rules::kExact && !Probe::listens && occlusion.asksPixels);
     probe(PassStarted{1});
     const Occlusion blind{.pyramid = occlusion.pyramid, .asksPixels = occlusion.asksPixels, .afterDrawing = occlusion.afterDrawing};
     const Convert   drawAll{pass, stripe, scratch.windows, scratch.samples, blind, clock, rules, probe};

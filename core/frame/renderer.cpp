@@ -156,6 +156,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         // Who shades early or blends colours pixels whatever tile they lie in.
         if (!shadesByTiles) std::ranges::fill(frame.painted.values(), std::uint8_t{1});
         m_workspace->scratch.resize(std::max(m_workspace->scratch.size(), stageMs.size()));
+        for (StripeScratch& scratch : m_workspace->scratch) scratch.memory.allowWholeNodes();
     } catch (const std::bad_alloc&) {
         return Error{Trouble::Limit, "there is not enough memory for this picture"};
     }

@@ -4,7 +4,9 @@
 #include <bit>
 #include <limits>
 #include <numeric>
+#include <utility>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <meshoptimizer.h>
 
@@ -121,7 +123,67 @@ std::vector<std::uint32_t> neighboursTogether(const Mesh& mesh)
     return order;
 }
 
-/// The batches, without cones.
+/// Halves triangles at the middle of that key in which they differ most, until what is left is a patch.
+class PatchOrder {
+public:
+    PatchOrder(const Mesh& mesh, std::span<const std::uint32_t> triangles)
+    {
+        Bounds box;
+        for (const std::uint32_t t : triangles)
+            for (const std::uint32_t corner : mesh.triangles[t]) box.include(mesh.positions[corner]);
+        const dvec3  size    = box.max - box.min;
+        const double longest = std::max({size.x, size.y, size.z});
+        m_items.reserve(triangles.size());
+        for (const std::uint32_t t : triangles) {
+            const auto& [a, b, c] = mesh.triangles[t];
+            const dvec3  along = mesh.positions[b] - mesh.positions[a], across = glm::cross(along, mesh.positions[c] - mesh.positions[a]);
+            const double area   = glm::length(across);
+            const dvec3  centre = mesh.positions[a] / 3.0 + mesh.positions[b] / 3.0 + mesh.positions[c] / 3.0;
+            Item         item{t, {}};
+            for (int i = 0; i < 3; ++i) {
+                item.keys[static_cast<std::size_t>(i)]     = longest > 0 ? static_cast<float>((centre[i] - box.min[i]) / longest) : 0;
+                item.keys[static_cast<std::size_t>(i) + 3] = area > 0 ? static_cast<float>(across[i] / area) : 0;
+            }
+            m_items.push_back(item);
+        }
+    }
+
+    std::vector<std::uint32_t> find()
+    {
+        halve(m_items);
+        std::vector<std::uint32_t> order;
+        order.reserve(m_items.size());
+        for (const Item& item : m_items) order.push_back(item.triangle);
+        return order;
+    }
+
+private:
+    static constexpr std::size_t kKeys = 6;
+    struct Item {
+        std::uint32_t            triangle;
+        std::array<float, kKeys> keys;  // of the centre, as parts of the longest side of all; of the normal
+    };
+
+    static void halve(std::span<Item> items)
+    {
+        if (items.size() <= kPatchTriangles) return std::ranges::sort(items, {}, &Item::triangle), void();
+        std::size_t widest = 0;
+        float       width  = -1;
+        for (std::size_t k = 0; k < kKeys; ++k) {
+            const auto [least, most] = std::ranges::minmax(items, {}, [k](const Item& item) { return item.keys[k]; });
+            if (most.keys[k] - least.keys[k] > width) widest = k, width = most.keys[k] - least.keys[k];
+        }
+        const std::size_t patches = (items.size() + kPatchTriangles - 1) / kPatchTriangles, middle = patches / 2 * kPatchTriangles;
+        std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(middle), {},
+                                 [widest](const Item& item) { return std::pair(item.keys[widest], item.triangle); });
+        halve(items.first(middle));
+        halve(items.subspan(middle));
+    }
+
+    std::vector<Item> m_items;
+};
+
+/// The batches, without what is known of their normals.
 MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted, BatchSize size = {})
 {
     MeshBatches  out;
@@ -140,19 +202,70 @@ MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surf
     return out;
 }
 
-MeshBatches withCones(MeshBatches mesh)
-{
-    std::vector<std::array<dvec3, 3>> triangles;
-    for (Batch& batch : mesh.batches) {
-        const auto corner = [&](std::size_t k, std::uint32_t t) {
-            const std::size_t v = batch.firstVertex + mesh.corners[k][t];
-            return dvec3{mesh.x[v], mesh.y[v], mesh.z[v]};
-        };
-        triangles.clear();
-        for (std::uint32_t t = batch.firstTriangle; t < batch.firstTriangle + batch.triangleCount; ++t)
-            triangles.push_back({corner(0, t), corner(1, t), corner(2, t)});
-        batch.cone = normalConeOf(triangles, 0.5 * batch.bounds.min + 0.5 * batch.bounds.max);
+/// Fills in what is known of the batches' normals, and of their patches.
+class PatchBuilder {
+    using Triangle = std::array<dvec3, 3>;
+
+public:
+    explicit PatchBuilder(MeshBatches& mesh) : m_mesh(mesh) {}
+
+    void run()
+    {
+        for (Batch& batch : m_mesh.batches) {
+            m_triangles.clear();
+            for (std::uint32_t t = batch.firstTriangle; t < batch.firstTriangle + batch.triangleCount; ++t)
+                m_triangles.push_back({corner(batch, 0, t), corner(batch, 1, t), corner(batch, 2, t)});
+            batch.cone = normalConeOf(m_triangles, 0.5 * batch.bounds.min + 0.5 * batch.bounds.max);
+            addPatches(batch);
+        }
     }
+
+private:
+    dvec3 corner(const Batch& batch, std::size_t k, std::uint32_t t) const
+    {
+        const std::size_t v = batch.firstVertex + m_mesh.corners[k][t];
+        return {m_mesh.x[v], m_mesh.y[v], m_mesh.z[v]};
+    }
+
+    void addPatches(Batch& batch)
+    {
+        batch.firstBlock = static_cast<std::uint32_t>(m_mesh.patches.size());
+        m_mesh.patches.resize(m_mesh.patches.size() + (batch.patchCount() + PatchBlock::kPatches - 1) / PatchBlock::kPatches);
+        for (std::uint32_t patch = 0; patch < batch.patchCount(); ++patch) {
+            const std::uint32_t first = patch * kPatchTriangles, count = std::min(batch.triangleCount - first, kPatchTriangles);
+            PatchBlock&         block = m_mesh.patches[batch.firstBlock + patch / PatchBlock::kPatches];
+            const std::size_t   lane  = patch % PatchBlock::kPatches;
+            place(std::span(m_triangles).subspan(first, count), block, lane);
+            for (std::uint32_t t = batch.firstTriangle + first; t < batch.firstTriangle + first + count; ++t)
+                for (const std::vector<std::uint16_t>& corner : m_mesh.corners) block.vertexGroups[lane] |= std::uint64_t{1} << corner[t] / kVertexGroup;
+        }
+    }
+
+    static void place(std::span<const Triangle> patch, PatchBlock& block, std::size_t lane)
+    {
+        Bounds box;
+        for (const Triangle& triangle : patch)
+            for (const dvec3& corner : triangle) box.include(corner);
+        const dvec3 centre = 0.5 * box.min + 0.5 * box.max;
+        double      radius = 0;
+        for (const Triangle& triangle : patch)
+            for (const dvec3& corner : triangle) radius = std::max(radius, glm::length(corner - centre));
+        const NormalCone cone = normalConeOf(patch, centre);
+        for (int i = 0; i < 3; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            block.axis[k][lane] = cone.axis[i], block.apex[k][lane] = cone.apex[i], block.centre[k][lane] = centre[i];
+        }
+        block.cosine[lane] = cone.cosine, block.sine[lane] = cone.sine, block.altitude[lane] = cone.altitude;
+        block.radius[lane] = radius;
+    }
+
+    MeshBatches&          m_mesh;
+    std::vector<Triangle> m_triangles;  // of the batch at hand
+};
+
+MeshBatches withPatches(MeshBatches mesh)
+{
+    PatchBuilder(mesh).run();
     return mesh;
 }
 
@@ -160,7 +273,7 @@ MeshBatches withCones(MeshBatches mesh)
 
 std::uint64_t MeshBatches::bytes() const
 {
-    return batches.capacity() * sizeof(Batch) + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double) +
+    return batches.capacity() * sizeof(Batch) + patches.capacity() * sizeof(PatchBlock) + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double) +
            3 * corners[0].capacity() * sizeof(std::uint16_t) + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
 }
 
@@ -171,15 +284,17 @@ Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
 
 MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted, BatchSize size)
 {
-    return withCones(cut(mesh, triangles, wanted, size));
+    return withPatches(cut(mesh, triangles, wanted, size));
 }
+
+std::vector<std::uint32_t> inPatches(const Mesh& mesh, std::span<const std::uint32_t> triangles) { return PatchOrder(mesh, triangles).find(); }
 
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
 {
     MeshBatches loaded = cut(mesh, inLoadOrder(mesh), wanted);
-    if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return withCones(std::move(loaded));
+    if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return withPatches(std::move(loaded));
     MeshBatches sorted = cut(mesh, neighboursTogether(mesh), wanted);
-    return withCones(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded));
+    return withPatches(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded));
 }
 
 }  // namespace zscope

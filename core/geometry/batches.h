@@ -8,6 +8,7 @@
 //            by side; a vertex shared by two batches is transformed once in each
 // Size       as it is wanted (BatchSize), at most kBatchVertices vertices and kBatchTriangles triangles
 // Cone       of the normals of its triangles, so that a batch that shows its back is dropped whole (normal_cone.h)
+// Patches    of a batch, for whoever would rather know of fewer triangles at once (patches.h)
 // Source     the curve is Morton's, as meshoptimizer sorts along it
 #pragma once
 
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "core/geometry/normal_cone.h"
+#include "core/geometry/patches.h"
 #include "core/scene/mesh.h"
 
 namespace zscope {
@@ -40,10 +42,16 @@ struct Batch {
     std::uint32_t triangleCount = 0;
     Bounds        bounds;             // of its vertices, model space
     NormalCone    cone;               // of its triangles, model space
+    std::uint32_t firstBlock = 0;     // into MeshBatches::patches
+
+    std::size_t patchCount() const { return (triangleCount + kPatchTriangles - 1) / kPatchTriangles; }
+    PatchBits   patches() const { return kAllPatches >> (32 - patchCount()); }
 };
+static_assert(kBatchTriangles <= 32 * kPatchTriangles && kBatchVertices <= 64 * kVertexGroup, "one bit each: PatchBits, PatchBlock::vertexGroups");
 
 struct MeshBatches {
     std::vector<Batch>         batches;
+    std::vector<PatchBlock>    patches;       // PatchBlock::kPatches of a batch in each
     std::vector<double>        x, y, z;       // model space
     std::vector<std::uint32_t> meshTriangle;  // which triangle of the mesh each one is
     std::vector<std::uint8_t>  patterned;     // whether it has holes or a relief; empty if none has
@@ -57,12 +65,20 @@ struct MeshBatches {
     std::size_t   triangleCount() const { return batches.empty() ? 0 : batches.back().firstTriangle + batches.back().triangleCount; }
     bool          isPatterned(std::uint32_t triangle) const { return !patterned.empty() && patterned[triangle] != 0; }
     std::uint64_t bytes() const;
+
+    std::span<const PatchBlock> patchesOf(const Batch& batch) const
+    {
+        return std::span(patches).subspan(batch.firstBlock, (batch.patchCount() + PatchBlock::kPatches - 1) / PatchBlock::kPatches);
+    }
 };
 
 /// Which triangles of a mesh are wanted: those that decide ids and depth, or those that are blended over them afterwards.
 enum class Surfaces { Opaque, Transparent };
 /// Transparent: the triangle's material has an opacity below 1.
 Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle);
+
+/// Some triangles of a mesh in another order: so that those of a patch lie close together and face the same way.
+std::vector<std::uint32_t> inPatches(const Mesh& mesh, std::span<const std::uint32_t> triangles);
 
 /// Triangles of the other kind are in no batch.
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted = Surfaces::Opaque);

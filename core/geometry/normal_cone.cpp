@@ -15,9 +15,6 @@ namespace {
 
 /// Triangles with a smaller ratio of altitude to side have no normal worth trusting.
 constexpr double kThinnest = 1e-6;
-/// What a cosine, a length or a position may be wrong by, relative to what it was made of: far above the rounding of some twenty
-/// operations (1e-15) over the thinnest triangle (1e6) or the flattest placement (1e3).
-constexpr double kSlack = 1e-8;
 /// Cones as wide as this see the front of something from almost anywhere.
 constexpr double kWidest = 0.05;
 
@@ -56,8 +53,8 @@ NormalCone normalConeOf(std::span<const std::array<dvec3, 3>> triangles, const d
     double      cosine = 1, back = 0;  // the apex must lie so far behind the centre
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const double towards = glm::dot(facings[i].normal, axis);
-        if (!(towards - kSlack > kWidest)) return {};
-        cosine = std::min(cosine, towards - kSlack);
+        if (!(towards - kConeSlack > kWidest)) return {};
+        cosine = std::min(cosine, towards - kConeSlack);
         back   = std::max(back, glm::dot(centre - triangles[i][0], facings[i].normal) / towards);
     }
     return {.axis = axis, .apex = centre - axis * back, .cosine = cosine, .sine = std::sqrt(1 - cosine * cosine), .altitude = altitude};
@@ -75,29 +72,40 @@ BackFaces::BackFaces(const PlacedView& view, const Projection& projection) : m_n
     m_eye     = -(glm::inverse(linear) * view.origin());
 }
 
-bool BackFaces::hold(const NormalCone& cone, const ViewBox& box) const
+std::optional<BehindQuestion> BackFaces::question(const ViewBox& box) const
 {
-    if (!cone.promises() || !(m_volume > 0)) return false;
-    const dvec3  ahead = cone.apex - m_eye;
+    if (!(m_volume > 0)) return {};
+    const double error   = PlacedView::kError * box.magnitude, deep = box.spread(0, 0, 1) + error;
+    const double nearest = box.centre.z - deep, farthest = box.centre.z + deep;
+    if (!(nearest >= m_near)) return {};
+    const double wide = std::abs(box.centre.x) + box.spread(1, 0, 0) + error, high = std::abs(box.centre.y) + box.spread(0, 1, 0) + error;
+    const double slope = std::sqrt(wide * wide + high * high) / nearest, pixels = m_focal / nearest;
+    if (!(m_focal * slope < 1e6)) return {};  // positions beyond some thousand pictures have roundings of their own
+
+    const double moved = 0.7072 / kSubpixels + 2 * pixels * error * (1 + slope) + kConeSlack / kSubpixels;
+    return BehindQuestion{.eye               = m_eye,
+                          .slack             = kConeSlack * (glm::length(m_eye) + box.magnitude / m_stretch),
+                          .areaPerDistance   = m_focal * m_focal * m_volume / (farthest * farthest * farthest),
+                          .change            = (1 + 1e-6) * 3 * moved * pixels * m_stretch * std::sqrt(1 + slope * slope),
+                          .changePerAltitude = (1 + 1e-6) * 4 * moved * moved};
+}
+
+bool BehindQuestion::holdsOf(const NormalCone& cone) const
+{
+    if (!cone.promises()) return false;
+    const dvec3  ahead = cone.apex - eye;
     const double along = glm::dot(ahead, cone.axis);
     if (!(along > 0)) return false;
     const dvec3  aside    = ahead - cone.axis * along;
-    const double slack    = kSlack * (glm::length(cone.apex) + glm::length(m_eye) + box.magnitude / m_stretch);
-    const double distance = along * cone.cosine - glm::length(aside) * cone.sine - slack;
-    if (!(distance > 0)) return false;
+    const double place    = std::abs(cone.apex.x) + std::abs(cone.apex.y) + std::abs(cone.apex.z);
+    const double distance = along * cone.cosine - glm::length(aside) * cone.sine - (slack + kConeSlack * place);
+    return distance > 0 && areaPerDistance * cone.altitude * distance * cone.altitude > change * cone.altitude + changePerAltitude;
+}
 
-    const double error   = PlacedView::kError * box.magnitude, deep = box.spread(0, 0, 1) + error;
-    const double nearest = box.centre.z - deep, farthest = box.centre.z + deep;
-    if (!(nearest >= m_near)) return false;
-    const double wide = std::abs(box.centre.x) + box.spread(1, 0, 0) + error, high = std::abs(box.centre.y) + box.spread(0, 1, 0) + error;
-    const double slope = std::sqrt(wide * wide + high * high) / nearest, pixels = m_focal / nearest;
-    if (!(m_focal * slope < 1e6)) return false;  // positions beyond some thousand pictures have roundings of their own
-
-    const double moved      = 0.7072 / kSubpixels + 2 * pixels * error * (1 + slope) + kSlack / kSubpixels;
-    // Both per length of a triangle's longest side.
-    const double doubleArea = m_focal * m_focal * m_volume * cone.altitude * distance / (farthest * farthest * farthest);
-    const double change     = 3 * moved * pixels * m_stretch * std::sqrt(1 + slope * slope) + 4 * moved * moved / cone.altitude;
-    return doubleArea > (1 + 1e-6) * change;
+bool BackFaces::hold(const NormalCone& cone, const ViewBox& box) const
+{
+    const std::optional<BehindQuestion> asked = question(box);
+    return asked && asked->holdsOf(cone);
 }
 
 }  // namespace zscope

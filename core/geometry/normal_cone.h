@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "core/geometry/placed_view.h"
@@ -32,10 +33,30 @@ struct NormalCone {
 /// Of a batch around `centre`; corners anticlockwise as seen from the front.
 NormalCone normalConeOf(std::span<const std::array<dvec3, 3>> triangles, const dvec3& centre);
 
+/// Whether all triangles of a cone face away, wherever in one box they lie: if the eye is so far behind the planes of all of them that
+/// nothing turns one over.
+struct BehindQuestion {
+    dvec3  eye;                // in model space
+    double slack;              // what a distance may be wrong by, but for the apex's part
+    double areaPerDistance;    // twice the area of a triangle on the screen is at least so much, times its altitude and the distance
+    double change;             // by so much snapping may change it, all per length of its longest side,
+    double changePerAltitude;  // and by so much divided by its altitude
+
+    /// True only if every triangle is back-facing.
+    bool holdsOf(const NormalCone& cone) const;
+};
+/// What a cosine, a length or a position may be wrong by, relative to what it was made of: far above the rounding of some twenty operations
+/// (1e-15) over the thinnest triangle (1e6) or the flattest placement (1e3). So much of the sum of its coordinates' magnitudes an apex adds to
+/// BehindQuestion::slack.
+inline constexpr double kConeSlack = 1e-8;
+
 /// One placement, as its camera sees it, asked about batches.
 class BackFaces {
 public:
     BackFaces(const PlacedView& view, const Projection& projection);
+
+    /// What to ask about cones whose triangles lie in `box`; nothing if no answer could be trusted.
+    std::optional<BehindQuestion> question(const ViewBox& box) const;
 
     /// True only of a batch of which every triangle is back-facing; `box` holds it.
     bool hold(const NormalCone& cone, const ViewBox& box) const;

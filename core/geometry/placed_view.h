@@ -10,8 +10,11 @@
 // Cost       made once per placed tree, some 40 operations; 50 per box, none of them a division
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 #include "core/geometry/projection.h"
 #include "core/scene/mesh.h"
@@ -44,12 +47,18 @@ public:
             m_weight[static_cast<int>(c)] = std::abs(m[0][c]) + std::abs(m[1][c]) + std::abs(m[2][c]);
         }
         m_origin    = turned(p, {m[0][3] - p.eye.x, m[1][3] - p.eye.y, m[2][3] - p.eye.z});
+        double most = 0;
+        for (const dvec3& a : m_axes) most = std::max(most, std::abs(glm::dot(a, m_axes[0])) + std::abs(glm::dot(a, m_axes[1])) + std::abs(glm::dot(a, m_axes[2])));
+        m_longest   = std::sqrt(most) * (1 + 1e-12);
         m_magnitude = std::abs(m[0][3]) + std::abs(m[1][3]) + std::abs(m[2][3]) + std::abs(p.eye.x) + std::abs(p.eye.y) + std::abs(p.eye.z);
     }
 
     /// The model's axes and its origin in view space.
     const std::array<dvec3, 3>& axes() const { return m_axes; }
     const dvec3&                origin() const { return m_origin; }
+    /// No length of the model is more than so many times as long in view space: the largest singular value is at most the root of the largest sum
+    /// of magnitudes in a row of the axes' products.
+    double longest() const { return m_longest; }
 
     [[gnu::always_inline]] ViewBox operator()(const Bounds& box) const
     {
@@ -71,6 +80,7 @@ private:
     dvec3                m_origin;  // likewise
     dvec3                m_weight;  // magnitude per unit of each coordinate
     double               m_magnitude;
+    double               m_longest;
 };
 
 }  // namespace zscope

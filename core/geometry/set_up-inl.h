@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -57,9 +58,13 @@ public:
         const std::uint32_t first = m_place.batch.firstTriangle, end = first + m_place.batch.triangleCount;
         if constexpr (Rules::kExact) {
             m_finished = m_out.count;
-            for (std::uint32_t t = first; t < end; t += kFetched) {
-                fetchCorners(t, std::min(end - t, kFetched));
-                for (std::uint32_t i = 0; i < kFetched && t + i < end; i += static_cast<std::uint32_t>(hn::Lanes(D()))) sieve(t, i, end);
+            for (PatchBits left = m_place.patches & m_place.batch.patches(); left != 0;) {
+                const BitRun        run = takeRun(left);
+                const std::uint32_t t0 = first + kPatchTriangles * run.first, stop = std::min(end, t0 + kPatchTriangles * run.count);
+                for (std::uint32_t t = t0; t < stop; t += kFetched) {
+                    fetchCorners(t, std::min(stop - t, kFetched));
+                    for (std::uint32_t i = 0; i < kFetched && t + i < stop; i += static_cast<std::uint32_t>(hn::Lanes(D()))) sieve(t, i, stop);
+                }
             }
             finish();
             m_out.compactReach = {hn::GetLane(hn::MinOfLanes(D(), m_left)), hn::GetLane(hn::MinOfLanes(D(), m_above)),

@@ -17,8 +17,9 @@ namespace zscope {
 struct BatchPlace {
     const MeshBatches& mesh;
     const Batch&       batch;
-    const Affine*      toWorld;        // nullptr: the identity
-    std::uint32_t      firstTriangle;  // id of the instance's triangle 0
+    const Affine*      toWorld;                // nullptr: the identity
+    std::uint32_t      firstTriangle;          // id of the instance's triangle 0
+    PatchBits          patches = kAllPatches;  // those that are drawn
 
     TriangleId idOf(std::uint32_t triangle) const { return {firstTriangle + mesh.meshTriangle[triangle]}; }
 };

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include <hwy/highway.h>
 
@@ -48,8 +49,9 @@ struct VertexStage {
             return hn::PromoteTo(F64(), value);
     }
 
+    /// Of the vertices [first, end); whether all of them are plain.
     template <class Rules>
-    static void run(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p, const Rules& rules,
+    static bool run(const MeshBatches& mesh, const Batch& batch, std::size_t first, std::size_t end, const Affine* toWorld, const Projection& p, const Rules& rules,
                     ScreenVertices& out)
     {
         const F64  d64;
@@ -58,7 +60,7 @@ struct VertexStage {
         const auto snaps = hn::Set(d64, rules.snapsPerPixel());
         auto       worst = hn::Zero(d64);  // becomes 1 in a lane that meets a vertex that is not plain
 
-        for (std::size_t i = 0; i < batch.vertexCount; i += hn::Lanes(d64)) {
+        for (std::size_t i = first; i < end; i += hn::Lanes(d64)) {
             auto x = load(mesh.x.data() + batch.firstVertex + i);
             auto y = load(mesh.y.data() + batch.firstVertex + i);
             auto z = load(mesh.z.data() + batch.firstVertex + i);
@@ -85,7 +87,7 @@ struct VertexStage {
 
             // NaN compares false, so a vertex without a place is not plain either.
             const auto plain = hn::And(wide(vz) >= wide(near), hn::And(hn::Abs(xs) <= guard, hn::Abs(ys) <= guard));
-            const auto isVertex = countFrom(d64, static_cast<double>(i)) < hn::Set(d64, batch.vertexCount);
+            const auto isVertex = countFrom(d64, static_cast<double>(i)) < hn::Set(d64, static_cast<double>(end));
             worst               = hn::Max(worst, hn::IfThenZeroElse(plain, hn::IfThenElseZero(isVertex, one)));
 
             hn::StoreInterleaved4(sx, sy, wide(d), wide(d), d64, out.rows.data() + ScreenVertices::kRow * i);
@@ -99,66 +101,38 @@ struct VertexStage {
                 hn::StoreU(hn::Or(half(xs), hn::ShiftLeft<32>(half(ys))), u64, out.snapped.data() + i);
             }
         }
-        out.plain = hn::GetLane(hn::MaxOfLanes(d64, worst)) == 0;
+        return hn::GetLane(hn::MaxOfLanes(d64, worst)) == 0;
     }
 };
 
-/// `toWorld` is nullptr for the identity, which leaves a vertex as it is.
+/// The batch's vertices [first, end). `toWorld` is nullptr for the identity, which leaves a vertex as it is. Whether all of them are plain.
 template <class Rules>
-void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p, const Rules& rules,
-                    ScreenVertices& out)
+bool transformVertices(const MeshBatches& mesh, const Batch& batch, std::size_t first, std::size_t end, const Affine* toWorld, const Projection& p,
+                       const Rules& rules, ScreenVertices& out)
 {
-    if (rules.usesFloat32Vertices())
-        VertexStage<float>::run(mesh, batch, toWorld, p, rules, out);
-    else
-        VertexStage<double>::run(mesh, batch, toWorld, p, rules, out);
+    return rules.usesFloat32Vertices() ? VertexStage<float>::run(mesh, batch, first, end, toWorld, p, rules, out)
+                                       : VertexStage<double>::run(mesh, batch, first, end, toWorld, p, rules, out);
 }
 
-/// Where the triangles of a plain batch may have pixels.
-struct BatchReach {
-    PixelBox pixels;
-    float    nearest;  // no fragment of them is nearer
-};
-
-/// The largest d of the first `count` vertices.
-inline double nearestOf(const ScreenVertices& vertices, std::size_t count)
+/// All of them.
+template <class Rules>
+void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p, const Rules& rules, ScreenVertices& out)
 {
-    const hn::ScalableTag<double> d64;
-    constexpr std::size_t kRow = ScreenVertices::kRow, kCount = hn::MaxLanes(d64);
-    constexpr std::size_t kFirst = kRow - std::min(kRow, kCount), kRows = std::max(kRow, kCount) / kRow;  // d is last in a row
-    const auto from = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d64, vertices.rows.data() + kRow * i + kFirst); };
-    std::array<hn::Vec<decltype(d64)>, 4> most;  // side by side, because each maximum waits for the one before
-    most.fill(hn::Zero(d64));
-    std::size_t i = 0;
-    for (; i + 4 * kRows <= count; i += 4 * kRows)
-        for (std::size_t k = 0; k < 4; ++k) most[k] = hn::Max(most[k], from(i + k * kRows));
-    HWY_ALIGN std::array<double, kCount> lanes;
-    hn::Store(hn::Max(hn::Max(most[0], most[1]), hn::Max(most[2], most[3])), d64, lanes.data());
-    double nearest = 0;
-    for (std::size_t lane = kRow - kFirst - 1; lane < kCount; lane += kRow) nearest = std::max(nearest, lanes[lane]);
-    for (; i < count; ++i) nearest = std::max(nearest, vertices.rows[kRow * i + 2]);
-    return nearest;
+    out.plain = transformVertices(mesh, batch, 0, batch.vertexCount, toWorld, p, rules, out);
 }
 
-/// Of the first `count` vertices, at least one, inside `region`.
-inline BatchReach reachOf(const ScreenVertices& vertices, std::size_t count, const PixelBox& region)
+/// Those in `groups` (PatchBlock::vertexGroups).
+template <class Rules>
+void transformGroups(const MeshBatches& mesh, const Batch& batch, std::uint64_t groups, const Affine* toWorld, const Projection& p, const Rules& rules,
+                     ScreenVertices& out)
 {
-    const hn::ScalableTag<double> d64;
-    const std::size_t lanes = hn::Lanes(d64);
-    const auto        isVertex = hn::Iota(d64, 0.0) < hn::Set(d64, static_cast<double>(count));
-    const auto        load = [&](const double* column, std::size_t at) HWY_ATTR {
-        return hn::IfThenElse(isVertex, hn::LoadU(d64, column + at), hn::Set(d64, column[0]));
-    };
-    auto left = hn::Set(d64, vertices.xs[0]), right = left, above = hn::Set(d64, vertices.ys[0]), below = above;
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const std::size_t at = count < lanes ? 0 : std::min(i, count - lanes);  // some of them twice
-        const auto        x = load(vertices.xs.data(), at), y = load(vertices.ys.data(), at);
-        left = hn::Min(left, x), right = hn::Max(right, x), above = hn::Min(above, y), below = hn::Max(below, y);
+    static_assert(kVertexGroup % hn::MaxLanes(hn::ScalableTag<double>()) == 0);
+    out.plain = true;
+    while (groups != 0) {
+        const BitRun      run = takeRun(groups);
+        const std::size_t first = kVertexGroup * run.first, end = std::min<std::size_t>(first + kVertexGroup * run.count, batch.vertexCount);
+        out.plain &= transformVertices(mesh, batch, first, end, toWorld, p, rules, out);
     }
-    const auto first = [](double snapped) { return firstPixelCentreFrom(snapped); };
-    return {{std::max(region.x0, first(hn::GetLane(hn::MinOfLanes(d64, left)))), std::max(region.y0, first(hn::GetLane(hn::MinOfLanes(d64, above)))),
-             std::min(region.x1, first(hn::GetLane(hn::MaxOfLanes(d64, right)))), std::min(region.y1, first(hn::GetLane(hn::MaxOfLanes(d64, below))))},
-            static_cast<float>(nearestOf(vertices, count))};
 }
 
 }  // namespace zscope::HWY_NAMESPACE

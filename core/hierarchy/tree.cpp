@@ -194,7 +194,7 @@ const MeshBatches& Tree::allBatchesOf(const TreeNode& node, const Mesh& mesh) co
 {
     if (node.hasAllBatches.load(std::memory_order_acquire)) return *node.allBatches;
     TreeNode& mine = const_cast<TreeNode&>(node);
-    return make(mine.allBatches, mine.hasAllBatches, mesh, allItems(node), kWholeLeaf);
+    return make(mine.allBatches, mine.hasAllBatches, mesh, inPatches(mesh, allItems(node)), kWholeLeaf);
 }
 
 /// The items stand still as long as the lock is held.

@@ -7,8 +7,8 @@
 //            planes, so the eye is taken into the tree's own space. What straddles the planes has no exact place between
 //            the octants: it comes before the first octant whose box is farther from the eye. BVH: the nearer box first.
 //            Instances and batches of one node: the nearer box first. Triangles of one batch, where they are large: the nearer first
-// Pixels     at full speed a batch's small triangles are left out where all pixels of their boxes hold something nearer than the batch
-//            comes (core/depth/hidden_squares.h)
+// Pixels     at full speed a batch's patches that face away are left out, and those patches and small triangles all of whose pixels hold
+//            something nearer than the batch comes (core/geometry/patches.h, core/depth/hidden_squares.h)
 // Whole      where that is so, a small node is drawn with everything below it, and not divided: the squares tell its parts apart
 // Recall     with a memory of the last frame: what it saw is drawn first, unasked, in the order in which it came then; the
 //            visit that follows judges it again, to learn whether it stays remembered, but does not draw it twice (NodeMemory)
@@ -58,6 +58,7 @@ struct PlacedTree {
 template <class Consume, class Rules, class Probe>
 class FrontToBack {
     using Planes = StripeVolume::Planes;
+    static constexpr bool kAtFullSpeed = Rules::kExact && !Probe::listens;
 
 public:
     FrontToBack(const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees, const Occlusion& occlusion,
@@ -153,14 +154,29 @@ private:
             if (m_stripe.progress.cancelled()) break;
             if (m_probe.leavesOut(Checkpoint::Batch)) continue;
             const BatchPlace place{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]};
-            if (isCulledAsBack(place, placed.backs, placed.view, m_stripe, m_rules, m_probe)) continue;
-            m_clock.lap(Stage::Cull);
-            const LeftOut leftOut = setUpBatch(place, placed.instance, m_stripe, m_scratch, m_clock, m_rules, m_probe, m_occlusion.asksPixels);
-            all.add({.hidden = leftOut.triangles, .hiddenPixels = leftOut.pixels});
+            if (!setUp(placed, place, all)) continue;
             if (m_scratch.triangles.areLarge()) m_scratch.triangles.sort(m_scratch.sorted, isNearer);
             all.add(m_consume(m_scratch.triangles));
         }
         return all;
+    }
+
+    /// Whether any triangle may have been left; those that were not seen are added to `all`.
+    bool setUp(const PlacedTree& placed, BatchPlace place, DrawnTriangles& all)
+    {
+        if constexpr (kAtFullSpeed)
+            if (m_occlusion.asksPixels) {
+                place.patches = patchesTowardsEye(place, placed.backs, placed.view, m_stripe);
+                m_clock.lap(Stage::Cull);
+                if (place.patches == 0) return false;
+                const LeftOut leftOut = setUpSeen(place, placed.view, m_stripe, m_scratch, m_clock, m_rules, m_probe);
+                all.add({.hidden = leftOut.triangles, .hiddenPixels = leftOut.pixels});
+                return true;
+            }
+        if (isCulledAsBack(place, placed.backs, placed.view, m_stripe, m_rules, m_probe)) return false;
+        m_clock.lap(Stage::Cull);
+        setUpBatch(place, placed.instance, m_stripe, m_scratch, m_clock, m_rules, m_probe);
+        return true;
     }
 
     std::span<const WaitingBatch> inOrder(const PlacedTree& placed, const MeshBatches& batches)
@@ -200,14 +216,13 @@ private:
         for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], open, drawItems);
     }
 
-    /// Triangles of a node that is drawn at once, with everything below it, where pixels are asked (measured, docs/performance.md). Nodes that are
-    /// remembered stay as small as those that are asked about.
+    /// Triangles of a node that is drawn at once, with everything below it, where pixels are asked (measured, docs/performance.md).
     static constexpr std::uint32_t kDrawnWhole = 768;
     bool isDrawnWhole(const PlacedTree& placed, const TreeNode& node) const
     {
-        if constexpr (Probe::listens || !Rules::kExact) return false;
-        return m_occlusion.asksPixels && !m_memory && !placed.isInstanceTree && node.size() <= kDrawnWhole;
+        return kAtFullSpeed && m_occlusion.asksPixels && (!m_memory || m_memory->holdsWholeNodes()) && !placed.isInstanceTree && node.size() <= kDrawnWhole;
     }
+
 
     /// Strikes out of `open` the planes that the node lies wholly inside of.
     Verdict judge(const PlacedTree& placed, const TreeNode& node, Planes& open)

@@ -7,6 +7,7 @@
 //            follows. That is why cuts, half-turns, other sizes and other stripes need no care
 // Identity   nodes are remembered by address, so the trees they belong to are remembered too: by a token that no other
 //            trees can have, not even later ones at the same address. Other trees: everything is forgotten
+// Whole      a frame that draws small nodes undivided remembers them so. One that divides them forgets these, and the other way round
 // Order      front to back as the last frame's visit found it, which is nearly right for this one
 // Cost       per remembered node 24 bytes and a place in a hash table; a look-up per node that has triangles of its own
 #pragma once
@@ -47,12 +48,19 @@ public:
     static constexpr std::uint64_t kPixelsPerQuestion = 256;  // filled in the time that one question takes
     static constexpr std::size_t   kTurns             = 8;
 
-    /// Begins a frame that visits `trees`.
-    void begin(const SceneTrees& trees)
+    /// The next frame may be drawn at full speed, too: nodes need not be as small as whoever listens would find them.
+    void allowWholeNodes() { m_mayHoldWhole = true; }
+    /// In this frame small nodes are remembered undivided.
+    bool holdsWholeNodes() const { return m_holdsWhole; }
+
+    /// Begins a frame that visits `trees`; with `drawsWhole` it may leave small nodes undivided.
+    void begin(const SceneTrees& trees, bool drawsWhole = false)
     {
-        const bool isSame = !m_owner.owner_before(trees.identity()) && !trees.identity().owner_before(m_owner);
-        if (!isSame) m_last.clear();
-        m_owner = trees.identity();
+        const bool isSame     = !m_owner.owner_before(trees.identity()) && !trees.identity().owner_before(m_owner);
+        const bool holdsWhole = m_mayHoldWhole && drawsWhole;
+        if (!isSame || holdsWhole != m_holdsWhole) m_last.clear();
+        m_owner      = trees.identity();
+        m_holdsWhole = holdsWhole;
         m_next.clear();
         std::size_t slots = 16;
         while (slots < 2 * m_last.size()) slots *= 2;
@@ -117,6 +125,7 @@ private:
     std::weak_ptr<const void>   m_owner;         // token of the trees that m_last belongs to
     std::vector<RememberedNode> m_last, m_next;  // of the last frame, of this one
     std::size_t                 m_frame = 0;
+    bool                        m_mayHoldWhole = false, m_holdsWhole = false;
     std::vector<std::uint32_t>  m_slots;         // nodes drawn ahead: position in m_last + 1, 0 is free; a power of two
 };
 

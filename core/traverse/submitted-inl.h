@@ -11,7 +11,12 @@
 #define ZSCOPE_SUBMITTED_INL_H
 #endif
 
+#include <bit>
+#include <cstdint>
+#include <optional>
+
 #include "core/depth/hidden_squares-inl.h"
+#include "core/geometry/patches-inl.h"
 #include "core/geometry/set_up-inl.h"
 #include "core/geometry/stripe_volume.h"
 #include "core/geometry/transform-inl.h"
@@ -24,37 +29,73 @@ namespace zscope::HWY_NAMESPACE {
 /// Pixels of a batch's reach that are worth a look for each of its triangles.
 inline constexpr std::uint64_t kWorthLooking = 16;
 
-/// Transforms one batch and leaves its screen triangles in `scratch.triangles`. `asksPixels`: at full speed those may be left out that can win no
-/// pixel any more, all of whose pixels hold something nearer than the batch comes. Whoever listens sees them drawn, and lose.
+/// What of a batch may be seen, asked before any of its vertices is transformed.
+struct BatchSeen {
+    PatchBits  patches;
+    HiddenPart hidden;   // Squares: they are known of these patches
+    LeftOut    leftOut;  // patches, because nothing of them can be seen
+};
+
+/// Leaves the squares that are hidden of the batch in `squares`.
+inline BatchSeen seenOf(const BatchPlace& place, const PlacedView& view, const Stripe& stripe, HiddenSquares& squares)
+{
+    const PatchReach reach(place.mesh, place.batch, place.patches, view, stripe.projection, stripe.region());
+    const auto       pixelsIn  = [](const PixelBox& box) { return static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0); };
+    const auto       triangles = [](PatchBits patches) { return static_cast<std::uint32_t>(std::popcount(patches)) * kPatchTriangles; };
+    if (reach.patches() == 0) return {0, HiddenPart::Nothing, {}};
+    const std::uint64_t pixels = pixelsIn(reach.pixels());
+    if (pixels > kWorthLooking * triangles(reach.patches())) return {reach.patches(), HiddenPart::Nothing, {}};
+    const HiddenPart part = HiddenSquaresFinder::find(stripe.visible, reach.pixels(), reach.nearest(), squares);
+    if (part == HiddenPart::Everything) return {0, part, {triangles(reach.patches()), pixels}};
+    if (part == HiddenPart::Nothing) return {reach.patches(), part, {}};
+    const PatchBits hidden = reach.hiddenAmong(HiddenBoxes(squares));
+    LeftOut         leftOut{triangles(hidden), 0};
+    for (PatchBits left = hidden; left != 0; left &= left - 1) leftOut.pixels += pixelsIn(reach.pixelsOf(static_cast<std::size_t>(std::countr_zero(left))));
+    return {reach.patches() & ~hidden, part, leftOut};
+}
+
+/// Transforms one batch and leaves its screen triangles in `scratch.triangles`.
 template <class Rules, class Probe>
-LeftOut setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
-                   const Probe& probe, [[maybe_unused]] bool asksPixels = false)
+void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
+                const Probe& probe)
 {
     transformBatch(place.mesh, place.batch, place.toWorld, stripe.projection, rules, scratch.vertices);
     probe(BatchTransformed{instance, place.batch.vertexCount});
     clock.lap(Stage::Transform);
-
     scratch.triangles.clear();
+    if (scratch.vertices.plain)
+        PlainSetUp(place, scratch.vertices, stripe.culling, stripe.region(), rules, scratch.triangles, probe).run();
+    else
+        setUpCarefully(place, stripe.projection, stripe.culling, stripe.region(), rules, scratch.triangles, probe);
+    clock.lap(Stage::Setup);
+}
+
+/// The same at full speed, but for what can win no pixel any more, because all of its pixels hold something nearer than the batch comes.
+template <class Rules, class Probe>
+LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
+                  const Probe& probe)
+{
+    static_assert(Rules::kExact && !Probe::listens);
+    scratch.triangles.clear();
+    BatchSeen seen = seenOf(whole, view, stripe, scratch.hidden);
+    clock.lap(Stage::Setup);
+    if (seen.patches == 0) return seen.leftOut;
+
+    BatchPlace place = whole;
+    place.patches    = seen.patches;
+    transformGroups(place.mesh, place.batch, vertexGroupsOf(place.mesh, place.batch, place.patches), place.toWorld, stripe.projection, rules, scratch.vertices);
+    clock.lap(Stage::Transform);
     const PixelBox region = stripe.region();
-    LeftOut        leftOut;
-    if (!scratch.vertices.plain)
+    if (!scratch.vertices.plain) {
         setUpCarefully(place, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe);
-    else if constexpr (Rules::kExact && !Probe::listens) {
-        const BatchReach reach  = asksPixels ? reachOf(scratch.vertices, place.batch.vertexCount, region) : BatchReach{};
-        const auto       pixels = static_cast<std::uint64_t>(reach.pixels.x1 - reach.pixels.x0) * static_cast<std::uint64_t>(reach.pixels.y1 - reach.pixels.y0);
-        const bool       looks  = !reach.pixels.isEmpty() && pixels <= kWorthLooking * place.batch.triangleCount;
-        switch (looks ? HiddenSquaresFinder::find(stripe.visible, reach.pixels, reach.nearest, scratch.hidden) : HiddenPart::Nothing) {
-        case HiddenPart::Everything: leftOut = {place.batch.triangleCount, pixels}; break;
-        case HiddenPart::Squares:
-            leftOut = PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe, HiddenBoxes(scratch.hidden)).run();
-            break;
-        case HiddenPart::Nothing: PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe).run(); break;
-        }
+    } else if (seen.hidden == HiddenPart::Squares) {
+        const LeftOut more = PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe, HiddenBoxes(scratch.hidden)).run();
+        seen.leftOut.triangles += more.triangles, seen.leftOut.pixels += more.pixels;
     } else {
         PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe).run();
     }
     clock.lap(Stage::Setup);
-    return leftOut;
+    return seen.leftOut;
 }
 
 /// True if the batch need not be set up, because all of its triangles are culled as back faces; their fates are told then.
@@ -67,6 +108,14 @@ bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const Place
         for (std::uint32_t t = 0; t < place.batch.triangleCount; ++t)
             probe(TriangleSetUp{place.idOf(place.batch.firstTriangle + t), SetUp::BackFacing, false, false});
     return true;
+}
+
+/// The patches of the batch that may show a front, if back faces are culled.
+inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe)
+{
+    if (stripe.culling != FaceCulling::Back) return kAllPatches;
+    const std::optional<BehindQuestion> asked = backs.question(view(place.batch.bounds));
+    return asked ? towardsEye(place.mesh, place.batch, *asked) : kAllPatches;
 }
 
 /// Calls visit(instance, batch, toWorld) for every batch that may reach the stripe; the batches of a mesh are

@@ -19,7 +19,7 @@ HiddenPart findHidden(const VisibilityBuffer& visible, const PixelBox& reach, fl
     return HiddenSquaresFinder::find(visible, reach, nearest, out);
 }
 
-/// Per box whether it is hidden: 1 or 0.
+/// Per box whether it is hidden: 1 by one square, 2 by four, else 0.
 std::vector<std::int32_t> hiddenAmong(const HiddenSquares& squares, const std::vector<PixelBox>& boxes)
 {
     const hn::ScalableTag<std::int32_t> d;
@@ -29,8 +29,9 @@ std::vector<std::int32_t> hiddenAmong(const HiddenSquares& squares, const std::v
     for (std::size_t i = 0; i < boxes.size(); i += hn::Lanes(d)) {
         const auto load    = [&](const std::vector<std::int32_t>& column) HWY_ATTR { return hn::LoadU(d, column.data() + i); };
         const auto isThere = hn::Iota(d, 0) < hn::Set(d, static_cast<std::int32_t>(boxes.size() - i));
-        const auto answer  = HiddenBoxes(squares)(isThere, load(left), load(above), load(right), load(below));
-        hn::StoreU(hn::IfThenElseZero(answer, hn::Set(d, 1)), d, hidden.data() + i);
+        const auto byOne   = HiddenBoxes(squares)(isThere, load(left), load(above), load(right), load(below));
+        const auto byFour  = HiddenBoxes(squares).ofLarge(isThere, load(left), load(above), load(right), load(below));
+        hn::StoreU(hn::IfThenElseZero(byOne, hn::Set(d, 1)) + hn::IfThenElseZero(byFour, hn::Set(d, 2)), d, hidden.data() + i);
     }
     hidden.resize(boxes.size());
     return hidden;
@@ -115,15 +116,19 @@ PixelBox boxIn(const PixelBox& frame, int most, Random& random)
     return {x0, y0, pick(x0, std::min(x0 + most, frame.x1)) + 1, pick(y0, std::min(y0 + most, frame.y1)) + 1};
 }
 
-/// The smallest square that is looked up for the box, as far as it lies in the reach.
+/// What the smallest squares that are looked up for the box hold, as far as it lies in the reach.
 PixelBox squareOf(const PixelBox& box, const PixelBox& reach)
 {
-    const int side = *std::ranges::lower_bound(HiddenSquares::kSides, std::max(box.x1 - box.x0, box.y1 - box.y0));
+    constexpr int kLargest = HiddenSquares::kSides.back();
+    const int     longest = std::max(box.x1 - box.x0, box.y1 - box.y0);
+    if (longest > kLargest)
+        return {box.x0, box.y0, std::min(std::max(box.x1, box.x0 + kLargest), reach.x1), std::min(std::max(box.y1, box.y0 + kLargest), reach.y1)};
+    const int side = *std::ranges::lower_bound(HiddenSquares::kSides, longest);
     return {box.x0, box.y0, std::min(box.x0 + side, reach.x1), std::min(box.y0 + side, reach.y1)};
 }
 
 struct Asked {
-    std::size_t yes = 0, no = 0, nothing = 0, everything = 0;
+    std::size_t yes = 0, yesByFour = 0, no = 0, nothing = 0, everything = 0;
 };
 
 void expectTrue(const VisibilityBuffer& visible, Random& random, Asked& asked)
@@ -138,14 +143,14 @@ void expectTrue(const VisibilityBuffer& visible, Random& random, Asked& asked)
         asked.nothing += part == HiddenPart::Nothing, asked.everything += part == HiddenPart::Everything;
         if (part != HiddenPart::Squares) continue;
         std::vector<PixelBox> boxes(37);
-        for (PixelBox& box : boxes) box = boxIn(reach, 20, random);
+        for (PixelBox& box : boxes) box = boxIn(reach, 36, random);
         const std::vector<std::int32_t> answers = HWY_DYNAMIC_DISPATCH(hiddenAmong)(*squares, boxes);
         for (std::size_t b = 0; b < boxes.size(); ++b) {
             const PixelBox& box = boxes[b];
             const int       side = std::max(box.x1 - box.x0, box.y1 - box.y0);
-            const bool      said = answers[b] != 0;
-            ++(said ? asked.yes : asked.no);
-            ASSERT_EQ(said, side <= HiddenSquares::kSides.back() && allHidden(visible, squareOf(box, reach)))
+            const int       wanted = side > 2 * HiddenSquares::kSides.back() || !allHidden(visible, squareOf(box, reach)) ? 0 : side > HiddenSquares::kSides.back() ? 2 : 1;
+            ++(wanted == 2 ? asked.yesByFour : wanted == 1 ? asked.yes : asked.no);
+            ASSERT_EQ(answers[b], wanted)
                 << box.x0 << ' ' << box.y0 << ' ' << box.x1 << ' ' << box.y1 << " in " << reach.x0 << ' ' << reach.y0 << ' ' << reach.x1 << ' ' << reach.y1;
         }
     }
@@ -168,6 +173,7 @@ TEST(HiddenSquares, AreThoseOfWhichEveryPixelIsHiddenInEveryInstructionSet)
                 if (testing::Test::HasFatalFailure()) FAIL() << hwy::TargetName(target) << ", " << width << " x " << height << ", " << share;
             }
         EXPECT_GT(asked.yes, 1000u) << hwy::TargetName(target);
+        EXPECT_GT(asked.yesByFour, 300u);
         EXPECT_GT(asked.no, 1000u);
         EXPECT_GT(asked.nothing, 10u);
         EXPECT_GT(asked.everything, 10u);
