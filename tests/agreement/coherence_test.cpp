@@ -55,6 +55,9 @@ public:
         return compare(expected, expected).covered;
     }
 
+    /// Draws `request` by the method alone.
+    void expectDrawn() { EXPECT_TRUE(m_renderer.draw(request, m_frame).ok()); }
+
 private:
     Renderer m_plain, m_renderer;
     Frame    m_expected, m_frame;
@@ -106,6 +109,24 @@ TEST(Coherence, SizeThreadsTreeAndAlgorithmMayChangeBetweenFrames)
         pair.request         = requestFor(scene, onTheWay(scene->scene().bounds, frame, size[0], size[1]), pipelines[frame / 2 % 4]);
         pair.request.threads = 1 + frame % 3;
         pair.expectSame("frame " + std::to_string(frame));
+    }
+}
+
+/// At full speed small nodes are drawn and remembered undivided; an approximation divides them.
+TEST(Coherence, FramesOfAnApproximationMayComeBetween)
+{
+    const auto     scene = load("builtin:soccer-field?ball=icosphere&count=60");
+    const Pipeline exact = findPreset("two-pass")->pipeline;
+    Pipeline       rough = exact;
+    rough.approximation.vertex = VertexNumbers::Float32;
+    Pair pair;
+    for (int frame = 0; frame < 12; ++frame) {
+        pair.request         = requestFor(scene, onTheWay(scene->scene().bounds, frame, 200, 120), frame % 4 == 2 ? rough : exact);
+        pair.request.threads = 1 + frame % 2;
+        if (frame % 4 != 2)
+            pair.expectSame("frame " + std::to_string(frame));
+        else
+            pair.expectDrawn();
     }
 }
 

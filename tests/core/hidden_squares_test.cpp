@@ -182,6 +182,27 @@ TEST(HiddenSquares, AreThoseOfWhichEveryPixelIsHiddenInEveryInstructionSet)
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
+TEST(HiddenSquares, OnePixelThatIsNotHiddenIsSeenWhereverInALargeBoxItLies)
+{
+    VisibilityBuffer visible;
+    visible.resize(64, 64, DepthEncoding::withBackground(-1.0f));
+    visible.emptyRows(0, 64);
+    visible.open({0, 0, 64, 64});
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) visible.row(y)[x] = keyOf(0.75f, 3);
+    const auto                  squares = std::make_unique<HiddenSquares>();
+    const std::vector<PixelBox> boxes{{8, 8, 40, 40}, {8, 8, 26, 40}, {8, 8, 40, 26}, {8, 8, 25, 25}, {8, 8, 10, 40}};
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 48; ++x) {
+            visible.row(y)[x] = keyOf(kNearest, 3);
+            ASSERT_EQ(HWY_DYNAMIC_DISPATCH(findHidden)(visible, {0, 0, 64, 64}, kNearest, *squares), HiddenPart::Squares);
+            const auto answers = HWY_DYNAMIC_DISPATCH(hiddenAmong)(*squares, boxes);
+            for (std::size_t b = 0; b < boxes.size(); ++b)
+                ASSERT_EQ(answers[b], allHidden(visible, squareOf(boxes[b], {0, 0, 64, 64})) ? 2 : 0) << x << ' ' << y << " in box " << b;
+            visible.row(y)[x] = keyOf(0.75f, 3);
+        }
+}
+
 TEST(HiddenSquares, NobodyLooksAtAReachThatIsTooLarge)
 {
     VisibilityBuffer visible;

@@ -51,6 +51,32 @@ TEST(NodeMemory, TheNextFrameBeginsWithWhatThisOneRemembered)
     EXPECT_TRUE(memory.lastFrame().empty()) << "nothing was remembered of that frame";
 }
 
+TEST(NodeMemory, NodesThatWereDrawnWholeAreForgottenByAFrameThatDividesThem)
+{
+    const auto       shared = scene(1);
+    const SceneTrees trees(*shared, TreeKind::Octree);
+    NodeMemory       memory;
+    const auto       frame = [&](bool drawsWhole) {
+        memory.begin(trees, drawsWhole);
+        const std::size_t known = memory.lastFrame().size();
+        memory.remember({InstanceId{0}, &trees.instances().root(), &trees.mesh(MeshId{0}).root()});
+        memory.finish();
+        return known;
+    };
+    frame(true);
+    EXPECT_FALSE(memory.holdsWholeNodes()) << "somebody may listen to the next frame";
+    EXPECT_EQ(frame(false), 1u);
+
+    memory.allowWholeNodes();
+    EXPECT_EQ(frame(true), 0u);
+    EXPECT_TRUE(memory.holdsWholeNodes());
+    EXPECT_EQ(frame(true), 1u);
+    EXPECT_EQ(frame(false), 0u);
+    EXPECT_FALSE(memory.holdsWholeNodes());
+    EXPECT_EQ(frame(false), 1u);
+    EXPECT_EQ(frame(true), 0u);
+}
+
 TEST(NodeMemory, OtherTreesMakeItForgetEvenWhereTheyStandAtTheSameAddress)
 {
     const auto                 shared = scene(1);

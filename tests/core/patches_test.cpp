@@ -63,6 +63,15 @@ namespace {
 
 constexpr PixelBox kRegion{100, 40, 900, 500};
 
+/// As NormalCone has it.
+NormalCone coneOf(const MeshBatches& mesh, const Batch& batch, std::size_t patch)
+{
+    const PatchBlock& block = mesh.patchesOf(batch)[patch / PatchBlock::kPatches];
+    const std::size_t lane  = patch % PatchBlock::kPatches;
+    const auto        at    = [lane](const std::array<PatchBlock::Column, 3>& columns) { return dvec3{columns[0][lane], columns[1][lane], columns[2][lane]}; };
+    return {at(block.axis), at(block.apex), block.cosine[lane], block.sine[lane], block.altitude[lane]};
+}
+
 /// A mesh along `word`, in patches, with room for as many triangles in a batch as there may be.
 MeshBatches patched(const std::string& word)
 {
@@ -144,6 +153,7 @@ void expectTrue(const MeshBatches& mesh, const Batch& batch, const Affine& toWor
             own = {std::min(own.x0, pixels.x0), std::min(own.y0, pixels.y0), std::max(own.x1, pixels.x1), std::max(own.y1, pixels.y1)};
         }
         ASSERT_TRUE(isTowards || allBack);
+        ASSERT_EQ(isTowards, !behind || !behind->holdsOf(coneOf(mesh, batch, patch)));
         tally.away += !isTowards, tally.backTowards += isTowards && allBack;
         tally.reached += isReached, tally.outside += isTowards && !isReached;
         if (!isReached) continue;
@@ -166,9 +176,10 @@ TEST(Patches, SayOnlyWhatIsTrueOfEveryTriangleInEveryInstructionSet)
         hwy::GetChosenTarget().Update(target);
         Random random(7);
         Tally  tally;
-        for (int i = 0; i < 60; ++i)
+        for (int i = 0; i < 80; ++i)
             for (const MeshBatches& mesh : meshes) {
-                const Camera camera  = anyCamera(random, std::pow(10.0, random.between(-0.2, 1.3)));
+                const bool   isFar   = i >= 60;  // triangles smaller than pixels, which snapping may turn over
+                const Camera camera  = anyCamera(random, std::pow(10.0, isFar ? random.between(2, 3.5) : random.between(-0.2, 1.3)));
                 const Affine toWorld = anyPlacement(random);
                 for (const Batch& batch : mesh.batches) {
                     expectTrue(mesh, batch, toWorld, camera, tally);
@@ -180,6 +191,48 @@ TEST(Patches, SayOnlyWhatIsTrueOfEveryTriangleInEveryInstructionSet)
         EXPECT_GT(tally.outside, 500u);
         EXPECT_GT(tally.beforeNear, 1000u);
         EXPECT_LT(tally.boxes, 8 * tally.tight) << hwy::TargetName(target);
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+/// A triangle some hundredths of a pixel wide, about as far from the middle of a pixel.
+MeshBatches triangleAtPixelCentre(const Projection& projection, Random& random)
+{
+    const auto corner = [&](double x, double y) {
+        constexpr double kZ = 10;
+        const double     perPixel = kZ / (projection.scale * projection.near);
+        return projection.eye + projection.right * ((x - projection.centreX) * perPixel) + projection.up * ((projection.centreY - y) * perPixel) + projection.forward * kZ;
+    };
+    const double x = 490.5 + random.between(-0.01, 0.01), y = 305.5 + random.between(-0.01, 0.01), size = random.between(0.002, 0.01);
+    Mesh         mesh;
+    mesh.materials = {Material{}};
+    mesh.positions = {corner(x - size, y), corner(x + size, y), corner(x, y + size)};
+    mesh.triangles = {{0, 2, 1}};
+    mesh.trianglePolygon.push_back(PolygonId{0});
+    mesh.corners       = {0, 2, 1};
+    mesh.firstCorner   = {0, 3};
+    mesh.firstTriangle = {0, 1};
+    mesh.polygonMaterial.push_back(MaterialId{0});
+    mesh.polygonGroup.push_back({});
+    return makeBatches(mesh);
+}
+
+TEST(Patches, ReachWhatSnappingReaches)
+{
+    for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
+        const std::int64_t target = left & -left;
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(target);
+        Random       random(8);
+        const Camera camera = anyCamera(random, 5);
+        Tally        tally;
+        for (int i = 0; i < 2000; ++i) {
+            const MeshBatches mesh = triangleAtPixelCentre(Projection(camera), random);
+            expectTrue(mesh, mesh.batches[0], Affine{}, camera, tally);
+            if (testing::Test::HasFatalFailure()) FAIL() << hwy::TargetName(target) << ", " << i;
+        }
+        EXPECT_GT(tally.tight, 50) << "that have a pixel";
     }
     hwy::SetSupportedTargetsForTest(0);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
