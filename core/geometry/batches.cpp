@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -141,8 +142,8 @@ public:
             const dvec3  centre = mesh.positions[a] / 3.0 + mesh.positions[b] / 3.0 + mesh.positions[c] / 3.0;
             Item         item{t, {}};
             for (int i = 0; i < 3; ++i) {
-                item.keys[static_cast<std::size_t>(i)]     = longest > 0 ? static_cast<float>((centre[i] - box.min[i]) / longest) : 0;
-                item.keys[static_cast<std::size_t>(i) + 3] = area > 0 ? static_cast<float>(across[i] / area) : 0;
+                item.keys[static_cast<std::size_t>(i)]     = keyOf((centre[i] - box.min[i]) / longest);
+                item.keys[static_cast<std::size_t>(i) + 3] = keyOf(across[i] / area);
             }
             m_items.push_back(item);
         }
@@ -164,9 +165,15 @@ private:
         std::array<float, kKeys> keys;  // of the centre, as parts of the longest side of all; of the normal
     };
 
+    /// Of a ratio from -1 to 1; 0 where there was nothing to divide by, and of numbers that have run over: what is sorted needs an order.
+    static float keyOf(double ratio) { return std::abs(ratio) <= 1.01 ? static_cast<float>(ratio) : 0; }
+
     static void halve(std::span<Item> items)
     {
-        if (items.size() <= kPatchTriangles) return std::ranges::sort(items, {}, &Item::triangle), void();
+        if (items.size() <= kPatchTriangles) {
+            std::ranges::sort(items, {}, &Item::triangle);
+            return;
+        }
         std::size_t widest = 0;
         float       width  = -1;
         for (std::size_t k = 0; k < kKeys; ++k) {
@@ -202,21 +209,21 @@ MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surf
     return out;
 }
 
-/// Fills in what is known of the batches' normals, and of their patches.
-class PatchBuilder {
+/// Fills in what is known of the batches' normals, and of their patches if those are wanted.
+class ConeBuilder {
     using Triangle = std::array<dvec3, 3>;
 
 public:
-    explicit PatchBuilder(MeshBatches& mesh) : m_mesh(mesh) {}
+    explicit ConeBuilder(MeshBatches& mesh) : m_mesh(mesh) {}
 
-    void run()
+    void run(bool withPatches)
     {
         for (Batch& batch : m_mesh.batches) {
             m_triangles.clear();
             for (std::uint32_t t = batch.firstTriangle; t < batch.firstTriangle + batch.triangleCount; ++t)
                 m_triangles.push_back({corner(batch, 0, t), corner(batch, 1, t), corner(batch, 2, t)});
             batch.cone = normalConeOf(m_triangles, 0.5 * batch.bounds.min + 0.5 * batch.bounds.max);
-            addPatches(batch);
+            if (withPatches) addPatches(batch);
         }
     }
 
@@ -263,9 +270,9 @@ private:
     std::vector<Triangle> m_triangles;  // of the batch at hand
 };
 
-MeshBatches withPatches(MeshBatches mesh)
+MeshBatches withCones(MeshBatches mesh, bool withPatches)
 {
-    PatchBuilder(mesh).run();
+    ConeBuilder(mesh).run(withPatches);
     return mesh;
 }
 
@@ -284,7 +291,7 @@ Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
 
 MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted, BatchSize size)
 {
-    return withPatches(cut(mesh, triangles, wanted, size));
+    return withCones(cut(mesh, triangles, wanted, size), true);
 }
 
 std::vector<std::uint32_t> inPatches(const Mesh& mesh, std::span<const std::uint32_t> triangles) { return PatchOrder(mesh, triangles).find(); }
@@ -292,9 +299,9 @@ std::vector<std::uint32_t> inPatches(const Mesh& mesh, std::span<const std::uint
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
 {
     MeshBatches loaded = cut(mesh, inLoadOrder(mesh), wanted);
-    if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return withPatches(std::move(loaded));
+    if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return withCones(std::move(loaded), false);
     MeshBatches sorted = cut(mesh, neighboursTogether(mesh), wanted);
-    return withPatches(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded));
+    return withCones(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded), false);
 }
 
 }  // namespace zscope

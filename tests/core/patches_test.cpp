@@ -215,7 +215,7 @@ MeshBatches triangleAtPixelCentre(const Projection& projection, Random& random)
     mesh.firstTriangle = {0, 1};
     mesh.polygonMaterial.push_back(MaterialId{0});
     mesh.polygonGroup.push_back({});
-    return makeBatches(mesh);
+    return makeBatches(mesh, std::vector<std::uint32_t>{0});
 }
 
 TEST(Patches, ReachWhatSnappingReaches)
@@ -252,6 +252,24 @@ TEST(Patches, AreSmallPiecesOfTheSurface)
         for (std::size_t patch = 0; patch < batch.patchCount(); ++patch, ++all)
             wide += !(made.patchesOf(batch)[patch / PatchBlock::kPatches].cosine[patch % PatchBlock::kPatches] > 0.9);
     EXPECT_LT(10 * wide, all) << "5,120 triangles face as many ways, those of a patch nearly the same";
+}
+
+TEST(Patches, HoldEveryTriangleOnceHoweverLargeOrSmallTheNumbers)
+{
+    for (const double scale : {0.0, 1e-320, 1e-160, 1e155, 1e308}) {
+        Random random(9);
+        Mesh   mesh;
+        for (int v = 0; v < 300; ++v) mesh.positions.push_back(random.between(dvec3{-scale, -scale, -scale}, dvec3{scale, scale, scale}));
+        std::vector<std::uint32_t> all;
+        for (std::uint32_t t = 0; t < 500; ++t) {
+            const auto corner = [&] { return static_cast<std::uint32_t>(random.below(300)); };
+            mesh.triangles.push_back({corner(), corner(), corner()});
+            all.push_back(t);
+        }
+        std::vector<std::uint32_t> order = inPatches(mesh, all);
+        std::ranges::sort(order);
+        EXPECT_EQ(order, all) << scale;
+    }
 }
 
 TEST(Patches, RunsOfBitsAreTakenLowestFirst)
