@@ -223,7 +223,6 @@ private:
         return kAtFullSpeed && m_occlusion.asksPixels && (!m_memory || m_memory->holdsWholeNodes()) && !placed.isInstanceTree && node.size() <= kDrawnWhole;
     }
 
-
     /// Strikes out of `open` the planes that the node lies wholly inside of.
     Verdict judge(const PlacedTree& placed, const TreeNode& node, Planes& open)
     {
