@@ -31,7 +31,7 @@ struct WindowList {
         Column<std::uint32_t>        owners, places;         // as of a window
         Column<std::int32_t>         width, height;          // of its box, in pixels
         std::array<Column<float>, 3> first;                  // edges at its first window's first pixel
-        std::array<Column<float>, 3> across, below, inward;  // from there to the next window, to the one below, to the innermost pixel
+        std::array<Column<float>, 3> perPixel, below;        // from there to the next pixel, to the window below
     };
     Some some;
 

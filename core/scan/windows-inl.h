@@ -2,8 +2,8 @@
 //
 // Tiny       triangles with at most kTinySide x kTinySide pixels need no window: the same pixel of several of them is tested side by
 //            side, and what is covered is offered sample by sample
-// Window     kWindowSide x kWindowSide pixels, the first one of a triangle at the corner of its box: most small triangles have only
-//            that one
+// Window     kWindowSide x kWindowSide pixels. A line of them begins at the left of its triangle's box, or after the columns of its lines that
+//            hold nothing of the triangle, so that most small triangles have one or two
 // Edges      float32, exact (core/geometry/triangle_list.h)
 // Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is monotone, so
 //            they may be applied after it
@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include <hwy/cache_control.h>
 
@@ -95,30 +96,28 @@ private:
         const auto hasFew  = hn::And(hn::AndNot(hasMore, mask), hn::Max(width, height) > all(kTinySide));
         if (hn::AllFalse(D(), hn::Or(hasFew, hn::And(hasMore, mask)))) return;
 
-        Edges first, inward;
-        Edges across, below;  // from a window to the one to its right, to the one below it
+        Edges first, perPixel, below;  // below: from a window to the one under it
+        Reach reach;
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto perPixel = load(m_triangles.perPixel[k], i), perLine = load(m_triangles.perLine[k], i);
-            first[k]  = load(m_triangles.origin[k], i);
-            across[k] = perPixel * hn::Set(DF(), kWindowSide);
-            below[k]  = perLine * hn::Set(DF(), kWindowSide);
-            inward[k] = toInnermost(perPixel, perLine);
+            const auto perLine = load(m_triangles.perLine[k], i);
+            first[k]           = load(m_triangles.origin[k], i);
+            perPixel[k]        = load(m_triangles.perPixel[k], i);
+            below[k]           = perLine * hn::Set(DF(), kWindowSide);
+            reach.set(k, perPixel[k], perLine);
         }
         m_list.reserve(4 * hn::Lanes(D()));
         const auto owners = countFrom(DU(), static_cast<std::uint32_t>(i));
         const auto place  = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
-        const auto judge  = [&](const Edges& edges, hn::Mask<D> exists, int right, int down) HWY_ATTR {
-            const auto kept = hn::And(exists, hn::RebindMask(D(), least(plus(edges, inward)) >= hn::Zero(DF())));
-            append(kept, owners, place + hn::Set(DU(), static_cast<std::uint32_t>(right + (down << 16))), edges);
+        const auto addLine = [&](const Edges& line, hn::Mask<D> exists, int down) HWY_ATTR {
+            const auto hasTwo = hn::And(exists, isWide);
+            const Line of     = withoutEmptyColumns(line, perPixel, reach, hasTwo, place + hn::Set(DU(), static_cast<std::uint32_t>(down << 16)));
+            judge(of.edges, reach, exists, owners, of.place);
+            if (!hn::AllFalse(D(), hasTwo))
+                judge(toRight(of.edges, perPixel), reach, hn::And(hasTwo, width > of.skipped + all(kWindowSide)), owners, of.place + hn::Set(DU(), kWindowSide));
         };
-        judge(first, hasFew, 0, 0);
-        const auto wide = hn::And(hasFew, isWide), high = hn::And(hasFew, isHigh);
-        if (!hn::AllFalse(D(), wide)) judge(plus(first, across), wide, kWindowSide, 0);
-        if (!hn::AllFalse(D(), high)) {
-            const auto lower = plus(first, below);
-            judge(lower, high, 0, kWindowSide);
-            judge(plus(lower, across), hn::And(high, isWide), kWindowSide, kWindowSide);
-        }
+        addLine(first, hasFew, 0);
+        const auto high = hn::And(hasFew, isHigh);
+        if (!hn::AllFalse(D(), high)) addLine(plus(first, below), high, kWindowSide);
         const auto many = hn::And(mask, hasMany);
         hn::StoreU(hn::TableLookupLanes(owners, hn::IndicesFromVec(DU(), keptFirst(D(), many))), DU(), m_list.many.data() + m_list.manyCount);
         m_list.manyCount += hn::CountTrue(D(), many);
@@ -129,8 +128,7 @@ private:
         const std::size_t    count = to.count;
         const auto keep = [&](auto d, auto values, auto& column) HWY_ATTR { hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, order)), d, column.data() + count); };
         keep(DU(), owners, to.owners), keep(DU(), place, to.places), keep(D(), width, to.width), keep(D(), height, to.height);
-        for (std::size_t k = 0; k < 3; ++k) keep(DF(), first[k], to.first[k]), keep(DF(), across[k], to.across[k]), keep(DF(), below[k], to.below[k]);
-        for (std::size_t k = 0; k < 3; ++k) keep(DF(), inward[k], to.inward[k]);
+        for (std::size_t k = 0; k < 3; ++k) keep(DF(), first[k], to.first[k]), keep(DF(), perPixel[k], to.perPixel[k]), keep(DF(), below[k], to.below[k]);
         to.count = count + hn::CountTrue(D(), some);
     }
 
@@ -145,29 +143,71 @@ private:
         const auto edges = [m](const auto& columns) HWY_ATTR {
             return Edges{hn::LoadU(DF(), columns[0].data() + m), hn::LoadU(DF(), columns[1].data() + m), hn::LoadU(DF(), columns[2].data() + m)};
         };
-        const Edges across = edges(from.across), below = edges(from.below), inward = edges(from.inward);
-        Edges       line = edges(from.first);
+        const Edges perPixel = edges(from.perPixel), below = edges(from.below);
+        Reach       reach;
+        for (std::size_t k = 0; k < 3; ++k) reach.set(k, perPixel[k], below[k] * hn::Set(DF(), 1.0f / kWindowSide));
+        Edges line = edges(from.first);
         for (int down = 0; down < WindowList::Some::kMost * kWindowSide; down += kWindowSide, line = plus(line, below)) {
             const auto hasLine = hn::And(isThere, height > all(down));
             if (hn::AllFalse(D(), hasLine)) break;
-            Edges here = line;
-            for (int right = 0; right < WindowList::Some::kMost * kWindowSide; right += kWindowSide, here = plus(here, across)) {
-                const auto exists = hn::And(hasLine, width > all(right));
+            const Line of   = withoutEmptyColumns(line, perPixel, reach, hasLine, places + hn::Set(DU(), static_cast<std::uint32_t>(down << 16)));
+            Edges      here = of.edges;
+            for (int right = 0; right < WindowList::Some::kMost * kWindowSide; right += kWindowSide, here = toRight(here, perPixel)) {
+                const auto exists = hn::And(hasLine, width > of.skipped + all(right));
                 if (hn::AllFalse(D(), exists)) break;
-                const auto kept = hn::And(exists, hn::RebindMask(D(), least(plus(here, inward)) >= hn::Zero(DF())));
-                append(kept, owners, places + hn::Set(DU(), static_cast<std::uint32_t>(right + (down << 16))), here);
+                judge(here, reach, exists, owners, of.place + hn::Set(DU(), static_cast<std::uint32_t>(right)));
             }
         }
     }
 
+    /// From the values of edges at a first pixel to those that lie farthest inside.
+    struct Reach {
+        Edges inColumn, inWindow;  // of the pixels of its column, of its window
+
+        void set(std::size_t k, VF perPixel, VF perLine)
+        {
+            inColumn[k] = hn::Max(perLine, hn::Zero(DF())) * hn::Set(DF(), kWindowSide - 1);
+            inWindow[k] = hn::Max(perPixel, hn::Zero(DF())) * hn::Set(DF(), kWindowSide - 1) + inColumn[k];
+        }
+    };
+
+    /// A line of windows.
+    struct Line {
+        hn::Vec<D>  skipped;  // pixels, from the left of its triangle's box
+        hn::Vec<DU> place;    // of its first window, as in WindowList
+        Edges       edges;    // there
+    };
+
+    /// A triangle's box is wider than what it has of most lines of windows: those of `asked` begin after columns that hold nothing of it.
+    static Line withoutEmptyColumns(const Edges& atBox, const Edges& perPixel, const Reach& reach, hn::Mask<D> asked, hn::Vec<DU> place)
+    {
+        Line line{hn::Zero(D()), place, atBox};
+        if (hn::AllFalse(D(), asked)) return line;
+        Edges inColumn = plus(atBox, reach.inColumn);
+        for (int column = 0; column < kWindowSide - 1; ++column, inColumn = plus(inColumn, perPixel)) {
+            asked        = hn::And(asked, hn::RebindMask(D(), least(inColumn) < hn::Zero(DF())));
+            line.skipped = line.skipped + hn::IfThenElseZero(asked, all(1));
+        }
+        const auto right = hn::ConvertTo(DF(), line.skipped);
+        for (std::size_t k = 0; k < 3; ++k) line.edges[k] = hn::MulAdd(right, perPixel[k], atBox[k]);
+        line.place = place + hn::BitCast(DU(), line.skipped);
+        return line;
+    }
+
+    static Edges toRight(const Edges& edges, const Edges& perPixel)
+    {
+        const auto side = hn::Set(DF(), kWindowSide);
+        return {hn::MulAdd(side, perPixel[0], edges[0]), hn::MulAdd(side, perPixel[1], edges[1]), hn::MulAdd(side, perPixel[2], edges[2])};
+    }
+
+    /// Appends the windows that exist and are not wholly outside of an edge.
+    void judge(const Edges& edges, const Reach& reach, hn::Mask<D> exists, hn::Vec<DU> owners, hn::Vec<DU> places)
+    {
+        append(hn::And(exists, hn::RebindMask(D(), least(plus(edges, reach.inWindow)) >= hn::Zero(DF()))), owners, places, edges);
+    }
+
     static Edges plus(const Edges& a, const Edges& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
     static VF    least(const Edges& edges) { return hn::Min(hn::Min(edges[0], edges[1]), edges[2]); }
-
-    /// From an edge's value at the first pixel of a window to that at the one that lies farthest inside.
-    static VF toInnermost(VF perPixel, VF perLine)
-    {
-        return (hn::Max(perPixel, hn::Zero(DF())) + hn::Max(perLine, hn::Zero(DF()))) * hn::Set(DF(), kWindowSide - 1);
-    }
 
     /// The windows of one triangle, line of windows after line of windows.
     void addMany(std::size_t t)
@@ -179,13 +219,14 @@ private:
 
         const auto owner = hn::Set(DU(), static_cast<std::uint32_t>(t));
         const auto place = hn::Set(DU(), static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16)));
-        Edges      start, across, below, inward;
+        Edges      start, across, below;
+        Reach      reach;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto set = [t](const TriangleList::Column<float>& column) HWY_ATTR { return hn::Set(DF(), column[t]); };
             across[k] = set(m_triangles.perPixel[k]);
             below[k]  = set(m_triangles.perLine[k]);
             start[k]  = set(m_triangles.origin[k]);
-            inward[k] = toInnermost(across[k], below[k]);
+            reach.set(k, across[k], below[k]);
         }
         const auto side = hn::Set(DF(), kWindowSide), perLine = hn::Set(DF(), static_cast<float>(columns)), perColumn = hn::Set(DF(), 1 / static_cast<float>(columns));
         for (int first = 0; first < count; first += step) {
@@ -194,9 +235,8 @@ private:
             const auto  right = (at - line * perLine) * side, down = line * side;
             const auto  edge  = [&](std::size_t k) HWY_ATTR { return hn::MulAdd(right, across[k], hn::MulAdd(down, below[k], start[k])); };
             const Edges edges{edge(0), edge(1), edge(2)};
-            const auto  isInside = hn::And(least(plus(edges, inward)) >= hn::Zero(DF()), at < hn::Set(DF(), static_cast<float>(count)));
             const auto  here     = place + hn::BitCast(DU(), hn::ConvertTo(D(), hn::MulAdd(down, hn::Set(DF(), 65536), right)));
-            append(hn::RebindMask(D(), isInside), owner, here, edges);
+            judge(edges, reach, hn::RebindMask(D(), at < hn::Set(DF(), static_cast<float>(count))), owner, here);
         }
     }
 
@@ -230,12 +270,18 @@ inline constexpr int kPassLines   = kPassPixels / kPassColumns;
 #if HWY_TARGET == HWY_SCALAR
 using Pass32                    = F32;
 constexpr int pixelOfLane(int) { return 0; }
+/// One vector of float32 from two that stand for one of float64 each: the lower one, where there is room for no more.
+inline hn::Vec<Pass32> together(hn::Vec<F32>, hn::Vec<F32> lower) { return lower; }
 #else
 using Pass32 = hn::Twice<F32>;
+inline hn::Vec<Pass32> together(hn::Vec<F32> upper, hn::Vec<F32> lower) { return hn::Combine(Pass32(), upper, lower); }
 /// Which pixel of its pass, line by line, a lane of float32 is. Interleaved with another vector, the first and second lane of every
 /// four go to the first vector of keys, the third and fourth to the second; those two are the upper and the lower half.
 constexpr int pixelOfLane(int lane) { return lane % 4 / 2 * kLanes + lane / 4 * 2 + lane % 2; }
 #endif
+
+/// First lane of the second vector of float64.
+inline constexpr std::size_t kOtherHalf = kLanes == 1 ? 0 : kLanes;
 
 /// Where the lanes of a pass lie in it.
 template <class T>
@@ -259,8 +305,11 @@ using LineKeys = hn::Half<I64>;
 inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t stride) { return hn::Combine(I64(), hn::LoadU(LineKeys(), row + stride), hn::LoadU(LineKeys(), row)); }
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t stride)
 {
-    hn::StoreU(hn::LowerHalf(LineKeys(), keys), LineKeys(), row);
-    hn::StoreU(hn::UpperHalf(LineKeys(), keys), LineKeys(), row + stride);
+    // As numbers: gcc 12 stores the upper half of those without bringing it down first.
+    const hn::Half<F64> half;
+    const auto          numbers = hn::BitCast(F64(), keys);
+    hn::StoreU(hn::LowerHalf(half, numbers), half, reinterpret_cast<double*>(row));
+    hn::StoreU(hn::UpperHalf(half, numbers), half, reinterpret_cast<double*>(row + stride));
 }
 #else
 static_assert(kLanes <= kWindowSide);
@@ -268,7 +317,7 @@ inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
 #endif
 
-/// Offers to as many pixels as there are lanes; `kNormal` as in DepthTest. A negative depth of -1 or less wins nowhere.
+/// Offers to as many pixels as there are lanes; `kNormal` as in DepthTest. A depth whose sign is negative wins nowhere.
 template <Keep kKeep, bool kNormal>
 HWY_INLINE void offerKeys(Keys offered, [[maybe_unused]] float empty, PixelKey* row, std::ptrdiff_t stride)
 {
@@ -305,15 +354,13 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
 
     const auto perPixel = [&](std::size_t k) HWY_ATTR { return hn::Set(f32, triangles.perPixel[k][t]); };
     const auto perLine  = [&](std::size_t k) HWY_ATTR { return hn::Set(f32, triangles.perLine[k][t]); };
-    const auto lower    = lowerHalf<kKeep>(triangles.id[t] + 1);
-
     // At the pixels of each pass. Those of the first are computed, the others reached from there: whole numbers, exact on any way.
     const auto toRight = hn::Load(f32, kPassLanes32.right.data()), toDown = hn::Load(f32, kPassLanes32.down.data());
     const auto edgeOf  = [&](std::size_t k) HWY_ATTR {
         return hn::MulAdd(toDown, perLine(k), hn::MulAdd(toRight, perPixel(k), hn::Set(f32, window.edges[k])));
     };
     constexpr int kColumns = kWindowSide / kPassColumns, kPasses = kWindowSide / kPassLines * kColumns;
-    std::array<hn::Vec<Pass32>, kPasses> leasts;
+    std::array<hn::Vec<Pass32>, kPasses> signs;  // negative outside
     std::array<hn::Vec<Pass32>, 3>       edges{edgeOf(0), edgeOf(1), edgeOf(2)};
     for (int pass = 0; pass < kPasses; ++pass) {
         const int column = pass % kColumns * kPassColumns;
@@ -322,14 +369,14 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
         const auto edge = [&](std::size_t k) HWY_ATTR {
             return column == 0 ? edges[k] : hn::MulAdd(hn::Set(f32, static_cast<float>(column)), perPixel(k), edges[k]);
         };
-        leasts[static_cast<std::size_t>(pass)] = hn::Min(hn::Min(edge(0), edge(1)), edge(2));
+        signs[static_cast<std::size_t>(pass)] = hn::Or3(edge(0), edge(1), edge(2));
     }
 
     for (int line = 0, pass = 0; line < kWindowSide; line += kPassLines) {
         for (int column = 0; column < kWindowSide; column += kPassColumns, ++pass) {
-            const auto least = leasts[static_cast<std::size_t>(pass)];
+            const auto sign = signs[static_cast<std::size_t>(pass)];
             if constexpr (kLanes == 1)
-                if (hn::GetLane(least) < 0 || window.x() + column >= width) continue;
+                if (std::signbit(hn::GetLane(sign)) || window.x() + column >= width) continue;
 
             const auto depth = [&](int half) HWY_ATTR {
                 const auto lane = static_cast<std::size_t>(half * kLanes);
@@ -340,7 +387,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
             PixelKey* const row = first + line * stride + column;
 #if HWY_TARGET == HWY_SCALAR
             const auto     z       = hn::Min(hn::Max(depth(0), farthest), nearest);
-            const auto     offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lower));
+            const auto     offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id[t] + 1)));
             const PixelKey rival   = *row;
             offerKeys<kKeep, kNormal>(offered, empty, row, stride);
             probe(PixelTested{window.x() + column, window.y() + line, TriangleId{triangles.id[t]}, depthOf(hn::GetLane(offered)),
@@ -348,9 +395,10 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
                               false});
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
-            const auto z      = hn::Min(hn::Max(hn::Combine(f32, depth(1), depth(0)), farthest), nearest);
-            const auto upper  = hn::Min(z, least);  // outside: -1 or less
-            const auto lowers = hn::BitCast(f32, hn::Set(hn::Rebind<std::uint32_t, Pass32>(), static_cast<std::uint32_t>(lower)));
+            const hn::RebindToUnsigned<Pass32> u32;
+            const auto lowers = hn::BitCast(f32, kKeep == Keep::DepthOnly ? hn::Set(u32, ~0u) : hn::Set(u32, ~1u) - hn::Set(u32, triangles.id[t]));  // as lowerHalf()
+            const auto z      = hn::Min(hn::Max(together(depth(1), depth(0)), farthest), nearest);
+            const auto upper  = hn::OrAnd(z, sign, hn::Set(f32, -0.0f));  // outside: the sign of an edge
             const auto asKeys = [](auto halves) { return hn::BitCast(I64(), halves); };
             offerKeys<kKeep, kNormal>(asKeys(hn::InterleaveLower(f32, lowers, upper)), empty, row, stride);
             offerKeys<kKeep, kNormal>(asKeys(hn::InterleaveUpper(f32, lowers, upper)), empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide,
@@ -377,10 +425,11 @@ template <Keep kKeep, class Probe>
 void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples, VisibilityBuffer& visible,
               [[maybe_unused]] const Probe& probe)
 {
-    const F64 d64;
-    const F32 f32;
-    const I32 i32;
-    const U32 u32;
+    const F64    d64;
+    const F32    half;
+    const Pass32 f32;
+    const hn::RebindToSigned<Pass32>   i32;
+    const hn::RebindToUnsigned<Pass32> u32;
     samples.reserve(kTinySide * kTinySide * (end - first));
     PixelKey* const      picture = visible.row(0);
     const auto           stride  = static_cast<std::uint32_t>(visible.stride());
@@ -388,22 +437,31 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     std::uint32_t* const lowers  = samples.lowers.data();
     std::uint32_t* const places  = samples.places.data();
     std::size_t          count   = 0;
-    for (std::size_t i = first; i < end; i += hn::Lanes(d64)) {
-        const auto load   = [i](const TriangleList::Column<std::int32_t>& column) HWY_ATTR { return hn::LoadU(I32(), column.data() + i); };
+    for (std::size_t i = first; i < end; i += hn::Lanes(f32)) {
+        const auto load   = [&, i](const TriangleList::Column<std::int32_t>& column) HWY_ATTR { return hn::LoadU(i32, column.data() + i); };
         const auto kind   = hn::And(load(triangles.kind), hn::Set(i32, TriangleList::kPatterned | TriangleList::kCompact | TriangleList::kHidden));
-        const auto width  = load(triangles.x1) - load(triangles.x0), height = load(triangles.y1) - load(triangles.top);
+        const auto x = load(triangles.x0), y = load(triangles.top), width = load(triangles.x1) - x, height = load(triangles.y1) - y;
         const auto isTiny = hn::And(kind == hn::Set(i32, TriangleList::kCompact), hn::Not(hn::Max(width, height) > hn::Set(i32, kTinySide)));
-        const auto isDrawn = hn::And(isTiny, hn::Iota(i32, 0) < hn::Set(i32, static_cast<std::int32_t>(end - i)));
+        const auto isDrawn = hn::And(isTiny, countFrom(i32, 0) < hn::Set(i32, static_cast<std::int32_t>(end - i)));
         if (hn::AllFalse(i32, isDrawn)) continue;
 
-        const auto a = hn::LoadU(d64, triangles.a.data() + i), b = hn::LoadU(d64, triangles.b.data() + i), c = hn::LoadU(d64, triangles.c.data() + i);
         const auto farthest = hn::LoadU(f32, triangles.farthest.data() + i), nearest = hn::LoadU(f32, triangles.nearest.data() + i);
         const auto rank  = hn::LoadU(u32, triangles.id.data() + i) + hn::Set(u32, 1);
         const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::Not(rank);
-        const auto centreX = hn::PromoteTo(d64, load(triangles.x0)) + hn::Set(d64, 0.5), centreY = hn::PromoteTo(d64, load(triangles.top)) + hn::Set(d64, 0.5);
-        const auto place   = hn::BitCast(u32, load(triangles.x0)) + hn::BitCast(u32, load(triangles.top)) * hn::Set(u32, stride);
+        const auto place = hn::BitCast(u32, x) + hn::BitCast(u32, y) * hn::Set(u32, stride);
+        // In float64, of half of these triangles at a time.
+        const auto numbers = [&, i](const auto& column, std::size_t from) HWY_ATTR { return hn::LoadU(d64, column.data() + i + from); };
+        const auto centres = [&, i](const TriangleList::Column<std::int32_t>& column, std::size_t from) HWY_ATTR {
+            return hn::PromoteTo(d64, hn::LoadU(I32(), column.data() + i + from)) + hn::Set(d64, 0.5);
+        };
+        const auto lineOf = [&](int down, std::size_t from) HWY_ATTR {
+            return numbers(triangles.b, from) * (centres(triangles.top, from) + hn::Set(d64, down)) + numbers(triangles.c, from);
+        };
+        const auto depthOf = [&](Vec64 line, int right, std::size_t from) HWY_ATTR {
+            return hn::DemoteTo(half, numbers(triangles.a, from) * (centres(triangles.x0, from) + hn::Set(d64, right)) + line);
+        };
         for (int down = 0; down < kTinySide; ++down) {
-            const auto line = b * (centreY + hn::Set(d64, down)) + c;
+            const auto line = lineOf(down, 0), otherLine = lineOf(down, kOtherHalf);
             for (int right = 0; right < kTinySide; ++right) {
                 const auto edge = [&](std::size_t k) HWY_ATTR {
                     auto value = hn::LoadU(f32, triangles.origin[k].data() + i);
@@ -414,10 +472,10 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
                 const auto inside  = hn::RebindMask(i32, hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(f32));
                 const auto exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
                 const auto covered = hn::And(hn::And(inside, exists), isDrawn);
-                const auto z     = hn::Min(hn::Max(hn::DemoteTo(f32, a * (centreX + hn::Set(d64, right)) + line), farthest), nearest);
+                const auto z     = hn::Min(hn::Max(together(depthOf(otherLine, right, kOtherHalf), depthOf(line, right, 0)), farthest), nearest);
                 const auto here  = place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
                 const auto order = hn::IndicesFromVec(u32, keptFirst(i32, covered));
-                const auto put   = [&](hn::Vec<U32> values, std::uint32_t* column) HWY_ATTR {
+                const auto put   = [&](auto values, std::uint32_t* column) HWY_ATTR {
                     hn::StoreU(hn::TableLookupLanes(values, order), u32, column + count);
                 };
                 put(hn::BitCast(u32, z), uppers);
