@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/cache_aligned.h"
 #include "core/depth/pixel_key.h"
 #include "core/geometry/batches.h"
 
@@ -15,23 +16,23 @@ namespace zscope {
 
 struct WindowList {
     // Entry i is window i.
-    std::size_t                       count = 0;
-    std::vector<std::uint32_t>        owners;            // which triangle's
-    std::vector<std::uint32_t>        places;            // its first pixel: x + 65536 y; when it is worked off, that pixel's place among the keys
-    std::array<std::vector<float>, 3> edges;             // the owner's there, as TriangleList counts them
-    std::vector<double>               centreX, centreY;  // the first pixel's, when it is worked off
+    std::size_t                         count = 0;
+    AlignedVector<std::uint32_t>        owners;            // which triangle's
+    AlignedVector<std::uint32_t>        places;            // its first pixel: x + 65536 y; when it is worked off, that pixel's place among the keys
+    std::array<AlignedVector<float>, 3> edges;             // the owner's there, as TriangleList counts them
+    AlignedVector<double>               centreX, centreY;  // the first pixel's, when it is worked off
 
     /// Triangles of a batch with up to kMost x kMost windows, which are still to be found.
-    struct Some {
+    struct alignas(64) Some {
         static constexpr int kMost = 4;
         template <class T>
         using Column = std::array<T, 2 * kBatchTriangles + kBatchPadding>;
 
-        std::size_t                  count = 0;
         Column<std::uint32_t>        owners, places;         // as of a window
         Column<std::int32_t>         width, height;          // of its box, in pixels
         std::array<Column<float>, 3> first;                  // edges at its first window's first pixel
         std::array<Column<float>, 3> perPixel, below;        // from there to the next pixel, to the window below
+        std::size_t                  count = 0;
     };
     Some some;
 
