@@ -124,7 +124,8 @@ std::vector<std::uint32_t> neighboursTogether(const Mesh& mesh)
     return order;
 }
 
-/// Halves triangles at the middle of that key in which they differ most, until what is left is a patch.
+/// Divides triangles by that key in which they differ most, until what is left is a patch: where their normals leave a gap, as the walls of
+/// houses do, and else in the middle. What a gap leaves over of a patch waits, and is divided by itself, so that few patches face two ways.
 class PatchOrder {
 public:
     PatchOrder(const Mesh& mesh, std::span<const std::uint32_t> triangles)
@@ -151,11 +152,11 @@ public:
 
     std::vector<std::uint32_t> find()
     {
-        halve(m_items);
-        std::vector<std::uint32_t> order;
-        order.reserve(m_items.size());
-        for (const Item& item : m_items) order.push_back(item.triangle);
-        return order;
+        m_order.reserve(m_items.size());
+        divide(m_items, true);
+        std::vector<Item> left = std::move(m_left);
+        divide(left, false);
+        return std::move(m_order);
     }
 
 private:
@@ -168,10 +169,18 @@ private:
     /// Of a ratio from -1 to 1; 0 where there was nothing to divide by, and of numbers that have run over: what is sorted needs an order.
     static float keyOf(double ratio) { return std::abs(ratio) <= 1.01 ? static_cast<float>(ratio) : 0; }
 
-    static void halve(std::span<Item> items)
+    /// Two normals that differ by more than this in one coordinate, and none between.
+    static constexpr float kGap = 0.5f;
+
+    void divide(std::span<Item> items, bool atGaps)
     {
+        if (atGaps && items.size() < kPatchTriangles) {
+            m_left.insert(m_left.end(), items.begin(), items.end());
+            return;
+        }
         if (items.size() <= kPatchTriangles) {
             std::ranges::sort(items, {}, &Item::triangle);
+            for (const Item& item : items) m_order.push_back(item.triangle);
             return;
         }
         std::size_t widest = 0;
@@ -180,25 +189,39 @@ private:
             const auto [least, most] = std::ranges::minmax(items, {}, [k](const Item& item) { return item.keys[k]; });
             if (most.keys[k] - least.keys[k] > width) widest = k, width = most.keys[k] - least.keys[k];
         }
-        const std::size_t patches = (items.size() + kPatchTriangles - 1) / kPatchTriangles, middle = patches / 2 * kPatchTriangles;
-        std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(middle), {},
-                                 [widest](const Item& item) { return std::pair(item.keys[widest], item.triangle); });
-        halve(items.first(middle));
-        halve(items.subspan(middle));
+        const auto place = [widest](const Item& item) { return std::pair(item.keys[widest], item.triangle); };
+        const std::size_t gap = atGaps && widest >= kKeys / 2 && width > kGap ? widestGap(items, widest, place) : 0;
+        const std::size_t patches = (items.size() + kPatchTriangles - 1) / kPatchTriangles, middle = gap > 0 ? gap : patches / 2 * kPatchTriangles;
+        if (gap == 0) std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(middle), {}, place);
+        divide(items.first(middle), atGaps);
+        divide(items.subspan(middle), atGaps);
     }
 
-    std::vector<Item> m_items;
+    /// Sorts by a key; how many lie before the widest gap, 0 if there is none.
+    template <class Place>
+    static std::size_t widestGap(std::span<Item> items, std::size_t key, const Place& place)
+    {
+        std::ranges::sort(items, {}, place);
+        std::size_t before = 0;
+        float       widest = kGap;
+        for (std::size_t i = 1; i < items.size(); ++i)
+            if (const float gap = items[i].keys[key] - items[i - 1].keys[key]; gap > widest) before = i, widest = gap;
+        return before;
+    }
+
+    std::vector<Item>          m_items, m_left;
+    std::vector<std::uint32_t> m_order;
 };
 
-/// The batches, without what is known of their normals.
-MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted, BatchSize size = {})
+/// What fill(builder) adds, at most `triangles`, without what is known of their normals.
+template <class Fill>
+MeshBatches built(const Mesh& mesh, BatchSize size, std::size_t triangles, const Fill& fill)
 {
     MeshBatches  out;
     BatchBuilder builder(mesh, size, out);
-    for (std::vector<std::uint16_t>& corner : out.corners) corner.reserve(triangles.size() + kBatchPadding);
-    out.meshTriangle.reserve(triangles.size() + kBatchPadding);
-    for (const std::uint32_t t : triangles)
-        if (surfaceOf(mesh, t) == wanted) builder.add(t);
+    for (std::vector<std::uint16_t>& corner : out.corners) corner.reserve(triangles + kBatchPadding);
+    out.meshTriangle.reserve(triangles + kBatchPadding);
+    fill(builder);
     builder.close();
     if (std::ranges::any_of(mesh.materials, &Material::isPatterned))
         for (const std::uint32_t t : out.meshTriangle) out.patterned.push_back(mesh.isPatterned(t));
@@ -207,6 +230,26 @@ MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surf
     pad(out.x), pad(out.y), pad(out.z), pad(out.meshTriangle);
     for (std::vector<std::uint16_t>& corner : out.corners) pad(corner);
     return out;
+}
+
+/// Those of the triangles that are wanted, in the order given.
+MeshBatches cut(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted, BatchSize size = {})
+{
+    return built(mesh, size, triangles.size(), [&](BatchBuilder& builder) {
+        for (const std::uint32_t t : triangles)
+            if (surfaceOf(mesh, t) == wanted) builder.add(t);
+    });
+}
+
+/// The same batches, each of them in patches.
+MeshBatches inPatchesEach(const Mesh& mesh, const MeshBatches& batches)
+{
+    return built(mesh, {}, batches.triangleCount(), [&](BatchBuilder& builder) {
+        for (const Batch& batch : batches.batches) {
+            for (const std::uint32_t t : inPatches(mesh, batches.meshTriangles().subspan(batch.firstTriangle, batch.triangleCount))) builder.add(t);
+            builder.close();
+        }
+    });
 }
 
 /// Fills in what is known of the batches' normals, and of their patches if those are wanted.
@@ -278,6 +321,25 @@ MeshBatches withCones(MeshBatches mesh, bool withPatches)
 
 }  // namespace
 
+namespace {
+
+/// The share of all directions from which everything in a cone is seen from behind.
+double shareBehind(double sine, double altitude) { return altitude > 0 ? (1 - sine) / 2 : 0; }
+
+/// Whether, seen from somewhere, a tenth of the triangles or more lie in patches that face away and batches that do not.
+bool dropsMoreByPatches(const MeshBatches& mesh)
+{
+    double byBatches = 0, byPatches = 0;
+    for (const Batch& batch : mesh.batches) {
+        byBatches += batch.triangleCount * shareBehind(batch.cone.sine, batch.cone.altitude);
+        for (const PatchBlock& block : mesh.patchesOf(batch))
+            for (std::size_t lane = 0; lane < PatchBlock::kPatches; ++lane) byPatches += kPatchTriangles * shareBehind(block.sine[lane], block.altitude[lane]);
+    }
+    return byPatches - byBatches > 0.1 * static_cast<double>(mesh.triangleCount());
+}
+
+}  // namespace
+
 std::uint64_t MeshBatches::bytes() const
 {
     return batches.capacity() * sizeof(Batch) + patches.capacity() * sizeof(PatchBlock) + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double) +
@@ -301,7 +363,9 @@ MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
     MeshBatches loaded = cut(mesh, inLoadOrder(mesh), wanted);
     if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return withCones(std::move(loaded), false);
     MeshBatches sorted = cut(mesh, neighboursTogether(mesh), wanted);
-    return withCones(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded), false);
+    MeshBatches chosen = 4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded);
+    MeshBatches patched = withCones(inPatchesEach(mesh, chosen), true);
+    return dropsMoreByPatches(patched) ? std::move(patched) : withCones(std::move(chosen), false);
 }
 
 }  // namespace zscope

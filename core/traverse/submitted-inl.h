@@ -29,6 +29,9 @@ namespace zscope::HWY_NAMESPACE {
 /// Pixels of a batch's reach that are worth a look for each of its triangles.
 inline constexpr std::uint64_t kWorthLooking = 16;
 
+/// The vertices of some patches are transformed by themselves if that leaves out one in so many of their batch's.
+inline constexpr std::size_t kWorthChoosing = 8;
+
 /// What of a batch may be seen, asked before any of its vertices is transformed.
 struct BatchSeen {
     PatchBits  patches;
@@ -59,7 +62,11 @@ template <class Rules, class Probe>
 void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
                 const Probe& probe)
 {
-    transformBatch(place.mesh, place.batch, place.toWorld, stripe.projection, rules, scratch.vertices);
+    const std::uint64_t groups = place.patches == kAllPatches ? ~std::uint64_t{0} : vertexGroupsOf(place.mesh, place.batch, place.patches);
+    if (kWorthChoosing * kVertexGroup * static_cast<std::size_t>(std::popcount(groups)) > (kWorthChoosing - 1) * place.batch.vertexCount)
+        transformBatch(place.mesh, place.batch, place.toWorld, stripe.projection, rules, scratch.vertices);
+    else
+        transformGroups(place.mesh, place.batch, groups, place.toWorld, stripe.projection, rules, scratch.vertices);
     probe(BatchTransformed{instance, place.batch.vertexCount});
     clock.lap(Stage::Transform);
     scratch.triangles.clear();
@@ -110,15 +117,26 @@ bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const Place
     return true;
 }
 
-/// The patches of the batch that may show a front, if back faces are culled.
+/// The patches of the batch that may show a front, if back faces are culled; none of a batch that is seen from behind as a whole.
 inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe)
 {
-    if (stripe.culling != FaceCulling::Back) return kAllPatches;
+    const bool hasPatches = !place.mesh.patches.empty();
+    if (stripe.culling != FaceCulling::Back || !(hasPatches || place.batch.cone.promises())) return kAllPatches;
     const std::optional<BehindQuestion> asked = backs.question(view(place.batch.bounds));
-    return asked ? towardsEye(place.mesh, place.batch, *asked) : kAllPatches;
+    if (!asked) return kAllPatches;
+    if (asked->holdsOf(place.batch.cone)) return 0;
+    return hasPatches ? towardsEye(place.mesh, place.batch, *asked) : kAllPatches;
 }
 
-/// Calls visit(instance, batch, toWorld) for every batch that may reach the stripe; the batches of a mesh are
+/// Those that are to be set up. Who listens is told of each triangle of a batch that is seen from behind, and sees all others set up.
+template <class Rules, class Probe>
+PatchBits patchesWanted(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe, const Rules& rules, const Probe& probe)
+{
+    if constexpr (Rules::kExact && !Probe::listens) return patchesTowardsEye(place, backs, view, stripe);
+    return isCulledAsBack(place, backs, view, stripe, rules, probe) ? 0 : kAllPatches;
+}
+
+/// Calls visit(instance, batch, toWorld, patches) for every batch of which `patches` may reach the stripe; the batches of a mesh are
 /// `batchesOf(mesh)`, `batch` is an index into them, `toWorld` nullptr for the identity.
 template <class BatchesOf, class Visit, class Rules, class Probe>
 void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batchesOf, const Visit& visit, const Rules& rules, const Probe& probe)
@@ -148,9 +166,9 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
             }
             if (probe.leavesOut(Checkpoint::Batch)) continue;
             const BatchPlace place{mesh, mesh.batches[b], toWorld, scene.firstTriangle[i]};
-            const bool       isBack = isCulledAsBack(place, backs, placed, stripe, rules, probe);
+            const PatchBits  patches = patchesWanted(place, backs, placed, stripe, rules, probe);
             clock.lap(Stage::Cull);
-            if (!isBack) visit(InstanceId{i}, b, toWorld);
+            if (patches != 0) visit(InstanceId{i}, b, toWorld, patches);
         }
     }
     clock.lap(Stage::Cull);
@@ -163,9 +181,9 @@ void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScra
                     const Consume& consume, const Rules& rules, const Probe& probe)
 {
     const Scene& scene = stripe.scene.scene();
-    const auto   visit = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld) {
+    const auto   visit = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld, PatchBits patches) {
         const MeshBatches& mesh = batchesOf(scene.instances[instance.value].mesh);
-        setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value]}, instance, stripe, scratch, clock, rules, probe);
+        setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value], patches}, instance, stripe, scratch, clock, rules, probe);
         consume(scratch.triangles);
     };
     visitBatches(stripe, clock, batchesOf, visit, rules, probe);
@@ -190,7 +208,7 @@ void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageCl
     const SceneFaces& faces = facesOf(stripe.scene);
     clock.lap(Stage::Build);
     const auto batchesOf = [&](MeshId mesh) -> const MeshBatches& { return faces.of(mesh).points; };
-    const auto visit     = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld) {
+    const auto visit     = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld, PatchBits) {
         const FacePlace place{faces.of(scene.instances[instance.value].mesh), b, toWorld, scene.firstTriangle[instance.value]};
         const bool      fits = place.points().vertexCount <= kBatchVertices;  // a single face may have more
         if (fits) transformBatch(place.mesh.points, place.points(), toWorld, stripe.projection, rules, scratch.vertices);
