@@ -8,7 +8,8 @@
 //            by side; a vertex shared by two batches is transformed once in each
 // Size       as it is wanted (BatchSize), at most kBatchVertices vertices and kBatchTriangles triangles
 // Cone       of the normals of its triangles, so that a batch that shows its back is dropped whole (normal_cone.h)
-// Patches    of a node's batches, for whoever would rather know of fewer triangles at once (patches.h)
+// Patches    of a node's batches, for whoever would rather know of fewer triangles at once (patches.h); of a whole mesh's, whose triangles stand
+//            patch by patch then, where a tenth of them more is seen to face away by patches than by batches, from anywhere on average
 // Source     the curve is Morton's, as meshoptimizer sorts along it
 #pragma once
 
@@ -51,7 +52,7 @@ static_assert(kBatchTriangles <= 32 * kPatchTriangles && kBatchVertices <= 64 * 
 
 struct MeshBatches {
     std::vector<Batch>         batches;
-    std::vector<PatchBlock>    patches;       // PatchBlock::kPatches of a batch in each; of a mesh cut whole there are none
+    std::vector<PatchBlock>    patches;       // PatchBlock::kPatches of a batch in each; or none at all
     std::vector<double>        x, y, z;       // model space
     std::vector<std::uint32_t> meshTriangle;  // which triangle of the mesh each one is
     std::vector<std::uint8_t>  patterned;     // whether it has holes or a relief; empty if none has

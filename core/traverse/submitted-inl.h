@@ -2,8 +2,8 @@
 // (core/geometry/batches.h says in which order the triangles of a large mesh stand).
 //
 // Promise    skips only what cannot touch a pixel centre of the stripe (StripeVolume)
-// Cost       five planes per instance, per batch those that the instance crosses and a cone of normals; transform and set-up of
-//            what is left
+// Cost       five planes per instance, per batch those that the instance crosses and a cone of normals, at full speed those of its patches, too;
+//            transform and set-up of what is left
 #if defined(ZSCOPE_SUBMITTED_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_SUBMITTED_INL_H
 #undef ZSCOPE_SUBMITTED_INL_H

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/geometry/batches.h"
+#include "core/scene/load.h"
 
 namespace zscope {
 namespace {
@@ -135,6 +136,22 @@ TEST(Batches, LoadOrderIsKeptWhereItSharesVerticesAsWell)
         loose.triangles[t] = own;
     }
     EXPECT_TRUE(std::ranges::is_sorted(makeBatches(loose).meshTriangles()));
+}
+
+TEST(Batches, AMeshThatFacesEveryWayStandsPatchByPatch)
+{
+    EXPECT_TRUE(makeBatches(sheet(true)).patches.empty()) << "flat: its batches say all that patches could";
+    const Result<Scene> scene = loadScene("builtin:icosphere?frequency=40");
+    const MeshBatches   made  = makeBatches(scene.value().meshOf(InstanceId{0}));
+    ASSERT_GE(made.batches.size(), 17u) << "more than are tried";
+    ASSERT_FALSE(made.patches.empty());
+    std::size_t patches = 0;
+    for (const Batch& batch : made.batches) {
+        ASSERT_LE((batch.patchCount() + PatchBlock::kPatches - 1) / PatchBlock::kPatches, made.patchesOf(batch).size());
+        for (std::size_t patch = 0; patch < batch.patchCount(); ++patch, ++patches)
+            EXPECT_GT(made.patchesOf(batch)[patch / PatchBlock::kPatches].altitude[patch % PatchBlock::kPatches], 0);
+    }
+    EXPECT_LE(patches, made.triangleCount() / kPatchTriangles + made.batches.size());
 }
 
 TEST(Batches, AMeshWithNothingOpaqueHasNone)

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/base/cache_aligned.h"
 #include "core/base/large_pages.h"
 
 namespace zscope::tests {
@@ -28,6 +29,17 @@ TEST(LargePages, LargeBlocksBeginOnABorderOfThemAndSmallOnesWhereTheirTypeAsks)
     for (const std::size_t count : {std::size_t{1}, std::size_t{3}, Pages::kLeast / sizeof(Line) - 1}) {
         const std::vector<Line, Pages> lines(count);
         EXPECT_TRUE(beginsOn(alignof(Line), lines.data())) << count;
+    }
+}
+
+TEST(CacheAligned, VectorsBeginOnACacheLineAndKeepWhatTheyHold)
+{
+    AlignedVector<std::uint32_t> numbers(7);
+    for (std::size_t size = 7; size < 5000; size *= 3) {
+        std::iota(numbers.begin(), numbers.end(), 0u);
+        numbers.resize(3 * size);
+        EXPECT_TRUE(beginsOn(64, numbers.data())) << size;
+        for (std::uint32_t i = 0; i < size; ++i) ASSERT_EQ(numbers[i], i);
     }
 }
 

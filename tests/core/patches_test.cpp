@@ -48,6 +48,7 @@ HWY_AFTER_NAMESPACE();
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <hwy/targets.h>
 
 #include "core/geometry/rules.h"
@@ -252,6 +253,31 @@ TEST(Patches, AreSmallPiecesOfTheSurface)
         for (std::size_t patch = 0; patch < batch.patchCount(); ++patch, ++all)
             wide += !(made.patchesOf(batch)[patch / PatchBlock::kPatches].cosine[patch % PatchBlock::kPatches] > 0.9);
     EXPECT_LT(10 * wide, all) << "5,120 triangles face as many ways, those of a patch nearly the same";
+}
+
+TEST(Patches, PartWhereNormalsLeaveAGap)
+{
+    // A house of a roof and four walls, 80 small triangles each, in no order.
+    const std::array<dvec3, 5> facings{dvec3{0, 1, 0}, dvec3{1, 0, 0}, dvec3{-1, 0, 0}, dvec3{0, 0, 1}, dvec3{0, 0, -1}};
+    Random                     random(11);
+    Mesh                       mesh;
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t t = 0; t < 400; ++t) {
+        const dvec3& facing = facings[t % facings.size()];
+        const dvec3  right{facing.z + facing.y, 0, -facing.x}, up = glm::cross(facing, right);
+        const dvec3  at = facing + right * random.between(-1, 1) + up * random.between(-1, 1);
+        for (const dvec3& corner : {at, at + right * 0.1, at + up * 0.1}) mesh.positions.push_back(corner);
+        mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+        all.push_back(t);
+    }
+    const std::vector<std::uint32_t> order = inPatches(mesh, all);
+    ASSERT_TRUE(std::ranges::is_permutation(order, all));
+    int facingOneWay = 0;
+    for (std::size_t first = 0; first + kPatchTriangles <= order.size(); first += kPatchTriangles) {
+        const std::span patch = std::span(order).subspan(first, kPatchTriangles);
+        facingOneWay += std::ranges::all_of(patch, [&](std::uint32_t t) { return t % facings.size() == patch[0] % facings.size(); });
+    }
+    EXPECT_GE(facingOneWay, 10) << "two patches of each side, and what is left of them apart";
 }
 
 TEST(Patches, HoldEveryTriangleOnceHoweverLargeOrSmallTheNumbers)
