@@ -182,7 +182,8 @@ private:
     static Line withoutEmptyColumns(const Edges& atBox, const Edges& perPixel, const Reach& reach, hn::Mask<D> asked, hn::Vec<DU> place)
     {
         Line line{hn::Zero(D()), place, atBox};
-        if (hn::AllFalse(D(), asked)) return line;
+        // One lane: in the order that HalfSpace shows, who goes by windows from the corner of the box.
+        if (hn::MaxLanes(D()) == 1 || hn::AllFalse(D(), asked)) return line;
         Edges inColumn = plus(atBox, reach.inColumn);
         for (int column = 0; column < kWindowSide - 1; ++column, inColumn = plus(inColumn, perPixel)) {
             asked        = hn::And(asked, hn::RebindMask(D(), least(inColumn) < hn::Zero(DF())));
