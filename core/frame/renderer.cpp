@@ -141,11 +141,14 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     const ColourTable*      colours     = nullptr;
     bool                    shadesByTiles = false;
     const TransparentSurfaces* transparent = nullptr;
+    const PatchedBatches*   patched     = nullptr;
     const ChosenRules       blendRules  = rulesOfBlending(request);
     try {
         transparent   = toBeBlended(request);
         shadesByTiles = !transparent && !shadesFragments(request.pipeline.depth);
         if (request.shade) colours = &coloursOf(*request.scene);
+        const bool drawsTriangles = request.pipeline.order == Order::Submitted && !drawsFaces(request.pipeline);
+        if (exact && drawsTriangles && request.faceCulling == FaceCulling::Back) patched = &patchedBatchesOf(*request.scene);
         frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
         if (!request.shade)
             frame.colour = {};
@@ -211,7 +214,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     report.bytes = {{"visibility_buffer", frame.visible.bytes()},
                     {"colours", frame.colour.values().size_bytes()},
                     {"colour_table", colours ? colours->bytes() : 0},
-                    {"batches", request.scene->bytes()},
+                    {"batches", request.scene->bytes() + (patched ? patched->bytes() : 0)},
                     {"faces", drawsFaces(request.pipeline) ? facesOf(*request.scene).bytes() : 0},
                     {"transparent_batches", transparent ? transparent->bytes() : 0},
                     {"scratch", scratchBytes}};

@@ -364,10 +364,14 @@ MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
     MeshBatches loaded = cut(mesh, inLoadOrder(mesh), wanted);
     if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return withCones(std::move(loaded), false);
     MeshBatches sorted = cut(mesh, neighboursTogether(mesh), wanted);
-    MeshBatches chosen = 4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded);
+    return withCones(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded), false);
+}
+
+MeshBatches patchedBatches(const Mesh& mesh, const MeshBatches& whole)
+{
     constexpr std::size_t kTried = 16;  // one batch in so many tells whether it is worth while
-    if (!dropsMoreByPatches(withCones(inPatchesEach(mesh, chosen, kTried), true))) return withCones(std::move(chosen), false);
-    return withCones(inPatchesEach(mesh, chosen, 1), true);
+    if (whole.batches.size() < 2 || !dropsMoreByPatches(withCones(inPatchesEach(mesh, whole, kTried), true))) return {};
+    return withCones(inPatchesEach(mesh, whole, 1), true);
 }
 
 }  // namespace zscope

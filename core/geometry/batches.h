@@ -8,8 +8,7 @@
 //            by side; a vertex shared by two batches is transformed once in each
 // Size       as it is wanted (BatchSize), at most kBatchVertices vertices and kBatchTriangles triangles
 // Cone       of the normals of its triangles, so that a batch that shows its back is dropped whole (normal_cone.h)
-// Patches    of a node's batches, for whoever would rather know of fewer triangles at once (patches.h); of a whole mesh's, whose triangles stand
-//            patch by patch then, where a tenth of them more is seen to face away by patches than by batches, from anywhere on average
+// Patches    of a node's batches, for whoever would rather know of fewer triangles at once (patches.h); and of a mesh's as patchedBatches() has them
 // Source     the curve is Morton's, as meshoptimizer sorts along it
 #pragma once
 
@@ -85,5 +84,8 @@ std::vector<std::uint32_t> inPatches(const Mesh& mesh, std::span<const std::uint
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted = Surfaces::Opaque);
 /// The same for some of its triangles, in the order given.
 MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangles, Surfaces wanted = Surfaces::Opaque, BatchSize size = {});
+/// Batches of the same triangles as the mesh's own, `whole`, in which they stand patch by patch: for whoever need not draw in load order. None, where by
+/// patches not even a tenth of the triangles more is seen to face away than by batches, from anywhere on average.
+MeshBatches patchedBatches(const Mesh& mesh, const MeshBatches& whole);
 
 }  // namespace zscope

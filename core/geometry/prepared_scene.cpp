@@ -1,5 +1,8 @@
 #include "core/geometry/prepared_scene.h"
 
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <utility>
 
 namespace zscope {
@@ -10,11 +13,30 @@ PreparedScene::PreparedScene(std::shared_ptr<const Scene> scene) : m_scene(std::
     for (const auto& mesh : m_scene->meshes) m_batches.push_back(makeBatches(*mesh));
 }
 
-std::uint64_t PreparedScene::bytes() const
+namespace {
+
+std::uint64_t bytesOf(std::span<const MeshBatches> meshes)
 {
     std::uint64_t total = 0;
-    for (const MeshBatches& mesh : m_batches) total += mesh.bytes();
+    for (const MeshBatches& mesh : meshes) total += mesh.bytes();
     return total;
+}
+
+}  // namespace
+
+std::uint64_t PreparedScene::bytes() const { return bytesOf(m_batches); }
+
+PatchedBatches::PatchedBatches(const PreparedScene& scene) : m_scene(scene)
+{
+    for (std::uint32_t mesh = 0; mesh < scene.scene().meshes.size(); ++mesh)
+        m_meshes.push_back(patchedBatches(*scene.scene().meshes[mesh], scene.batchesOf(MeshId{mesh})));
+}
+
+std::uint64_t PatchedBatches::bytes() const { return bytesOf(m_meshes); }
+
+const PatchedBatches& patchedBatchesOf(const PreparedScene& scene)
+{
+    return scene.derived().get<PatchedBatches>([&scene] { return std::make_unique<PatchedBatches>(scene); });
 }
 
 }  // namespace zscope

@@ -30,4 +30,20 @@ private:
     Derived                      m_derived;
 };
 
+/// The batches of every mesh patch by patch, where that is worth while; made on the first frame that culls back faces in load order.
+class PatchedBatches {
+public:
+    explicit PatchedBatches(const PreparedScene& scene);
+
+    /// patchedBatches(), or the mesh's own if there are none.
+    const MeshBatches& of(MeshId mesh) const { return m_meshes[mesh.value].batches.empty() ? m_scene.batchesOf(mesh) : m_meshes[mesh.value]; }
+    std::uint64_t      bytes() const;
+
+private:
+    const PreparedScene&     m_scene;
+    std::vector<MeshBatches> m_meshes;
+};
+
+const PatchedBatches& patchedBatchesOf(const PreparedScene& scene);
+
 }  // namespace zscope

@@ -189,12 +189,15 @@ void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScra
     visitBatches(stripe, clock, batchesOf, visit, rules, probe);
 }
 
-/// The same for the opaque triangles.
+/// The same for the opaque triangles. Who does not listen, and wants no back faces, gets batches that stand patch by patch.
 template <class Consume, class Rules, class Probe>
 void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
                       const Rules& rules, const Probe& probe)
 {
-    const auto batchesOf = [&](MeshId mesh) -> const MeshBatches& { return stripe.scene.batchesOf(mesh); };
+    const PatchedBatches* patched = nullptr;
+    if constexpr (Rules::kExact && !Probe::listens)
+        if (stripe.culling == FaceCulling::Back) patched = &patchedBatchesOf(stripe.scene);
+    const auto batchesOf = [&](MeshId mesh) -> const MeshBatches& { return patched ? patched->of(mesh) : stripe.scene.batchesOf(mesh); };
     visitTriangles(batchesOf, stripe, scratch, clock, consume, rules, probe);
 }
 
