@@ -320,10 +320,6 @@ MeshBatches withCones(MeshBatches mesh, bool withPatches)
     return mesh;
 }
 
-}  // namespace
-
-namespace {
-
 /// The share of all directions from which everything in a cone is seen from behind.
 double shareBehind(double sine, double altitude) { return altitude > 0 ? (1 - sine) / 2 : 0; }
 
