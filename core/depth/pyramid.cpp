@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 namespace zscope {
 
@@ -42,9 +43,16 @@ PyramidQuery Pyramid::ask(const PixelBox& box, float nearest) { return ask(box, 
 
 void Pyramid::touched(const PixelBox& box)
 {
+    // Level by level, all cells of a level alike: which of them were stale already, nobody could predict. If all were, so are their ancestors.
     const PixelBox tiles = tilesUnder(box);
-    for (int y = tiles.y0; y < tiles.y1; ++y)
-        for (int x = tiles.x0; x < tiles.x1; ++x) markStaleFrom(kTileLevel, x, y);
+    int            up    = 0;
+    for (Level& level : m_levels) {
+        std::uint8_t wereStale = 1;
+        for (int y = tiles.y0 >> up; y <= (tiles.y1 - 1) >> up; ++y)
+            for (int x = tiles.x0 >> up; x <= (tiles.x1 - 1) >> up; ++x) wereStale &= std::exchange(level.stale.at(x, y), std::uint8_t{1});
+        if (wereStale) return;
+        ++up;
+    }
 }
 
 PixelBox Pyramid::tilesUnder(const PixelBox& box) const
