@@ -204,13 +204,13 @@ private:
     {
         if (!occlusion.asksTriangles || !asksOfAskedNodes()) return occlusion.asksTriangles;
         std::uint64_t pixels = 0;
-        for (std::size_t i = 0; i < triangles.count; ++i) pixels += pixelsOf(triangles.box(i));
+        for (std::size_t i = 0; i < triangles.count; ++i) pixels += triangles.box(i).area();
         return pixels >= kWorthAsking * triangles.count;
     }
 
     bool isWorthAsking(const TriangleList& triangles, std::size_t i) const
     {
-        return !asksOfAskedNodes() || !triangles.is(TriangleList::kCompact, i) || pixelsOf(triangles.box(i)) >= kWorthAskingOne;
+        return !asksOfAskedNodes() || !triangles.is(TriangleList::kCompact, i) || triangles.box(i).area() >= kWorthAskingOne;
     }
 
     void dropIfHidden(TriangleList& triangles, std::size_t i, DrawnTriangles& all) const
@@ -218,7 +218,7 @@ private:
         if (!isHidden(triangles, i)) return;
         triangles.kind[i] |= TriangleList::kHidden;
         ++all.hidden;
-        all.hiddenPixels += pixelsOf(triangles.box(i));
+        all.hiddenPixels += triangles.box(i).area();
     }
 
     bool isHidden(const TriangleList& triangles, std::size_t i) const
@@ -234,11 +234,6 @@ private:
         else
             probe(TrianglePassed{id, query});
         return query.hidden;
-    }
-
-    static std::uint64_t pixelsOf(const PixelBox& box)
-    {
-        return static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0);
     }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 namespace zscope {
 
@@ -14,6 +15,8 @@ struct PixelBox {
     {
         *this = {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1), std::max(y1, other.y1)};
     }
+    /// How many; it is not empty.
+    std::uint64_t area() const { return static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0); }
     bool isEmpty() const { return x0 >= x1 || y0 >= y1; }
     friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };

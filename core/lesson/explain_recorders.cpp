@@ -324,7 +324,7 @@ void TriangleHistory::observe(const TrianglePassed& e)
 void TriangleHistory::observe(const TileTested& e)
 {
     if (!e.rejected || e.triangle != m_drawnAs) return;
-    m_tally.tileRejected += static_cast<std::uint64_t>(e.box.x1 - e.box.x0) * static_cast<std::uint64_t>(e.box.y1 - e.box.y0);
+    m_tally.tileRejected += e.box.area();
     if (m_wasRejected) return;
     Event event = begin(Happening::TileRejected, m_steps.of(e), Grain::Query);
     event.tile  = e;

@@ -9,7 +9,8 @@
 //            Instances and batches of one node: the nearer box first. Triangles of one batch, where they are large: the nearer first
 // Pixels     at full speed a batch's patches that face away are left out, and those patches and small triangles all of whose pixels hold
 //            something nearer than the batch comes (core/geometry/patches.h, core/depth/hidden_squares.h)
-// Whole      where that is so, a small node is drawn with everything below it, and not divided: the squares tell its parts apart
+// Dense      where that is so, questions about nodes below one whose triangles are that small may be left out (core/cull/dense_questions.h)
+// Whole      there, too, a small node is drawn with everything below it, and not divided: the squares tell its parts apart
 // Recall     with a memory of the last frame: what it saw is drawn first, unasked, in the order in which it came then; the
 //            visit that follows judges it again, to learn whether it stays remembered, but does not draw it twice (NodeMemory)
 // Promise    skips only what cannot win a pixel (StripeVolume, NodeReach, Pyramid); a node that reaches before the near
@@ -34,6 +35,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/cull/cull_events.h"
+#include "core/cull/dense_questions.h"
 #include "core/cull/node_reach.h"
 #include "core/cull/occlusion.h"
 #include "core/hierarchy/scene_trees.h"
@@ -201,11 +203,17 @@ private:
         return a.depth.nearest != b.depth.nearest ? a.depth.nearest > b.depth.nearest : a.id < b.id;
     }
 
+    /// The last node that was asked about on the way down.
+    struct Asked {
+        std::uint32_t size    = 0;
+        bool          isDense = false;  // at full speed: its triangles' own pixels are looked at
+    };
+
     /// `open`: planes of the stripe that the node above crosses, and so this one may.
     template <class DrawItems>
-    void visit(const PlacedTree& placed, const TreeNode& node, Planes open, const DrawItems& drawItems)
+    void visit(const PlacedTree& placed, const TreeNode& node, Planes open, const DrawItems& drawItems, Asked above = {})
     {
-        if (m_stripe.progress.cancelled() || judge(placed, node, open) != Verdict::Entered) return;
+        if (m_stripe.progress.cancelled() || judge(placed, node, open, above) != Verdict::Entered) return;
         if (isDrawnWhole(placed, node)) return drawItems(node, open);
         const Tree& tree = placed.tree;
         tree.open(node);
@@ -213,7 +221,7 @@ private:
         if (m_rules.visitsFarFirst()) std::reverse(children.nodes.begin(), children.nodes.begin() + children.count);
         m_probe(NodeOpened{placed.place(node), std::span(children.nodes).first(children.count)});
         if (!tree.ownItems(node).empty()) drawItems(node, open);
-        for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], open, drawItems);
+        for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], open, drawItems, above);
     }
 
     /// Triangles of a node that is drawn at once, with everything below it, where pixels are asked (measured, docs/performance.md).
@@ -223,14 +231,23 @@ private:
         return kAtFullSpeed && m_occlusion.asksPixels && (!m_memory || m_memory->holdsWholeNodes()) && !placed.isInstanceTree && node.size() <= kDrawnWhole;
     }
 
-    /// Strikes out of `open` the planes that the node lies wholly inside of.
-    Verdict judge(const PlacedTree& placed, const TreeNode& node, Planes& open)
+    /// A dense node that is much smaller than the last one asked about is asked in any case, unless it is drawn whole: its batch looks for itself.
+    static constexpr std::uint32_t kMuchSmaller = 8;
+    bool isAsked(const PlacedTree& placed, const TreeNode& node, const Asked& above)
+    {
+        if (!above.isDense) return true;
+        if (node.size() <= above.size / kMuchSmaller && !isDrawnWhole(placed, node)) return true;
+        return m_denseQuestions.isWorthIt();
+    }
+
+    /// Strikes out of `open` the planes that the node lies wholly inside of; `above` becomes the node itself if it is asked about.
+    Verdict judge(const PlacedTree& placed, const TreeNode& node, Planes& open, Asked& above)
     {
         if (const std::optional<Verdict> before = m_probe.template decided<Verdict>()) return *before;
         const ViewBox box = placed.view(node.bounds);
         if (m_volume.misses(box, open)) return tell(placed, node, Verdict::Outside, nullptr);
         const double smallest = m_rules.smallestNode();
-        if (!m_occlusion.asksNodes && smallest == 0) return tell(placed, node, Verdict::Entered, nullptr);
+        if (smallest == 0 && !(m_occlusion.asksNodes && isAsked(placed, node, above))) return tell(placed, node, Verdict::Entered, nullptr);
         NodeReach reach = reachOf(box, m_stripe.projection, m_stripe.region());
         if (reach.crossesNear) return tell(placed, node, Verdict::Entered, nullptr);
         if (reach.area < smallest) return tell(placed, node, Verdict::Small, nullptr);
@@ -239,6 +256,10 @@ private:
         if (reach.pixels.isEmpty()) return tell(placed, node, Verdict::Outside, nullptr);
         const PyramidQuery query =
             askPyramid(*m_occlusion.pyramid, reach.pixels, reach.nearest, WholeBox{}, m_rules, m_probe);
+        if constexpr (kAtFullSpeed) {
+            if (above.isDense) m_denseQuestions.answered(query.hidden);
+            if (m_occlusion.asksPixels && !placed.isInstanceTree) above = {node.size(), reach.pixels.area() <= kWorthLooking * node.size()};
+        }
         if constexpr (Probe::listens) {
             const NodePlace asked = placed.place(node);
             m_probe(PyramidAsked{query, &asked, {}});
@@ -317,6 +338,7 @@ private:
     const Probe&      m_probe;
     NodeMemory*       m_memory;  // nullptr: nothing is remembered
     StripeVolume      m_volume;
+    DenseQuestions    m_denseQuestions;
 };
 
 }  // namespace zscope::HWY_NAMESPACE

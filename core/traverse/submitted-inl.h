@@ -43,17 +43,16 @@ struct BatchSeen {
 inline BatchSeen seenOf(const BatchPlace& place, const PlacedView& view, const Stripe& stripe, HiddenSquares& squares)
 {
     const PatchReach reach(place.mesh, place.batch, place.patches, view, stripe.projection, stripe.region());
-    const auto       pixelsIn  = [](const PixelBox& box) { return static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0); };
     const auto       triangles = [](PatchBits patches) { return static_cast<std::uint32_t>(std::popcount(patches)) * kPatchTriangles; };
     if (reach.patches() == 0) return {0, HiddenPart::Nothing, {}};
-    const std::uint64_t pixels = pixelsIn(reach.pixels());
+    const std::uint64_t pixels = reach.pixels().area();
     if (pixels > kWorthLooking * triangles(reach.patches())) return {reach.patches(), HiddenPart::Nothing, {}};
     const HiddenPart part = HiddenSquaresFinder::find(stripe.visible, reach.pixels(), reach.nearest(), squares);
     if (part == HiddenPart::Everything) return {0, part, {triangles(reach.patches()), pixels}};
     if (part == HiddenPart::Nothing) return {reach.patches(), part, {}};
     const PatchBits hidden = reach.hiddenAmong(HiddenBoxes(squares));
     LeftOut         leftOut{triangles(hidden), 0};
-    for (PatchBits left = hidden; left != 0; left &= left - 1) leftOut.pixels += pixelsIn(reach.pixelsOf(static_cast<std::size_t>(std::countr_zero(left))));
+    for (PatchBits left = hidden; left != 0; left &= left - 1) leftOut.pixels += reach.pixelsOf(static_cast<std::size_t>(std::countr_zero(left))).area();
     return {reach.patches() & ~hidden, part, leftOut};
 }
 
