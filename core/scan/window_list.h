@@ -57,17 +57,17 @@ struct WindowList {
 
 struct SampleList {
     // Entry i is sample i.
-    std::vector<std::uint32_t> uppers, lowers;  // halves of keys
-    std::vector<std::uint32_t> places;          // its pixel's place among the keys
+    AlignedVector<PixelKey>      keys;
+    AlignedVector<std::uint32_t> places;  // its pixel's place among the picture's keys
 
     /// Room for so many samples, and for whole vectors behind them.
     void reserve(std::size_t samples)
     {
-        if (uppers.size() >= samples + kBatchPadding) return;
-        for (auto* column : {&uppers, &lowers, &places}) column->resize(samples + kBatchPadding);
+        if (keys.size() >= samples + kBatchPadding) return;
+        keys.resize(samples + kBatchPadding), places.resize(samples + kBatchPadding);
     }
 
-    std::size_t bytes() const { return 3 * uppers.capacity() * sizeof(std::uint32_t); }
+    std::size_t bytes() const { return keys.capacity() * (sizeof(PixelKey) + sizeof(std::uint32_t)); }
 };
 
 }  // namespace zscope

@@ -284,6 +284,13 @@ constexpr int pixelOfLane(int lane) { return lane % 4 / 2 * kLanes + lane / 4 * 
 /// First lane of the second vector of float64.
 inline constexpr std::size_t kOtherHalf = kLanes == 1 ? 0 : kLanes;
 
+/// pixelOfLane() of each of them.
+HWY_ALIGN inline constexpr auto kPassPixelsOfLanes = [] {
+    std::array<std::int32_t, kPassPixels> all{};
+    for (int lane = 0; lane < kPassPixels; ++lane) all[static_cast<std::size_t>(lane)] = pixelOfLane(lane);
+    return all;
+}();
+
 /// Where the lanes of a pass lie in it.
 template <class T>
 struct PassLanes {
@@ -421,6 +428,24 @@ HWY_INLINE bool wins(PixelKey offered, PixelKey held, [[maybe_unused]] float emp
 /// Pixels are fetched so many windows or samples before they are tested: triangles come in any order, and memory answers late.
 inline constexpr std::size_t kFetchedAhead = 16;
 
+/// Keys from their halves, which stand lane by lane: first those of the lanes that `order` names, in that order.
+template <class V, class Order>
+HWY_INLINE void storeKeysOf(V uppers, V lowers, Order order, PixelKey* to)
+{
+#if HWY_TARGET == HWY_SCALAR
+    static_cast<void>(order);
+    *to = static_cast<PixelKey>(std::uint64_t{hn::GetLane(uppers)} << 32 | hn::GetLane(lowers));
+#else
+    const hn::RebindToUnsigned<Pass32> u32;
+    const hn::RebindToSigned<Pass32>   i32;
+    // As lanes are interleaved.
+    const auto lanes = hn::IndicesFromVec(u32, hn::TableLookupLanes(order, hn::IndicesFromVec(i32, hn::Load(i32, kPassPixelsOfLanes.data()))));
+    const auto upper = hn::TableLookupLanes(uppers, lanes), lower = hn::TableLookupLanes(lowers, lanes);
+    hn::StoreU(hn::BitCast(I64(), hn::InterleaveLower(u32, lower, upper)), I64(), to);
+    hn::StoreU(hn::BitCast(I64(), hn::InterleaveUpper(u32, lower, upper)), I64(), to + kLanes);
+#endif
+}
+
 /// The tiny triangles among [first, end), from their edges to the picture.
 template <Keep kKeep, class Probe>
 void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples, VisibilityBuffer& visible,
@@ -434,8 +459,7 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     samples.reserve(kTinySide * kTinySide * (end - first));
     PixelKey* const      picture = visible.row(0);
     const auto           stride  = static_cast<std::uint32_t>(visible.stride());
-    std::uint32_t* const uppers  = samples.uppers.data();
-    std::uint32_t* const lowers  = samples.lowers.data();
+    PixelKey* const      keys    = samples.keys.data();
     std::uint32_t* const places  = samples.places.data();
     std::size_t          count   = 0;
     for (std::size_t i = first; i < end; i += hn::Lanes(f32)) {
@@ -475,13 +499,9 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
                 const auto covered = hn::And(hn::And(inside, exists), isDrawn);
                 const auto z     = hn::Min(hn::Max(together(depthOf(otherLine, right, kOtherHalf), depthOf(line, right, 0)), farthest), nearest);
                 const auto here  = place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
-                const auto order = hn::IndicesFromVec(u32, keptFirst(i32, covered));
-                const auto put   = [&](auto values, std::uint32_t* column) HWY_ATTR {
-                    hn::StoreU(hn::TableLookupLanes(values, order), u32, column + count);
-                };
-                put(hn::BitCast(u32, z), uppers);
-                put(lower, lowers);
-                put(here, places);
+                const auto kept  = keptFirst(i32, covered);
+                hn::StoreU(hn::TableLookupLanes(here, hn::IndicesFromVec(u32, kept)), u32, places + count);
+                storeKeysOf(hn::BitCast(u32, z), lower, kept, keys + count);
                 count += hn::CountTrue(i32, covered);
             }
         }
@@ -490,9 +510,9 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     const float empty = visible.empty();
     for (std::size_t i = 0; i < count; ++i) {
         hwy::Prefetch(picture + places[std::min(i + kFetchedAhead, count - 1)]);
-        const auto offered = static_cast<PixelKey>(std::uint64_t{uppers[i]} << 32 | lowers[i]);
-        PixelKey&  held    = picture[places[i]];
-        const bool won     = wins<kKeep>(offered, held, empty);
+        const PixelKey offered = keys[i];
+        PixelKey&      held    = picture[places[i]];
+        const bool     won     = wins<kKeep>(offered, held, empty);
         if constexpr (Probe::listens) {
             assert(end - first == 1);
             const PixelKey rival = held;
