@@ -16,6 +16,8 @@
 #include <optional>
 #include <span>
 
+#include <glm/geometric.hpp>
+
 #include "core/geometry/placed_view.h"
 
 namespace zscope {
@@ -54,6 +56,9 @@ inline constexpr double kConeSlack = 1e-8;
 class BackFaces {
 public:
     BackFaces(const PlacedView& view, const Projection& projection);
+
+    /// False if no question about the cone can be answered with yes, whatever box holds its triangles.
+    bool mayHold(const NormalCone& cone) const { return cone.promises() && glm::dot(cone.apex - m_eye, cone.axis) > 0; }
 
     /// What to ask about cones whose triangles lie in `box`; nothing if no answer could be trusted.
     std::optional<BehindQuestion> question(const ViewBox& box) const;

@@ -108,7 +108,7 @@ LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe&
 template <class Rules, class Probe>
 bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe, const Rules&, const Probe& probe)
 {
-    if (!Rules::kExact || stripe.culling != FaceCulling::Back || !place.batch.cone.promises()) return false;
+    if (!Rules::kExact || stripe.culling != FaceCulling::Back || !backs.mayHold(place.batch.cone)) return false;
     if (!backs.hold(place.batch.cone, view(place.batch.bounds))) return false;
     if constexpr (Probe::listens)
         for (std::uint32_t t = 0; t < place.batch.triangleCount; ++t)
@@ -120,7 +120,7 @@ bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const Place
 inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe)
 {
     const bool hasPatches = !place.mesh.patches.empty();
-    if (stripe.culling != FaceCulling::Back || !(hasPatches || place.batch.cone.promises())) return kAllPatches;
+    if (stripe.culling != FaceCulling::Back || !(hasPatches || backs.mayHold(place.batch.cone))) return kAllPatches;
     const std::optional<BehindQuestion> asked = backs.question(view(place.batch.bounds));
     if (!asked) return kAllPatches;
     if (asked->holdsOf(place.batch.cone)) return 0;
