@@ -4,6 +4,7 @@
 // Cost       one look at the processor's counter per lap (about 8 ns); laps are taken per batch or coarser, never per triangle
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -33,9 +34,11 @@ public:
     StageMs ms() const
     {
         const double ms    = std::chrono::duration<double, std::milli>(Clock::now() - m_start).count();
-        const auto   ticks = static_cast<double>(ticksNow() - m_startTicks);
+        // Signed: where processors' counters differ, a thread that moves from one to another may see its own go back.
+        const auto   signedTicks = [](std::uint64_t t) { return static_cast<double>(static_cast<std::int64_t>(t)); };
+        const double ticks       = signedTicks(ticksNow() - m_startTicks);
         StageMs      stages{};
-        for (std::size_t i = 0; i < stages.size() && ticks > 0; ++i) stages[i] = static_cast<double>(m_ticks[i]) * (ms / ticks);
+        for (std::size_t i = 0; i < stages.size() && ticks > 0; ++i) stages[i] = std::clamp(signedTicks(m_ticks[i]) * (ms / ticks), 0.0, ms);
         return stages;
     }
 

@@ -2,7 +2,7 @@
 //
 // Idea       a question about a node takes as long as a look at all pixels under its triangles, which comes later anyway where they are so small
 //            (core/depth/hidden_squares.h). It pays where nodes are often hidden: all of a node is spared then, not one triangle after another
-// Sampled    one in kSampled of those that are left out is asked all the same, so that the answers keep up with what lies farther back
+// Sampled    one in kSampled of those that are left out is asked all the same, so that the answers come to know what lies farther back
 // Promise    decides no pixel: a node that nobody asked about is drawn
 // Cost       three numbers; deterministic for a given order of nodes
 #pragma once

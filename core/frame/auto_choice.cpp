@@ -81,7 +81,7 @@ void AutoChoice::drawnInTrial(const FrameCost& cost)
     const bool   anyKnown = std::ranges::any_of(m_candidates, &Candidate::isKnown);
     const double bestMs   = anyKnown ? best().cost.whole : std::numeric_limits<double>::infinity();
     const bool   isTimed  = m_frames > kWarmUp;
-    // Whoever builds nothing has no warming up that could make up for this.
+    // Whoever visits no tree has no warming up that could make up for this; what is made once is not part of the cost.
     const bool isHopeless = cost.whole > kHopeless * bestMs && !visitsTree(*now.preset);
     if (isTimed || isHopeless) {
         if (!now.isKnown || cost.whole < now.cost.whole) now.cost = cost;

@@ -34,7 +34,7 @@ SceneNumbers numbersOf(const PreparedScene& scene, const Camera& camera, int thr
 
 /// What a frame took, in ms. The parts need not add up.
 struct FrameCost {
-    double whole    = 0;
+    double whole    = 0;  // but for what is made once and kept
     double geometry = 0;  // transform and set-up of what was not left out
     double culling  = 0;  // finding out what can be left out, and keeping what is asked true
     double raster   = 0;

@@ -152,6 +152,7 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
     case Stage::Prepass: return reasonForPrepass(pipeline.depth);
     case Stage::Build:
         if (byFaces) return {true, "whole faces, cut into batches on the first frame and kept"};
+        if (drawsPatchedBatches(request)) return {true, "batches patch by patch, made on the first frame and kept"};
         return pipeline.order != Order::Submitted ? StageReason{true, "the hierarchy's nodes, when first entered; kept between frames"}
                                                   : StageReason{false, "no hierarchy is visited"};
     case Stage::Raster: return {true, (sweeps ? "the sweep, line by line" : "the pixels of every triangle") + aboutPatterns(*request.scene, pipeline.depth)};
@@ -160,6 +161,12 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
     case Stage::Other: return {true, "sizing buffers, starting threads, waiting for the slowest; on a first frame also the colours"};
     }
     return {false, ""};
+}
+
+bool drawsPatchedBatches(const DrawRequest& request)
+{
+    const Pipeline& pipeline = request.pipeline;
+    return pipeline.order == Order::Submitted && !drawsFaces(pipeline) && pipeline.usesExactRules() && request.faceCulling == FaceCulling::Back;
 }
 
 const TransparentSurfaces* toBeBlended(const DrawRequest& request)

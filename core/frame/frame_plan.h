@@ -30,6 +30,9 @@ struct StageReason {
 };
 StageReason reasonFor(Stage stage, const DrawRequest& request);
 
+/// Whether the frame, at full speed, draws batches that stand patch by patch (PatchedBatches).
+bool drawsPatchedBatches(const DrawRequest& request);
+
 /// The scene's transparent surfaces if this frame blends them: it is shaded, and there are any; else nullptr.
 const TransparentSurfaces* toBeBlended(const DrawRequest& request);
 /// The rules they are drawn by: the request's approximations, as far as a sweep can follow them, and no fault.

@@ -70,8 +70,8 @@ using Clock = std::chrono::steady_clock;
 
 double msSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
 
-/// The stages of a report: mean over the threads; what no thread accounts for is Other.
-std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<StageMs>& perThread, double frameMs)
+/// The stages of a report: mean over the threads, and what was built before they began; what nobody accounts for is Other.
+std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<StageMs>& perThread, double builtMs, double frameMs)
 {
     std::vector<StageTime> times;
     double                 accounted = 0;
@@ -80,6 +80,7 @@ std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<
         StageTime         time{stage, 0, reason.runs, reason.why};
         for (const StageMs& ms : perThread) time.ms += ms[static_cast<std::size_t>(stage)];
         time.ms /= static_cast<double>(perThread.size());
+        if (stage == Stage::Build) time.ms += builtMs;
         accounted += time.ms;
         times.push_back(std::move(time));
     }
@@ -90,7 +91,7 @@ std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<
 FrameCost costOf(const FrameReport& report)
 {
     const auto ms = [&report](Stage stage) { return report.stages[static_cast<std::size_t>(stage)].ms; };
-    return {.whole    = report.frameMs,
+    return {.whole    = report.frameMs - ms(Stage::Build),
             .geometry = ms(Stage::Transform) + ms(Stage::Setup),
             .culling  = ms(Stage::Cull) + ms(Stage::Upkeep),
             .raster   = ms(Stage::Raster)};
@@ -142,13 +143,17 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     bool                    shadesByTiles = false;
     const TransparentSurfaces* transparent = nullptr;
     const PatchedBatches*   patched     = nullptr;
+    double                  builtMs     = 0;
     const ChosenRules       blendRules  = rulesOfBlending(request);
     try {
         transparent   = toBeBlended(request);
         shadesByTiles = !transparent && !shadesFragments(request.pipeline.depth);
         if (request.shade) colours = &coloursOf(*request.scene);
-        const bool drawsTriangles = request.pipeline.order == Order::Submitted && !drawsFaces(request.pipeline);
-        if (exact && drawsTriangles && request.faceCulling == FaceCulling::Back) patched = &patchedBatchesOf(*request.scene);
+        if (drawsPatchedBatches(request)) {
+            const Clock::time_point asked = Clock::now();
+            patched = &patchedBatchesOf(*request.scene);
+            builtMs = msSince(asked);
+        }
         frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
         if (!request.shade)
             frame.colour = {};
@@ -206,7 +211,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
 
     FrameReport report;
     report.frameMs = msSince(start);
-    report.stages  = stageTimes(request, stageMs, report.frameMs);
+    report.stages  = stageTimes(request, stageMs, builtMs, report.frameMs);
     report.threads = plan->threads;
     report.simd    = plan->simd;
     std::uint64_t scratchBytes = 0;

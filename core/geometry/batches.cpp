@@ -213,7 +213,7 @@ private:
     std::vector<std::uint32_t> m_order;
 };
 
-/// What fill(builder) adds, at most `triangles`, without what is known of their normals.
+/// What fill(builder) adds, about so many `triangles`, without what is known of their normals.
 template <class Fill>
 MeshBatches built(const Mesh& mesh, BatchSize size, std::size_t triangles, const Fill& fill)
 {
@@ -323,7 +323,7 @@ MeshBatches withCones(MeshBatches mesh, bool withPatches)
 /// The share of all directions from which everything in a cone is seen from behind.
 double shareBehind(double sine, double altitude) { return altitude > 0 ? (1 - sine) / 2 : 0; }
 
-/// Whether, seen from somewhere, a tenth of the triangles or more lie in patches that face away and batches that do not.
+/// Whether, on average over all directions, a tenth of the triangles or more lie in patches that face away and batches that do not.
 bool dropsMoreByPatches(const MeshBatches& mesh)
 {
     double byBatches = 0, byPatches = 0;

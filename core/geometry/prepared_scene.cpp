@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <span>
 #include <utility>
 
@@ -28,8 +29,13 @@ std::uint64_t PreparedScene::bytes() const { return bytesOf(m_batches); }
 
 PatchedBatches::PatchedBatches(const PreparedScene& scene) : m_scene(scene)
 {
-    for (std::uint32_t mesh = 0; mesh < scene.scene().meshes.size(); ++mesh)
-        m_meshes.push_back(patchedBatches(*scene.scene().meshes[mesh], scene.batchesOf(MeshId{mesh})));
+    m_meshes.resize(scene.scene().meshes.size());
+    for (std::uint32_t mesh = 0; mesh < m_meshes.size(); ++mesh) {
+        try {
+            m_meshes[mesh] = patchedBatches(*scene.scene().meshes[mesh], scene.batchesOf(MeshId{mesh}));
+        } catch (const std::bad_alloc&) {  // no picture needs them: the mesh's own are drawn
+        }
+    }
 }
 
 std::uint64_t PatchedBatches::bytes() const { return bytesOf(m_meshes); }

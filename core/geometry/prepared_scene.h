@@ -30,7 +30,7 @@ private:
     Derived                      m_derived;
 };
 
-/// The batches of every mesh patch by patch, where that is worth while; made on the first frame that culls back faces in load order.
+/// The batches of every mesh patch by patch, where that is worth while; made on the first frame that culls back faces in load order, by exact rules.
 class PatchedBatches {
 public:
     explicit PatchedBatches(const PreparedScene& scene);

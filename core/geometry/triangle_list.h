@@ -4,7 +4,7 @@
 // Compact    triangles whose sides are below kCompactSide and whose corners are whole numbers carry their edges too, in float32, which
 //            holds them exactly: an edge value at a pixel centre is 256 times an integer plus what it is at the first pixel.
 //            Divided by 256 and rounded down it keeps its sign. Twice that and one is kept: an odd integer below 2^24, so that
-//            it is 1 or more inside, where no depth is more, and -1 or less outside
+//            it is 1 or more inside, and -1 or less outside: its sign says which
 // Room       fixed: a batch's triangles, each of which the near plane may cut in two. Whole vectors may be stored from the entry
 //            after the last
 // Cost       putting one ScreenTriangle together reads twenty columns: for whoever takes triangles one by one
@@ -29,7 +29,7 @@ inline bool isCompact(const ScreenTriangle& t)
     const auto reach = [](const std::array<double, 3>& at) { return std::max({at[0], at[1], at[2]}) - std::min({at[0], at[1], at[2]}); };
     return std::max(reach(t.x), reach(t.y)) < kCompactSide;
 }
-/// Compact triangles become pixels by windows of so many pixels and lines, the first of them at (x0, top).
+/// Compact triangles become pixels by windows of so many pixels and lines, the first line of them at `top`.
 inline constexpr int kWindowSide = 4;
 
 struct TriangleList {

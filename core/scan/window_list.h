@@ -28,10 +28,10 @@ struct WindowList {
         template <class T>
         using Column = std::array<T, 2 * kBatchTriangles + kBatchPadding>;
 
-        Column<std::uint32_t>        owners, places;         // as of a window
+        Column<std::uint32_t>        owners, places;         // as of a window at the corner (x0, top) of its box
         Column<std::int32_t>         width, height;          // of its box, in pixels
-        std::array<Column<float>, 3> first;                  // edges at its first window's first pixel
-        std::array<Column<float>, 3> perPixel, below;        // from there to the next pixel, to the window below
+        std::array<Column<float>, 3> first;                  // edges at that corner
+        std::array<Column<float>, 3> perPixel, below;        // from there to the next pixel, to kWindowSide lines below
         std::size_t                  count = 0;
     };
     Some some;
@@ -47,9 +47,9 @@ struct WindowList {
     {
         if (owners.size() >= count + more + kBatchPadding) return;
         const std::size_t size = 2 * (count + more + kBatchPadding);
-        owners.resize(size), places.resize(size);
+        places.resize(size), centreX.resize(size), centreY.resize(size);
         for (auto& edge : edges) edge.resize(size);
-        centreX.resize(size), centreY.resize(size);
+        owners.resize(size);  // last: if one of them finds no memory, all are asked again
     }
 
     std::size_t bytes() const { return owners.capacity() * (2 * sizeof(std::uint32_t) + 3 * sizeof(float) + 2 * sizeof(double)); }
@@ -64,7 +64,7 @@ struct SampleList {
     void reserve(std::size_t samples)
     {
         if (keys.size() >= samples + kBatchPadding) return;
-        keys.resize(samples + kBatchPadding), places.resize(samples + kBatchPadding);
+        places.resize(samples + kBatchPadding), keys.resize(samples + kBatchPadding);  // in this order, likewise
     }
 
     std::size_t bytes() const { return keys.capacity() * (sizeof(PixelKey) + sizeof(std::uint32_t)); }

@@ -152,13 +152,21 @@ TEST(Batches, OfAMeshThatFacesEveryWayMayStandPatchByPatch)
         const auto of = [b](const MeshBatches& batches) { return batches.meshTriangles().subspan(batches.batches[b].firstTriangle, batches.batches[b].triangleCount); };
         ASSERT_TRUE(std::ranges::is_permutation(of(made), of(whole))) << b;
     }
-    std::size_t patches = 0;
+    std::size_t blocks = 0;
     for (const Batch& batch : made.batches) {
-        ASSERT_LE((batch.patchCount() + PatchBlock::kPatches - 1) / PatchBlock::kPatches, made.patchesOf(batch).size());
-        for (std::size_t patch = 0; patch < batch.patchCount(); ++patch, ++patches)
-            EXPECT_GT(made.patchesOf(batch)[patch / PatchBlock::kPatches].altitude[patch % PatchBlock::kPatches], 0);
+        ASSERT_EQ(batch.firstBlock, blocks);
+        blocks += (batch.patchCount() + PatchBlock::kPatches - 1) / PatchBlock::kPatches;
+        ASSERT_LE(blocks, made.patches.size());
+        for (std::uint32_t patch = 0; patch < batch.patchCount(); ++patch) {
+            const PatchBlock& block = made.patchesOf(batch)[patch / PatchBlock::kPatches];
+            EXPECT_GT(block.altitude[patch % PatchBlock::kPatches], 0);
+            std::uint64_t groups = 0;  // of the vertices of its triangles
+            for (std::uint32_t t = patch * kPatchTriangles; t < std::min(batch.triangleCount, (patch + 1) * kPatchTriangles); ++t)
+                for (const auto& corner : made.corners) groups |= std::uint64_t{1} << corner[batch.firstTriangle + t] / kVertexGroup;
+            EXPECT_EQ(block.vertexGroups[patch % PatchBlock::kPatches], groups);
+        }
     }
-    EXPECT_LE(patches, made.triangleCount() / kPatchTriangles + made.batches.size());
+    EXPECT_EQ(blocks, made.patches.size());
 }
 
 TEST(Batches, AMeshWithNothingOpaqueHasNone)

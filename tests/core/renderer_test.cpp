@@ -186,6 +186,22 @@ TEST(Renderer, StageTimesAddUpToTheFrameAndEveryStageHasAReason)
     }
 }
 
+TEST(Renderer, WhatIsMadeOnceIsAccountedToTheStageBuild)
+{
+    const auto  scene   = std::make_shared<const Scene>(loadScene("builtin:icosphere?frequency=60").value());
+    DrawRequest request = requestFor(scene, *makeCamera({}, scene->bounds), presets().front().pipeline);
+    Renderer    renderer;
+    const auto  builtMs = [&](FaceCulling culling) {
+        request.faceCulling   = culling;
+        const StageTime build = draw(renderer, request).report.stages[static_cast<std::size_t>(Stage::Build)];
+        EXPECT_EQ(build.ran, culling == FaceCulling::Back);
+        return build.ms;
+    };
+    EXPECT_EQ(builtMs(FaceCulling::None), 0);
+    const double first = builtMs(FaceCulling::Back), second = builtMs(FaceCulling::Back);  // 72,000 triangles are put into patches, then none is
+    EXPECT_GT(first, second);
+}
+
 /// Opaque and transparent triangles, instances, near crossings, back faces, degenerates, out of range.
 TEST(Renderer, EveryTriangleEndsInExactlyOneCounter)
 {

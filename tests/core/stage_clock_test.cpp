@@ -42,5 +42,14 @@ TEST(StageClock, LapsGoToTheirStages)
     EXPECT_LE(std::accumulate(ms.begin(), ms.end(), 0.0), lived);
 }
 
+TEST(StageClock, CountsMilliseconds)
+{
+    const auto start = std::chrono::steady_clock::now();
+    StageClock clock;
+    while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(20)) {}
+    clock.lap(Stage::Setup);
+    EXPECT_GE(msOf(clock, Stage::Setup), 15);
+}
+
 }  // namespace
 }  // namespace zscope
