@@ -72,6 +72,8 @@ std::vector<DrawRequest> fewScenes()
     std::vector<DrawRequest> scenes;
     for (const char* word : {"cubes", "cutouts", "reliefs", "glass", "hard/D6", "hard/B1", "hard/D9", "hard/A8", "hard/C1", "hard/G2"})
         scenes.push_back(requestFor(word, 32, 24));
+    scenes.push_back(scenes.front());
+    scenes.back().faceCulling = FaceCulling::Back;
     return scenes;
 }
 
