@@ -272,7 +272,7 @@ private:
     {
         HWY_ALIGN static constexpr std::array<std::uint8_t, 16> kLevels{0, 1, 2, 3, 4, 4, 5, 5, 6, 6, 6, 6, 7, 7, 7, 7};  // of sides 1, 2, ...
 #if HWY_TARGET == HWY_SCALAR
-        return hn::Set(D(), kLevels[static_cast<std::size_t>(hn::GetLane(side) - 1)]);
+        return hn::Set(D(), kLevels[static_cast<std::size_t>(std::max(hn::GetLane(side), 1) - 1)]);  // a box that nobody asks about may have any side
 #else
         const hn::Repartition<std::uint8_t, D> u8;
         return hn::BitCast(D(), hn::TableLookupBytes(hn::LoadDup128(u8, kLevels.data()), hn::BitCast(u8, side - hn::Set(D(), 1))));
