@@ -84,6 +84,16 @@ HWY_INLINE hn::Mask<I64> winners(Keys offered, Keys held, [[maybe_unused]] float
     return hn::And(hn::And(sameDepth, better), offered > hn::Set(I64(), keyOf(empty, 0)));
 }
 
+/// What the pixel holds after the fragment was offered. `kNormal` as in DepthTest. A depth whose sign is negative wins nowhere.
+template <Keep kKeep, bool kNormal>
+HWY_INLINE Keys keptOf(Keys offered, Keys held, [[maybe_unused]] float empty)
+{
+    if constexpr (kKeep != Keep::Equal)
+        return nearerOf<kNormal>(offered, held);
+    else
+        return hn::IfThenElse(winners<kKeep>(offered, held, empty), offered, held);
+}
+
 /// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c in every lane. `kNormal`: so
 /// are all keys that the buffer holds (core/depth/key_order-inl.h).
 template <Keep kKeep, class Rules, bool kNormal = false>

@@ -4,8 +4,9 @@
 // Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments are shaded
 // Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when something is drawn to
 //            it, and those along the pyramid's, which are judged side by side. A tile wholly on the outer side of one edge is
-//            skipped, one on the inner side of all edges needs no edge values, and one that is covered whole may be kept as a plane
-//            (tile_plane-inl.h)
+//            skipped, and one that is covered whole may be kept as a plane (tile_plane-inl.h)
+// Parts      what a triangle has of a tile of the pyramid. At full speed, where only keys are stored, all pixels of the tile are tested, by the
+//            edges that cross it (part-inl.h)
 // Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped (at full speed; whoever listens
 //            sees its pixels lose), and one whose pixels are all gone over tells its farthest depth, which was in registers anyway
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
@@ -32,6 +33,7 @@
 #include "core/geometry/lane_order-inl.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/edge_walk-inl.h"
+#include "core/scan/part-inl.h"
 #include "core/scan/tile_plane-inl.h"
 #include "core/scan/windows-inl.h"
 
@@ -51,6 +53,8 @@ struct Edges {
     {
         return zscope::areInside(planes, pixels.x0 - x0, pixels.y0 - y0, pixels.x1 - 1 - x0, pixels.y1 - 1 - y0);
     }
+    /// The k-th, counted from another pixel.
+    HalfPlane from(std::size_t k, int x, int y) const { return {planes[k].at(x - x0, y - y0), planes[k].perPixel, planes[k].perLine}; }
 };
 
 struct HalfSpace {
@@ -105,8 +109,14 @@ private:
     /// What edges say of the parts of a box that lie in tiles of the pyramid side by side: bit i is the i-th of a tile of the visibility
     /// buffer, from the left.
     struct Parts {
-        std::uint32_t reached = 0;  // not wholly on the outer side of an edge
-        std::uint32_t whole   = 0;  // on the inner side of all
+        std::uint32_t                reached = 0;  // not wholly on the outer side of an edge
+        std::array<std::uint32_t, 3> inside{};     // wholly on the inner side of the k-th
+
+        std::array<bool, 3> within(unsigned part) const
+        {
+            const auto isInside = [this, part](std::size_t k) { return (inside[k] >> part & 1) != 0; };
+            return {isInside(0), isInside(1), isInside(2)};
+        }
     };
 
     static std::uint32_t bitsOf(hn::Mask<F64> mask)
@@ -125,16 +135,19 @@ private:
         for (std::size_t i = 0; i < kParts; i += hn::Lanes(d64)) {
             const auto left  = countFrom(d64, static_cast<double>(i)) * hn::Set(d64, kTile) + hn::Set(d64, tileLeft);
             const auto first = hn::Max(left, hn::Set(d64, box.x0 - edges.x0)), last = hn::Min(left + hn::Set(d64, kTile - 1), hn::Set(d64, box.x1 - 1 - edges.x0));
-            auto       reached = first <= last, whole = reached;
-            for (const HalfPlane& plane : edges.planes) {
-                if (isInside) break;
-                const auto   slope = hn::Set(d64, plane.perPixel), atFirst = first * slope, atLast = last * slope;
-                const double above = plane.at(0, box.y0 - edges.y0), below = plane.at(0, box.y1 - 1 - edges.y0);
+            auto       reached = first <= last;
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (isInside) {
+                    parts.inside[k] = ~0u;
+                    continue;
+                }
+                const HalfPlane& plane = edges.planes[k];
+                const auto       slope = hn::Set(d64, plane.perPixel), atFirst = first * slope, atLast = last * slope;
+                const double     above = plane.at(0, box.y0 - edges.y0), below = plane.at(0, box.y1 - 1 - edges.y0);
                 reached = hn::And(reached, hn::Max(atFirst, atLast) + hn::Set(d64, std::max(above, below)) >= hn::Zero(d64));
-                whole   = hn::And(whole, hn::Min(atFirst, atLast) + hn::Set(d64, std::min(above, below)) >= hn::Zero(d64));
+                parts.inside[k] |= bitsOf(hn::Min(atFirst, atLast) + hn::Set(d64, std::min(above, below)) >= hn::Zero(d64)) << i;
             }
             parts.reached |= bitsOf(reached) << i;
-            parts.whole |= bitsOf(whole) << i;
         }
         return parts;
     }
@@ -196,6 +209,7 @@ private:
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
         const Parts parts   = judgeParts(stored, isInside, edges);
         const auto  nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
+        const int   top     = stored.y0 / kTile * kTile;
         bool        isOpen  = false;
         for (std::uint32_t reached = parts.reached; reached != 0; reached &= reached - 1) {
             const auto part = static_cast<unsigned>(std::countr_zero(reached));
@@ -204,23 +218,37 @@ private:
             const PixelBox here{std::max(left, stored.x0), stored.y0, std::min(left + kTile, stored.x1), stored.y1};
             if (!isOpen) openTiles(visible, here);
             isOpen = true;
-            const bool isWhole = (parts.whole >> part & 1) != 0;
+            if constexpr (takesParts<Fragments, Rules, Probe>()) {
+                if (left + kTile <= visible.width() && top + kTile <= visible.height()) {
+                    // What an edge has inside, is known of pixels in the triangle's box only.
+                    const bool isFull = here.x1 - here.x0 == kTile && here.y1 - here.y0 == kTile;
+                    const auto least  = fillPart<kKeep, kNormal>(triangle, edges, isFull ? parts.within(part) : std::array<bool, 3>{}, left, top, visible);
+                    if (upkeep.isKept())
+                        upkeep.drawnTile(left, top, farthestOf(least));
+                    else
+                        upkeep.touched(here);
+                    continue;
+                }
+            }
             // Who goes over all of a tile sees what it holds, and need not look again.
             const bool sees = upkeep.isKept() && here.y1 - here.y0 == kTile && left + kTile <= visible.width();
             const int  from = sees ? left : here.x0 & -laneCount(), end = sees ? left + kTile : here.x1;
             auto       least = hn::Set(I64(), kNearestKey);
-            if (!Probe::listens && isWhole && here.x1 - here.x0 == kTile) {  // who listens sees columns
-                least = fillWholeTile(triangle, test, left, here.y0, here.y1, fragments, visible, rules, probe);
-            } else {
-                for (int x = from; x < end; x += laneCount())
-                    least = fartherOf<kNormal>(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0, here.y1, sees, fragments,
-                                                               visible, rules, probe));
-            }
+            for (int x = from; x < end; x += laneCount())
+                least = fartherOf<kNormal>(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0, here.y1, sees, fragments,
+                                                           visible, rules, probe));
             if (sees)
                 upkeep.drawnTile(left, here.y0, farthestOf(least));
             else
                 upkeep.touched(here);
         }
+    }
+
+    /// True if such fragments are tested part by part, in passes: nobody listens, and a key is all that they store.
+    template <class Fragments, class Rules, class Probe>
+    static constexpr bool takesParts()
+    {
+        return kLanes > 1 && Rules::kExact && !Probe::listens && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned;
     }
 
     /// True if planes say of such fragments all there is to say, at full speed. Whoever listens sees pixels.
@@ -245,8 +273,6 @@ private:
         return true;
     }
 
-    static hn::Mask<F64> allLanes() { return hn::FirstN(F64(), hn::Lanes(F64())); }
-
     static float farthestOf(Keys least) { return depthOf(hn::GetLane(hn::MinOfLanes(I64(), least))); }
 
     template <class Each>
@@ -266,26 +292,14 @@ private:
         return nearestOver(plane, box);
     }
 
-    /// Lines [y, end) of the kTile columns from x on, all of them covered. Returns the least keys that they hold then.
-    template <Keep kKeep, bool kNormal, class Fragments, class Rules, class Probe>
-    static Keys fillWholeTile(const ScreenTriangle& triangle, const DepthTest<kKeep, Rules, kNormal>& test, int x, int y, int end,
-                              const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    /// All pixels of the part that begins at (x, y). `within`: which edges have all of them on their inner side. Returns as testPart().
+    template <Keep kKeep, bool kNormal>
+    static Keys fillPart(const ScreenTriangle& triangle, const Edges& edges, const std::array<bool, 3>& within, int x, int y, VisibilityBuffer& visible)
     {
-        constexpr std::size_t       kVectors = kTile / hn::MaxLanes(F64());
-        const std::ptrdiff_t        stride   = visible.stride();
-        PixelKey*                   row      = visible.row(y) + x;
-        LineDepths                  lines(triangle.depth, y, rules);
-        auto                        least = hn::Set(I64(), kNearestKey);
-        std::array<Vec64, kVectors> columns;
-        for (std::size_t i = 0; i < kVectors; ++i) columns[i] = test.column(x + static_cast<int>(i) * laneCount(), triangle.box.x0);
-        for (; y < end; ++y, row += stride, lines.toNext()) {
-            const auto line = lines.here();
-            for (std::size_t i = 0; i < kVectors; ++i) {
-                const int right = static_cast<int>(i) * laneCount();
-                least = fartherOf<kNormal>(least, test.offer(columns[i], line, allLanes(), row + right, x + right, y, fragments, probe));
-            }
-        }
-        return least;
+        const int crossing = 3 - within[0] - within[1] - within[2];
+        if (crossing == 0) return testPart<kKeep, kNormal, 0>(triangle, {}, x, y, visible);
+        if (crossing == 1) return testPart<kKeep, kNormal, 1>(triangle, {edges.from(!within[0] ? 0 : !within[1] ? 1 : 2, x, y)}, x, y, visible);
+        return testPart<kKeep, kNormal, 3>(triangle, {edges.from(0, x, y), edges.from(1, x, y), edges.from(2, x, y)}, x, y, visible);
     }
 
     /// Lines [y, end) of the column of pixels x, x + 1, ... Returns the least key that each of its columns holds then, in lines that

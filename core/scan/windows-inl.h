@@ -28,6 +28,7 @@
 #include "core/geometry/lane_order-inl.h"
 #include "core/geometry/triangle_list.h"
 #include "core/scan/depth_test-inl.h"
+#include "core/scan/pass_lanes-inl.h"
 #include "core/scan/window_list.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -261,51 +262,11 @@ private:
     WindowList&         m_list;
 };
 
-/// Pixels of a window are worked on in passes of so many: as many edges and depths in float32 as there are lanes of it, and so
-/// two vectors each of float64 and of keys.
-inline constexpr int kLanes       = static_cast<int>(hn::MaxLanes(F64()));
-inline constexpr int kPassPixels  = kLanes == 1 ? 1 : 2 * kLanes;
 inline constexpr int kPassColumns = std::min(kPassPixels, kWindowSide);
 inline constexpr int kPassLines   = kPassPixels / kPassColumns;
 
-#if HWY_TARGET == HWY_SCALAR
-using Pass32                    = F32;
-constexpr int pixelOfLane(int) { return 0; }
-/// One vector of float32 from two that stand for one of float64 each: the lower one, where there is room for no more.
-inline hn::Vec<Pass32> together(hn::Vec<F32>, hn::Vec<F32> lower) { return lower; }
-#else
-using Pass32 = hn::Twice<F32>;
-inline hn::Vec<Pass32> together(hn::Vec<F32> upper, hn::Vec<F32> lower) { return hn::Combine(Pass32(), upper, lower); }
-/// Which pixel of its pass, line by line, a lane of float32 is. Interleaved with another vector, the first and second lane of every
-/// four go to the first vector of keys, the third and fourth to the second; those two are the upper and the lower half.
-constexpr int pixelOfLane(int lane) { return lane % 4 / 2 * kLanes + lane / 4 * 2 + lane % 2; }
-#endif
-
-/// First lane of the second vector of float64.
-inline constexpr std::size_t kOtherHalf = kLanes == 1 ? 0 : kLanes;
-
-/// pixelOfLane() of each of them.
-HWY_ALIGN inline constexpr auto kPassPixelsOfLanes = [] {
-    std::array<std::int32_t, kPassPixels> all{};
-    for (int lane = 0; lane < kPassPixels; ++lane) all[static_cast<std::size_t>(lane)] = pixelOfLane(lane);
-    return all;
-}();
-
-/// Where the lanes of a pass lie in it.
-template <class T>
-struct PassLanes {
-    HWY_ALIGN std::array<T, kPassPixels> right{}, down{};
-
-    constexpr PassLanes()
-    {
-        for (int lane = 0; lane < kPassPixels; ++lane) {
-            right[static_cast<std::size_t>(lane)] = static_cast<T>(pixelOfLane(lane) % kWindowSide);
-            down[static_cast<std::size_t>(lane)]  = static_cast<T>(pixelOfLane(lane) / kWindowSide);
-        }
-    }
-};
-inline constexpr PassLanes<float>  kPassLanes32;
-inline constexpr PassLanes<double> kPassLanes64;
+inline constexpr PassLanes<float, kWindowSide>  kPassLanes32;
+inline constexpr PassLanes<double, kWindowSide> kPassLanes64;
 
 /// As many keys as there are lanes: those of one line, or of two.
 #if HWY_TARGET == HWY_AVX3
@@ -325,15 +286,11 @@ inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
 #endif
 
-/// Offers to as many pixels as there are lanes; `kNormal` as in DepthTest. A depth whose sign is negative wins nowhere.
+/// Offers to as many pixels as there are lanes, as keptOf() says.
 template <Keep kKeep, bool kNormal>
-HWY_INLINE void offerKeys(Keys offered, [[maybe_unused]] float empty, PixelKey* row, std::ptrdiff_t stride)
+HWY_INLINE void offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff_t stride)
 {
-    const auto held = loadKeys(row, stride);
-    if constexpr (kKeep != Keep::Equal)
-        storeKeys(nearerOf<kNormal>(offered, held), row, stride);
-    else
-        storeKeys(hn::IfThenElse(winners<kKeep>(offered, held, empty), offered, held), row, stride);
+    storeKeys(keptOf<kKeep, kNormal>(offered, loadKeys(row, stride), empty), row, stride);
 }
 
 /// One entry of a WindowList, whose columns have these names; centres in pixels.
@@ -403,14 +360,11 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
                               false});
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
-            const hn::RebindToUnsigned<Pass32> u32;
-            const auto lowers = hn::BitCast(f32, kKeep == Keep::DepthOnly ? hn::Set(u32, ~0u) : hn::Set(u32, ~1u) - hn::Set(u32, triangles.id[t]));  // as lowerHalf()
-            const auto z      = hn::Min(hn::Max(together(depth(1), depth(0)), farthest), nearest);
-            const auto upper  = hn::OrAnd(z, sign, hn::Set(f32, -0.0f));  // outside: the sign of an edge
-            const auto asKeys = [](auto halves) { return hn::BitCast(I64(), halves); };
-            offerKeys<kKeep, kNormal>(asKeys(hn::InterleaveLower(f32, lowers, upper)), empty, row, stride);
-            offerKeys<kKeep, kNormal>(asKeys(hn::InterleaveUpper(f32, lowers, upper)), empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide,
-                                      stride);
+            const auto z     = hn::Min(hn::Max(together(depth(1), depth(0)), farthest), nearest);
+            const auto upper = hn::OrAnd(z, sign, hn::Set(f32, -0.0f));  // outside: the sign of an edge
+            const auto keys  = keysOf(upper, lowerHalves<kKeep>(triangles.id[t] + 1));
+            offerKeys<kKeep, kNormal>(keys[0], empty, row, stride);
+            offerKeys<kKeep, kNormal>(keys[1], empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide, stride);
 #endif
         }
     }
