@@ -5,9 +5,11 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScrollBar>
+#include <QSpinBox>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -122,6 +124,56 @@ private slots:
         desk.press(Qt::Key_7, Qt::KeypadModifier);
         QVERIFY(desk.settles());
         QCOMPARE(desk.session.now().camera.forward.y, -1.0);
+    }
+    void theKeypadIsTheSameWithoutNumLockAndItsEnterResets()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        const Camera        camera = desk.session.now().camera;
+        const std::uint64_t step   = desk.session.position()->step;
+        desk.press(Qt::Key_End, Qt::KeypadModifier);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.now().camera.forward.z, -1.0);
+        desk.press(Qt::Key_PageDown, Qt::KeypadModifier);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.now().camera.forward.x, -1.0);
+        desk.press(Qt::Key_Home, Qt::KeypadModifier);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.now().camera.forward.y, -1.0);
+        QCOMPARE(desk.session.position()->step, step);  // neither the first step nor the last
+        desk.press(Qt::Key_Enter, Qt::KeypadModifier);
+        QVERIFY(desk.settles());
+        QVERIFY(desk.session.now().camera == camera);
+    }
+    void keypadKeysOfCommandsAreTakenBeforeShortcutsAreLookedUpButNotFromFields()
+    {
+        // The platform under this test would find these shortcuts; X11 does not, and is asked no more.
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        desk.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        const auto isTakenFrom = [](QWidget& widget, Qt::Key key, const QString& text) {
+            QKeyEvent asked(QEvent::ShortcutOverride, key, Qt::KeypadModifier, text);
+            asked.ignore();
+            QApplication::sendEvent(&widget, &asked);
+            return asked.isAccepted();
+        };
+        for (const Qt::Key key : {Qt::Key_1, Qt::Key_3, Qt::Key_7, Qt::Key_Enter}) QVERIFY(isTakenFrom(desk.window, key, {}));
+        QVERIFY(!isTakenFrom(desk.window, Qt::Key_2, "2"));
+
+        const Camera camera = desk.session.now().camera;
+        for (QWidget* field : {static_cast<QWidget*>(new QSpinBox(&desk.window)), static_cast<QWidget*>(new QLineEdit(&desk.window))}) {
+            field->show();
+            field->setFocus();
+            QVERIFY(field->hasFocus());
+            if (auto* box = qobject_cast<QSpinBox*>(field)) box->selectAll();
+            QTest::keyClick(field, Qt::Key_3, Qt::KeypadModifier);
+            QTest::keyClick(field, Qt::Key_7, Qt::KeypadModifier);
+            const auto* line = field->findChild<QLineEdit*>();
+            QCOMPARE((line ? line : qobject_cast<QLineEdit*>(field))->text(), QString("37"));
+            QTest::keyClick(field, Qt::Key_Enter, Qt::KeypadModifier);
+        }
+        QVERIFY(desk.session.now().camera == camera);
     }
     void aClickPicksAndItsRowsLightUpAndARowHighlightsItsEdge()
     {

@@ -28,6 +28,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/registry.h"
+#include "ui/parts/typing.h"
 #include "ui/sheet/sheet_maker.h"
 #include "ui/session/course.h"
 #include "ui/session/reproduce.h"
@@ -40,6 +41,7 @@
 #include "ui/window/cheat_sheet.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/dock.h"
+#include "ui/window/keypad.h"
 #include "ui/window/keys_dialog.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/start_page.h"
@@ -121,7 +123,8 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     m_held.setSingleShot(true);
     m_held.setInterval(120);  // Shift with another key is not held
     connect(&m_held, &QTimer::timeout, this, [this] { m_session.holdOther(true); });
-    qApp->installEventFilter(this);
+    qApp->installEventFilter(new Keypad(*this, m_actions->bindings()));
+    qApp->installEventFilter(this);  // is asked first
 
     Course& course = session.course();
     connect(&course, &Course::troubled, m_messages, qOverload<std::function<QString()>>(&MessageBar::tell));
@@ -328,8 +331,8 @@ void MainWindow::watchShift(const QKeyEvent* event)
 {
     if (event->isAutoRepeat()) return;
     const bool isShift = event->key() == Qt::Key_Shift, isPress = event->type() == QEvent::KeyPress;
-    const bool types   = qobject_cast<QLineEdit*>(QApplication::focusWidget()) || qobject_cast<QAbstractSpinBox*>(QApplication::focusWidget());
-    if (isShift && isPress && m_view->tool() == Tool::Inspect && !types) {
+    const auto* focus  = QApplication::focusWidget();
+    if (isShift && isPress && m_view->tool() == Tool::Inspect && !(focus && isTyping(*focus))) {
         m_held.start();
     } else {  // another key: Shift was part of a shortcut
         m_held.stop();
