@@ -2,8 +2,12 @@
 // The panels of the pyramid and of the hierarchy, and the observer, driven by keys and mouse as a person would.
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QTreeView>
@@ -49,6 +53,51 @@ class PanelsTest final : public QObject {
     Q_OBJECT
 
 private slots:
+    void theWheelOverABoxScrollsItsPanelAndChangesNothing()
+    {
+        Desk desk("hzb-octree", {1280, 800});
+        QVERIFY(desk.open("builtin:cubes"));
+        desk.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        desk.window.setFocus();
+        const auto turn = [](QWidget& widget) {
+            const QPoint at = widget.rect().center();
+            QWheelEvent  wheel(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QSpontaneKeyEvent::setSpontaneous(&wheel);  // as a mouse does: it goes on to parents, and may give the focus
+            qApp->notify(&widget, &wheel);
+        };
+        auto&          panel    = desk.window.dock("pipeline")->panel();
+        auto*          scroll   = panel.findChild<QScrollArea*>();
+        const Pipeline pipeline = desk.session.now().pipeline;
+        int            boxes    = 0;
+        QVERIFY(scroll->verticalScrollBar()->maximum() > 0);
+        turn(*panel.findChild<QComboBox*>());
+        QVERIFY(scroll->verticalScrollBar()->value() > 0);
+        for (auto* box : desk.window.findChildren<QComboBox*>()) {
+            if (!box->isVisible()) continue;
+            ++boxes;
+            const int before = box->currentIndex();
+            turn(*box);
+            QVERIFY2(!box->hasFocus(), qPrintable(box->accessibleName()));
+            box->setFocus();
+            turn(*box);
+            QCOMPARE(box->currentIndex(), before);
+        }
+        QVERIFY(boxes > 5);
+        QVERIFY(desk.session.now().pipeline == pipeline);
+
+        desk.window.setFocus();
+        auto* number = desk.window.dock("scene")->findChild<QDoubleSpinBox*>();
+        QVERIFY(number && number->isVisible());
+        const double before = number->value();
+        turn(*number->findChild<QLineEdit*>());
+        QCOMPARE(number->value(), before);
+        QVERIFY(!number->hasFocus());
+        number->setFocus();  // and now it is meant
+        turn(*number->findChild<QLineEdit*>());
+        QVERIFY(number->value() != before);
+        QVERIFY(desk.settles());
+    }
     void panelsThatTheAlgorithmDoesNotNeedFoldAway()
     {
         Desk desk("zbuffer");

@@ -29,6 +29,7 @@
 
 #include "ui/panels/registry.h"
 #include "ui/parts/typing.h"
+#include "ui/parts/wheel_guard.h"
 #include "ui/sheet/sheet_maker.h"
 #include "ui/session/course.h"
 #include "ui/session/reproduce.h"
@@ -52,7 +53,8 @@ namespace zscope::ui {
 MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& systemPalette)
     : m_session(session), m_settings(settings), m_systemPalette(systemPalette)
 {
-    m_translation.speak(settings.language());  // before anything is said
+    m_translation.speak(settings.language());        // before anything is said
+    qApp->installEventFilter(new WheelGuard(this));  // and before anything is made
     registerIcons();
     setWindowTitle(tr("ZScope"));
     setWindowIcon(QIcon(":/icons/zscope.svg"));
