@@ -112,6 +112,53 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return panel.answer() != nullptr; }, Desk::kLong));
         QCOMPARE(panel.answer()->pixel.x, 100);
     }
+    void aTriangleThatThereIsNotLeavesTheFieldAndTheAnswerBefore()
+    {
+        Desk desk("zbuffer");
+        QVERIFY(desk.open("builtin:cubes"));
+        WhyPanel&  panel = panelOf(desk);
+        auto*      field = panel.findChild<QLineEdit*>();
+        auto*      tree  = panel.findChild<QTreeView*>();
+        const auto asks  = [&](const QString& number) {
+            field->setFocus();
+            field->clear();
+            QTest::keyClicks(field, number);
+            QTest::keyClick(field, Qt::Key_Return);
+            return QTest::qWaitFor([&] { return panel.isIdle(); }, Desk::kLong);
+        };
+        const auto says = [&](const QString& words) {
+            return QTest::qWaitFor([&] {
+                return std::ranges::any_of(panel.findChildren<QLabel*>(), [&](const QLabel* label) { return label->isVisible() && label->text().contains(words); });
+            }, 2000);
+        };
+        QVERIFY(asks("999999999"));  // nothing is picked yet
+        QVERIFY(says("there is no triangle 999999999"));
+        QVERIFY(says("Click a pixel"));
+        QVERIFY(field->isVisible());
+        QVERIFY(asks("5"));
+        QVERIFY(says("riangle 5"));
+        QVERIFY(!says("there is no triangle"));
+        QVERIFY(tree->isVisible() && !panel.answer());
+
+        desk.session.pick(QPoint(160, 90));
+        QVERIFY(QTest::qWaitFor([&] { return panel.answer() != nullptr; }, Desk::kLong));
+        const auto before = panel.answer();
+        const int  rows   = tree->model()->rowCount();
+        QVERIFY(rows > 0);
+        QVERIFY(asks("999999999"));
+        QVERIFY(says("there is no triangle 999999999"));
+        desk.photograph("why-trouble");
+        QVERIFY(field->isVisible() && tree->isVisible());
+        QCOMPARE(panel.answer(), before);
+        QCOMPARE(tree->model()->rowCount(), rows);
+
+        QVERIFY(asks("5"));
+        QVERIFY(QTest::qWaitFor([&] { return !panel.answer(); }, Desk::kLong));
+        desk.session.pick(QPoint(160, 90));  // the same pixel again
+        QVERIFY(QTest::qWaitFor([&] { return panel.answer() != nullptr; }, Desk::kLong));
+        QCOMPARE(panel.answer()->pixel.x, 160);
+        QVERIFY(!says("there is no triangle"));
+    }
     void theNewestQuestionWins()
     {
         Desk desk("scanline");

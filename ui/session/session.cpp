@@ -480,7 +480,7 @@ void Session::setBusy(const QString& what, double progress)
 
 void Session::pick(const std::optional<QPoint>& pixel)
 {
-    if (pixel == m_now.picked) return;
+    if (pixel == m_now.picked) return pixel ? emit pickedAgain() : void();
     m_now.picked = pixel;
     m_now.selectedTriangle.reset();
     if (m_now.hierarchy()) m_now.selectedNode = nodeOfPick(m_now);

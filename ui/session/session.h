@@ -146,6 +146,8 @@ signals:
     void failed(const QString& sentence, const std::function<QString()>& again = {});
     /// What came of a search, and the like: good to know for a moment.
     void noticed(const QString& sentence);
+    /// The pixel that is picked already: nothing changes, but it is asked about once more.
+    void pickedAgain();
 
 private:
     void draw();

@@ -9,7 +9,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QRegularExpressionValidator>
-#include <QStackedLayout>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -26,7 +25,7 @@ namespace zscope::ui {
 
 WhyPanel::WhyPanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_model(new WhyModel(this)), m_tree(new QTreeView), m_sentence(new QLabel), m_detail(new QLabel), m_hint(new QLabel),
-      m_jump(new QPushButton), m_triangle(new QLineEdit), m_worker(std::make_unique<Worker>())
+      m_trouble(new QLabel), m_jump(new QPushButton), m_triangle(new QLineEdit), m_worker(std::make_unique<Worker>())
 {
     m_tree->setModel(m_model);
     m_tree->setItemDelegate(new RowDelegate(m_tree));
@@ -45,7 +44,7 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionsMovable(false);
     m_tree->header()->setSectionResizeMode(QHeaderView::Fixed);
-    for (QLabel* label : {m_sentence, m_detail}) {
+    for (QLabel* label : {m_sentence, m_detail, m_trouble}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -56,8 +55,9 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
     m_hint->setWordWrap(true);
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setMargin(2 * kStep);
+    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
     m_jump->setFocusPolicy(Qt::TabFocus);
-    m_triangle->setValidator(new QRegularExpressionValidator(QRegularExpression("[0-9]{0,10}"), m_triangle));
+    m_triangle->setValidator(new QRegularExpressionValidator(QRegularExpression("[0-9]{0,9}"), m_triangle));
     m_triangle->setMaximumWidth(150);
 
     auto* row = new QHBoxLayout;
@@ -69,13 +69,16 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
     auto* inside = new QVBoxLayout(answer);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(6);
+    inside->addWidget(m_hint, 1);
     inside->addWidget(m_sentence);
     inside->addWidget(m_tree, 1);
     inside->addWidget(m_detail);
+    inside->addWidget(m_trouble);
     inside->addLayout(row);
-    m_answerOrHint = new QStackedLayout(this);
-    m_answerOrHint->addWidget(scrolling(answer));
-    m_answerOrHint->addWidget(m_hint);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolling(answer));
+    complain({});
 
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& at) { showRow(at); });
     connect(m_tree, &QTreeView::activated, this, &WhyPanel::jump);
@@ -84,6 +87,11 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
         bool       isNumber = false;
         const uint number   = m_triangle->text().toUInt(&isNumber);
         if (isNumber) askAbout(TriangleId{number});
+    });
+    connect(&session, &Session::pickedAgain, this, [this] {
+        m_about.reset();
+        complain({});
+        ask();
     });
     spoken(*this, [this] {
         m_jump->setText(tr("Go there"));
@@ -101,13 +109,17 @@ WhyPanel::~WhyPanel() = default;
 void WhyPanel::askAbout(TriangleId triangle)
 {
     m_about = triangle;
+    complain({});
     ask();
 }
 
 void WhyPanel::present(const Snapshot& shown, Changes what)
 {
     if (!(what & (Change::Picture | Change::Selection | Change::Scene))) return;
-    if (shown.picked != m_lastPick || (what & Change::Scene)) m_about.reset();
+    if (shown.picked != m_lastPick || (what & Change::Scene)) {
+        m_about.reset();
+        complain({});
+    }
     m_lastPick = shown.picked;
     ask();
 }
@@ -115,14 +127,42 @@ void WhyPanel::present(const Snapshot& shown, Changes what)
 void WhyPanel::tell(const QString& sentence)
 {
     m_hint->setText(sentence);
-    m_answerOrHint->setCurrentIndex(1);
+    m_hint->show();
+    for (QWidget* part : {static_cast<QWidget*>(m_sentence), static_cast<QWidget*>(m_tree), static_cast<QWidget*>(m_detail), static_cast<QWidget*>(m_jump)}) part->hide();
+    m_answered.reset();
     emit summaryChanged({});
+}
+
+void WhyPanel::showAnswer()
+{
+    m_hint->hide();
+    m_sentence->show();
+    m_tree->show();
+    m_jump->show();
+    m_answered = m_asked;
+}
+
+void WhyPanel::refuse(const Question& question, const QString& trouble)
+{
+    if (!question.triangle) return tell(trouble);
+    const bool isOther = m_answered && m_answered->triangle != question.triangle;
+    m_about = isOther ? m_answered->triangle : std::nullopt;
+    m_asked = isOther ? m_answered : std::nullopt;
+    ask();  // nothing, if that answer is of this very picture
+    complain(trouble);
+}
+
+void WhyPanel::complain(const QString& trouble)
+{
+    m_trouble->setText(trouble);
+    m_trouble->setVisible(!trouble.isEmpty());
 }
 
 void WhyPanel::ask()
 {
     const Snapshot& now = session().now();
     if (!isVisible()) return;
+    m_triangle->setVisible(now.scene != nullptr);
     if (!now.scene || !now.frame || (!now.picked && !m_about)) {
         m_asked.reset();
         m_pixelAnswer.reset();
@@ -145,10 +185,10 @@ void WhyPanel::ask()
         const auto deliver = [this, &question](auto answer, const QString& trouble) {
             m_worker->deliver([this, question, answer, trouble] {
                 if (m_asked != question) return;
-                if (!answer) return tell(trouble);
+                if (!answer) return refuse(question, trouble);
                 m_model->setPalette(palette());
                 m_model->present(answer);
-                m_answerOrHint->setCurrentIndex(0);
+                showAnswer();
                 m_sentence->setText(said(answer->sentence));
                 if constexpr (std::is_same_v<decltype(answer), std::shared_ptr<const PixelExplanation>>) {
                     m_pixelAnswer = answer;
@@ -225,6 +265,7 @@ void WhyPanel::changeEvent(QEvent* event)
         m_model->clear();
         m_sentence->clear();
         m_detail->clear();
+        complain({});
         tell(QString());
     }
     Panel::changeEvent(event);

@@ -12,7 +12,6 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QStackedLayout;
 class QTreeView;
 
 namespace zscope::ui {
@@ -49,18 +48,23 @@ private:
     };
 
     void ask();
+    /// In place of an answer.
     void tell(const QString& sentence);
+    void showAnswer();
+    /// A question without an answer; the answer before it stays, and so does the field.
+    void refuse(const Question& question, const QString& trouble);
+    void complain(const QString& trouble);
     void showRow(const QModelIndex& index);
     void jump(const QModelIndex& index);
     void fitColumns();
 
     WhyModel*       m_model;
     QTreeView*      m_tree;
-    QLabel *        m_sentence, *m_detail, *m_hint;
+    QLabel *        m_sentence, *m_detail, *m_hint, *m_trouble;
     QPushButton*    m_jump;
     QLineEdit*      m_triangle;
-    QStackedLayout* m_answerOrHint;
     std::optional<Question>   m_asked;      // of the answer on show or on its way
+    std::optional<Question>   m_answered;   // of the answer on show
     std::optional<TriangleId> m_about;      // nothing: about the picked pixel
     std::optional<QPoint>     m_lastPick;
     std::shared_ptr<const PixelExplanation> m_pixelAnswer;
