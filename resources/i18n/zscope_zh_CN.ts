@@ -1700,7 +1700,7 @@
     </message>
     <message>
         <source>&lt;p&gt;&lt;b&gt;Inspect&lt;/b&gt;: the wheel zooms to the cursor, dragging pans, a click picks a pixel.&lt;br&gt;&lt;b&gt;Camera&lt;/b&gt;, or Alt held: left drag orbits, middle drag pans, right drag looks around, the wheel dollies, the arrow keys turn the model, W A S D Q E fly, Shift flies faster.&lt;br&gt;&lt;b&gt;Shift held&lt;/b&gt; with Inspect: B is seen for as long.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;检视&lt;/b&gt;：滚轮向光标处缩放，拖动平移，单击拾取像素。&lt;br&gt;&lt;b&gt;相机&lt;/b&gt;，或按住 Alt：左键拖动环绕，中键拖动平移，右键拖动环视，滚轮推拉，方向键转动模型，W A S D Q E 飞行，Shift 加速。&lt;br&gt;检视时&lt;b&gt;按住 Shift&lt;/b&gt;：显示 B，直到松开。&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;&lt;b&gt;查看&lt;/b&gt;：滚轮向光标处缩放，拖动平移，单击拾取像素。&lt;br&gt;&lt;b&gt;相机&lt;/b&gt;，或按住 Alt：左键拖动环绕，中键拖动平移，右键拖动环视，滚轮推拉，方向键转动模型，W A S D Q E 飞行，Shift 加速。&lt;br&gt;查看时&lt;b&gt;按住 Shift&lt;/b&gt;：显示 B，直到松开。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

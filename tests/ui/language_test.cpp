@@ -12,10 +12,13 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QTextBrowser>
 
 #include "core/frame/faults.h"
 #include "tests/ui/desk.h"
 #include "ui/panels/why/why_panel.h"
+#include "ui/window/actions.h"
+#include "ui/window/cheat_sheet.h"
 
 using namespace zscope;
 using namespace zscope::ui;
@@ -147,6 +150,33 @@ private slots:
             for (qsizetype i = 0; i < back.size(); ++i)
                 if (!english[i].contains(QRegularExpression("[0-9]"))) QCOMPARE(back[i], english[i]);  // times differ
         }
+    }
+    void theLayerOverThePictureIsNamedInChinese()
+    {
+        Desk desk("zbuffer");
+        QVERIFY(desk.open("builtin:cubes"));
+        desk.window.speak(Language::Chinese);
+        for (const Layer& layer : layers()) {
+            desk.session.setLayer(layer);
+            QVERIFY(desk.settles());
+            const QString chips = desk.window.view().chips().join('\n');
+            QVERIFY2(englishIn(chips).isEmpty(), qPrintable(chips));
+        }
+        desk.window.speak(Language::English);
+    }
+    void aToolHasOneNameInMenuToolbarAndCheatSheet()
+    {
+        Desk desk;
+        desk.window.speak(Language::Chinese);
+        QCoreApplication::processEvents();
+        const CheatSheet sheet(*desk.window.menuBar(), &desk.window);
+        const QString    text = sheet.findChild<QTextBrowser*>()->toPlainText();
+        for (const char* tool : {"tool.inspect", "tool.camera"}) {
+            const QString name = plainName(*desk.window.findChild<QAction*>(tool));
+            QCOMPARE(desk.window.findChild<QAction*>(tool)->iconText(), name);
+            QVERIFY2(text.contains(QRegularExpression('^' + name, QRegularExpression::MultilineOption)), qPrintable(text.left(200)));
+        }
+        desk.window.speak(Language::English);
     }
     void qtsOwnWordsFollow()
     {

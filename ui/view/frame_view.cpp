@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QCoreApplication>
 #include <QFontDatabase>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -14,6 +13,7 @@
 
 #include "ui/predict/predictions.h"
 #include "ui/text/numbers.h"
+#include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
 #include "ui/view/magnifier.h"
 #include "ui/view/range_bar.h"
@@ -282,12 +282,11 @@ void FrameView::paintValues(QPainter& painter) const
     }
 }
 
-void FrameView::paintChips(QPainter& painter) const
+QStringList FrameView::chips() const
 {
-    const Theme& theme = themeOf(palette());
-    QStringList  chips{m_shown.showsStep ? tr("Step") : tr("Finished picture")};
+    QStringList chips{m_shown.showsStep ? tr("Step") : tr("Finished picture")};
     if (!m_shown.look.isShaded())
-        chips << QCoreApplication::translate("Registry", std::string(m_shown.look.layer->word).c_str());
+        chips << said(m_shown.look.layer->word);
     if (m_shown.compare.other) {
         const QString a = QString::fromStdString(nameOf(m_shown.pipeline)), b = QString::fromStdString(nameOf(*m_shown.compare.other));
         switch (m_shown.compare.seen()) {
@@ -305,10 +304,15 @@ void FrameView::paintChips(QPainter& painter) const
     if (m_overlay.cells) chips << tr("Pyramid, level %1").arg(m_overlay.cells->level);
     chips << tr("× %1").arg(decimal(m_view.zoom(), m_view.zoom() < 10 ? 2 : 0));
     if (m_tool == Tool::Camera) chips << tr("Camera");
+    return chips;
+}
 
+void FrameView::paintChips(QPainter& painter) const
+{
+    const Theme& theme = themeOf(palette());
     painter.setRenderHint(QPainter::Antialiasing, true);
     int x = 2 * kStep;
-    for (const QString& chip : chips) {
+    for (const QString& chip : chips()) {
         const QRectF at(x, 1.5 * kStep, fontMetrics().horizontalAdvance(chip) + 3 * kStep, 3 * kStep);
         painter.setPen(theme.border);
         painter.setBrush(theme.card);

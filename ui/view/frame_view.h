@@ -42,6 +42,8 @@ public:
     /// The picture on show at its own size, as core made it; with `decorated` the overlay drawn into it.
     QImage picture(bool decorated) const;
     const ViewTransform& view() const { return m_view; }
+    /// What stands over the picture: in which state it is, and what is laid over it.
+    QStringList chips() const;
 
     QSize minimumSizeHint() const override { return {320, 200}; }
     QSize sizeHint() const override { return {960, 640}; }
