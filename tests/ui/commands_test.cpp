@@ -128,6 +128,26 @@ private slots:
         QTest::keyClick(query, Qt::Key_Escape);
         QVERIFY(isGone(desk, "commandPalette"));
     }
+    void listsOfCommandsHaveNoEmptyRows()
+    {
+        Desk  desk;  // no recent file, but a place for each
+        auto& bindings = desk.window.findChild<Actions*>()->bindings();
+        for (const QString& file : {QString(), desk.folder.filePath("mine.obj")}) {
+            if (!file.isEmpty()) desk.window.findChild<Actions*>()->showRecent({file});
+            CommandModel palette(bindings.commands());
+            KeysModel    keys(bindings);
+            QVERIFY(palette.rowCount() > 120);
+            QCOMPARE(keys.rowCount(), palette.rowCount());
+            int mine = 0;
+            for (int row = 0; row < palette.rowCount(); ++row) {
+                QVERIFY(!palette.index(row).data().toString().isEmpty());
+                QVERIFY(!keys.index(row, KeysModel::Command).data().toString().isEmpty());
+                QCOMPARE(keys.index(row, KeysModel::Command).data(), QVariant(plainName(*keys.at(row))));
+                mine += keys.at(row)->text() == "mine.obj";
+            }
+            QCOMPARE(mine, file.isEmpty() ? 0 : 1);
+        }
+    }
     void aChangedKeyWorksIsToldIsKeptAndCanBePutBack()
     {
         QTemporaryDir folder;

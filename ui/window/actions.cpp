@@ -35,6 +35,8 @@ QString plainName(const QAction& action)
     return name.remove('&');
 }
 
+bool isListed(const QAction& action) { return action.isVisible() && !action.text().isEmpty(); }
+
 Actions::Actions(QMainWindow& window, Session& session, FrameView& view, Settings& settings, WindowRequests requests)
     : QObject(&window), m_window(window), m_session(session), m_view(view), m_requests(std::move(requests)), m_bindings(settings)
 {

@@ -41,6 +41,8 @@ struct WindowRequests {
 
 /// The name of an action without the letter that Alt chooses it by: "&Open" and "打开(&O)" alike.
 QString plainName(const QAction& action);
+/// Whether lists of commands show it: a place for a recent file that there is not is nothing to choose.
+bool isListed(const QAction& action);
 
 class Actions final : public QObject {
     Q_OBJECT

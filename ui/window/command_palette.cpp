@@ -62,7 +62,7 @@ void CommandModel::filter(const QString& query)
 {
     std::vector<std::pair<int, std::size_t>> scored;
     for (std::size_t i = 0; i < m_commands.size(); ++i) {
-        if (!m_commands[i]) continue;
+        if (!m_commands[i] || !isListed(*m_commands[i])) continue;
         const auto label = fuzzyScore(query, plainName(*m_commands[i]));
         const auto name  = fuzzyScore(query, m_commands[i]->objectName());
         if (label || name) scored.emplace_back(std::max(label.value_or(-1'000'000), name.value_or(-1'000'000)), i);

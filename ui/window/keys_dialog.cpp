@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/keys_dialog.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -24,16 +27,19 @@ QString textOf(const QList<QKeySequence>& keys) { return QKeySequence::listToStr
 
 }  // namespace
 
-KeysModel::KeysModel(KeyBindings& bindings, QObject* parent) : QAbstractTableModel(parent), m_bindings(bindings) {}
+KeysModel::KeysModel(KeyBindings& bindings, QObject* parent) : QAbstractTableModel(parent), m_bindings(bindings)
+{
+    std::ranges::copy_if(bindings.commands(), std::back_inserter(m_commands), [](const QAction* command) { return isListed(*command); });
+}
 
 void KeysModel::refresh() { emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1)); }
 
 QAction* KeysModel::at(int row) const
 {
-    return row < 0 || row >= rowCount() ? nullptr : m_bindings.commands()[static_cast<std::size_t>(row)];
+    return row < 0 || row >= rowCount() ? nullptr : m_commands[static_cast<std::size_t>(row)];
 }
 
-int KeysModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_bindings.commands().size()); }
+int KeysModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_commands.size()); }
 
 int KeysModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 

@@ -2,6 +2,8 @@
 // The keys of every command: found by its name, changed, and put back. Changes hold at once.
 #pragma once
 
+#include <vector>
+
 #include <QAbstractTableModel>
 #include <QDialog>
 
@@ -33,7 +35,8 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
 private:
-    KeyBindings& m_bindings;
+    KeyBindings&          m_bindings;
+    std::vector<QAction*> m_commands;  // those that are listed
 };
 
 class KeysDialog final : public QDialog {
