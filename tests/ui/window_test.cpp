@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScrollBar>
@@ -13,6 +14,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolBar>
 
 #include "ui/panels/registry.h"
 #include "ui/session/engine.h"
@@ -124,6 +126,53 @@ private slots:
         desk.press(Qt::Key_7, Qt::KeypadModifier);
         QVERIFY(desk.settles());
         QCOMPARE(desk.session.now().camera.forward.y, -1.0);
+    }
+    void theToolbarNamesAnAlgorithmThatIsNoPreset()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        const auto* box     = desk.window.findChild<QToolBar*>("tools")->findChild<QComboBox*>();
+        const int   presets = box->count();
+        QCOMPARE(box->currentText(), QString("scanline"));
+        const auto composed = withChoice(findPreset("zbuffer-late")->pipeline, "shading-cost", "100-operations");
+        QVERIFY(composed);
+        Pipeline faulty = *composed;
+        faulty.fault    = Fault::XTruncated;
+        for (const Pipeline& pipeline : {*composed, faulty}) {
+            desk.session.setPipeline(pipeline);
+            QVERIFY(desk.settles());
+            QCOMPARE(box->currentText(), QString::fromStdString(nameOf(pipeline)));
+            QVERIFY(box->currentText().contains('+'));
+            QCOMPARE(box->count(), presets + 1);
+        }
+        desk.press(Qt::Key_2);
+        QVERIFY(desk.settles());
+        QCOMPARE(box->count(), presets);
+        QCOMPARE(box->currentIndex(), 1);
+    }
+    void theMenuMarksTheToolThatIsChosen()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        for (const Tool tool : {Tool::Camera, Tool::Inspect}) {
+            desk.window.view().setTool(tool);
+            auto* camera  = desk.window.findChild<QAction*>("tool.camera");
+            auto* inspect = desk.window.findChild<QAction*>("tool.inspect");
+            auto* menu    = qobject_cast<QMenu*>(camera->associatedObjects().front());
+            QVERIFY(menu);
+            menu->ensurePolished();
+            const QImage picture = menu->grab().toImage();
+            const auto   isMarked = [&](QAction* action) {  // something beside the name that is not the ground
+                QRect place = menu->actionGeometry(action);
+                place.setWidth(26);
+                const QColor ground = picture.pixelColor(place.topLeft() + QPoint(1, 1));
+                int          marks  = 0;
+                for (int y = place.top(); y <= place.bottom(); ++y)
+                    for (int x = place.left(); x <= place.right(); ++x) marks += std::abs(picture.pixelColor(x, y).lightness() - ground.lightness()) > 60;
+                return marks;
+            };
+            QVERIFY(isMarked(tool == Tool::Camera ? camera : inspect) > isMarked(tool == Tool::Camera ? inspect : camera) + 8);
+        }
     }
     void theKeypadIsTheSameWithoutNumLockAndItsEnterResets()
     {

@@ -126,6 +126,7 @@ void Actions::dress(const Theme& theme)
         const auto checked = iconOf(name, theme.buttonText);
         for (const QSize& size : checked.availableSizes()) icon.addPixmap(checked.pixmap(size), QIcon::Normal, QIcon::On);
         action->setIcon(icon);
+        action->setIconVisibleInMenu(!action->isCheckable());  // there the mark of what is chosen stands in its place
     }
     m_layersButton->setIcon(iconOf("layers", theme.text));
 }
@@ -140,7 +141,13 @@ void Actions::present(const Snapshot& shown, Changes what)
             m_algorithms[i]->setChecked(isChosen);
             if (isChosen) chosen = static_cast<int>(i);
         }
-        m_algorithmBox->setCurrentIndex(chosen);
+        // A composition without a name of its own stands below the others while it is chosen.
+        const int named = static_cast<int>(presets().size());
+        while (m_algorithmBox->count() > named) m_algorithmBox->removeItem(named);
+        const QString name = QString::fromStdString(nameOf(shown.pipeline));
+        if (chosen < 0) m_algorithmBox->addItem(name);
+        m_algorithmBox->setCurrentIndex(chosen < 0 ? named : chosen);
+        m_algorithmBox->setToolTip(name);  // it may be longer than the box
         for (std::size_t i = 0; i < layers().size(); ++i) m_layerChoices[i]->setChecked(&layers()[i] == shown.look.layer);
         m_cull->setChecked(m_session.settings().faceCulling == FaceCulling::Back);
     }

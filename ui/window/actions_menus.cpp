@@ -408,7 +408,8 @@ void Actions::makeToolBar()
     m_toolBar->setMinimumHeight(54);  // with the step below it that the style sheet leaves
 
     m_algorithmBox = new QComboBox;
-    m_algorithmBox->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_algorithmBox->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a composed name is cut short
+    m_algorithmBox->setMinimumContentsLength(12);
     for (const Preset& preset : presets()) m_algorithmBox->addItem(text(preset.name));
     connect(m_algorithmBox, &QComboBox::activated, this, [this](int index) {
         if (index < static_cast<int>(presets().size())) m_session.setPipeline(presets()[static_cast<std::size_t>(index)].pipeline);
