@@ -202,6 +202,7 @@ private slots:
         QVERIFY(shownText(panel).contains(QString::fromUtf8("✘")));
         QVERIFY(shownText(panel).contains("36"));
         QVERIFY(shownText(panel).contains("Three edges per triangle"));
+        field->setFocus();
         field->clear();
         QTest::keyClicks(field, "36");
         QTest::keyClick(field, Qt::Key_Return);
@@ -209,6 +210,38 @@ private slots:
         QVERIFY(shownText(panel).contains(QString::fromUtf8("✔")));
         QCOMPARE(course.scoreOf(course.lessonNumber()).right, 0);  // the first answer counts
         desk.photograph("lesson-answered");
+    }
+    void theKeysStepWhileAPageIsReadAndOnceItsQuestionIsAnswered()
+    {
+        Desk    desk("zbuffer", {1280, 800});
+        Course& course = desk.session.course();
+        desk.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        for (const std::size_t number : {0, 2}) {  // a question for a number, and one with choices
+            course.open(*course.find("02-the-edge-table"), number);
+            QVERIFY(arrives(desk));
+            auto* page = desk.window.dock("lessons")->panel().findChild<QScrollArea*>();
+            QVERIFY(QTest::qWaitFor([&] { return page->hasFocus(); }, 2000));
+            const auto steps = [&](Qt::Key pressed, int by) {
+                const std::uint64_t before = desk.session.position()->step;
+                key(pressed);
+                return desk.settles() && desk.session.position()->step == before + static_cast<std::uint64_t>(by);
+            };
+            QVERIFY(steps(Qt::Key_Right, 1));
+            QVERIFY(steps(Qt::Key_Left, -1));
+            if (course.page()->question->kind == LessonQuestion::Kind::Number) {
+                page->findChild<QLineEdit*>()->setFocus();
+                QTest::keyClicks(QApplication::focusWidget(), "12");
+            } else {
+                page->findChild<QRadioButton*>()->setFocus();
+                key(Qt::Key_Space);
+            }
+            key(Qt::Key_Return);
+            QVERIFY(course.given());
+            QVERIFY(page->hasFocus());
+            QVERIFY(steps(Qt::Key_Right, 1));
+            QVERIFY(steps(Qt::Key_Left, -1));
+        }
     }
     void everyPageOfTheProgramNamesPanelsThatThereAre()
     {

@@ -106,6 +106,70 @@ private slots:
         QVERIFY(shownText(*bar).contains("1 of 2 right"));
         QVERIFY(forward(desk));  // and the keys step again
     }
+    void anOpenQuestionHoldsNoKeys()
+    {
+        const auto key = [](Desk& desk, Qt::Key pressed) {  // wherever the focus is
+            QTest::keyClick(QApplication::focusWidget(), pressed);
+            return desk.settles();
+        };
+        {
+            Desk desk("scanline");
+            QVERIFY(desk.open("builtin:cube", {160, 90}));
+            QVERIFY(desk.goTo(Grain::Line, 13));
+            desk.window.activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+            desk.window.setFocus();
+            desk.session.pick(QPoint(80, 45));
+            Predictions& predictions = desk.session.predictions();
+            predictions.setOn(Topic::Edges, true);
+            QVERIFY(key(desk, Qt::Key_Right));
+            auto* field = barOf(desk, "active-edges")->findChild<QLineEdit*>();
+            QVERIFY(predictions.open(Topic::Edges));
+            QVERIFY(field->hasFocus());
+            QVERIFY(key(desk, Qt::Key_Right));
+            QCOMPARE(desk.session.position()->step, std::uint64_t{15});
+            QCOMPARE(predictions.skippedOf(Topic::Edges), 1);
+            QVERIFY(field->hasFocus());  // of the next question
+
+            QTest::keyClicks(field, "12");
+            QVERIFY(key(desk, Qt::Key_Left));
+            QCOMPARE(field->cursorPosition(), 1);  // it edits
+            QCOMPARE(desk.session.position()->step, std::uint64_t{15});
+            QVERIFY(key(desk, Qt::Key_Escape));
+            QVERIFY(!field->hasFocus());
+            QVERIFY(predictions.open(Topic::Edges));
+            QVERIFY(desk.session.now().picked);  // nothing else was meant
+            QVERIFY(key(desk, Qt::Key_Right));
+            QCOMPARE(desk.session.position()->step, std::uint64_t{16});
+            QCOMPARE(predictions.skippedOf(Topic::Edges), 2);
+            QVERIFY(field->hasFocus());
+            QVERIFY(key(desk, Qt::Key_Left));  // withdraws the question
+            QCOMPARE(desk.session.position()->step, std::uint64_t{15});
+            QVERIFY(!predictions.isAnyOpen());
+            QVERIFY(key(desk, Qt::Key_Left));
+            QCOMPARE(desk.session.position()->step, std::uint64_t{14});
+        }
+        Desk desk("hzb-octree", {1280, 1000});
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=2", {160, 90}));
+        QVERIFY(desk.goTo(Grain::Node, 3));
+        desk.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        desk.window.setFocus();
+        Predictions& predictions = desk.session.predictions();
+        predictions.setOn(Topic::Nodes, true);
+        for (int i = 0; i < 3; ++i) {
+            QVERIFY(key(desk, Qt::Key_Right));
+            QCOMPARE(desk.session.position()->step, std::uint64_t{4} + static_cast<std::uint64_t>(i));
+            QVERIFY(predictions.open(Topic::Nodes));
+            QCOMPARE(predictions.skippedOf(Topic::Nodes), i);
+            QVERIFY(qobject_cast<QPushButton*>(QApplication::focusWidget()));
+        }
+        for (const std::uint64_t step : {5, 4}) {
+            QVERIFY(key(desk, Qt::Key_Left));
+            QCOMPARE(desk.session.position()->step, step);
+            QVERIFY(!predictions.isAnyOpen());
+        }
+    }
     void backAndJumpsShowAtOnce()
     {
         Desk desk("scanline");

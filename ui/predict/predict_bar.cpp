@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/predict/predict_bar.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QDir>
 #include <QFileDialog>
@@ -90,6 +91,7 @@ void PredictBar::present()
 void PredictBar::presentQuestion()
 {
     const Riddle* riddle = m_session.predictions().open(m_topic);
+    if (!riddle && m_answer->isAncestorOf(QApplication::focusWidget())) hearSteps();
     m_question->setVisible(riddle);
     m_answer->setVisible(riddle);
     for (QPushButton* button : m_buttons) button->deleteLater();
@@ -138,9 +140,11 @@ void PredictBar::check()
     answer(value);
 }
 
+void PredictBar::hearSteps() { window()->setFocus(); }
+
 void PredictBar::answer(double given)
 {
-    window()->setFocus();  // where the keys for stepping are heard
+    hearSteps();
     m_session.predictions().answer(m_topic, given);
 }
 

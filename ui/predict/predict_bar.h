@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The strip above a table that asks what comes: the switch, the question with its field or buttons, right or wrong in words,
 // and the score.
+//
+// Keys       an open question holds none: Left and Right step from its buttons and from its field while that is empty, Escape
+//            leaves the field
 #pragma once
 
 #include <QWidget>
@@ -29,6 +32,8 @@ private:
     void presentScore();
     void check();
     void answer(double given);
+    /// Gives the focus to where the keys for stepping are heard.
+    void hearSteps();
     void save();
 
     Session&     m_session;

@@ -317,16 +317,37 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
             return true;
         }
         // Views that turn or move by arrow keys while they have the focus say so.
-        const bool isArrow = key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
-        const bool isPlain = !(static_cast<QKeyEvent*>(event)->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-        if (widget && widget->hasFocus() && isArrow && isPlain && widget->property("ownsArrows").toBool()) {
+        const bool isSideways = key == Qt::Key_Left || key == Qt::Key_Right, isUpright = key == Qt::Key_Up || key == Qt::Key_Down;
+        const bool isPlain    = !(static_cast<QKeyEvent*>(event)->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+        if (widget && widget->hasFocus() && isPlain &&
+            (((isSideways || isUpright) && widget->property("ownsArrows").toBool()) || (isUpright && widget->property("ownsUpAndDown").toBool()))) {
             event->accept();
             return true;
         }
+        // In a field that holds nothing Left and Right have nowhere to go: they step.
+        const auto* field = qobject_cast<QLineEdit*>(object);
+        if (field && field->hasFocus() && isSideways && field->text().isEmpty()) {
+            event->ignore();
+            return true;
+        }
     }
+    if (leavesField(object, event)) return true;
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) watchShift(static_cast<QKeyEvent*>(event));
     if (event->type() == QEvent::WindowDeactivate) m_session.holdOther(false);
     return QMainWindow::eventFilter(object, event);
+}
+
+/// Escape leaves a field before it stops or forgets anything.
+bool MainWindow::leavesField(QObject* object, QEvent* event)
+{
+    const bool isAsked = event->type() == QEvent::ShortcutOverride;
+    if (!isAsked && event->type() != QEvent::KeyPress) return false;
+    const auto* field = qobject_cast<QWidget*>(object);
+    if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !field || !isTyping(*field) || !field->hasFocus()) return false;
+    if (qobject_cast<QDialog*>(field->window())) return false;  // which it closes
+    if (!isAsked) field->window()->setFocus();
+    event->accept();
+    return true;
 }
 
 void MainWindow::watchShift(const QKeyEvent* event)

@@ -72,6 +72,7 @@ protected:
 
 private:
     void present(Changes what);
+    bool leavesField(QObject* object, QEvent* event);
     void watchShift(const QKeyEvent* event);
     void makeCentre();
     void makeDocks();

@@ -119,7 +119,7 @@ QWidget* LessonsPanel::makePage()
     inside->addStretch(1);
     m_scroll = qobject_cast<QScrollArea*>(scrolling(reading));
     m_scroll->setFocusPolicy(Qt::StrongFocus);
-    m_scroll->setProperty("ownsArrows", true);  // they scroll
+    m_scroll->setProperty("ownsUpAndDown", true);  // they scroll; Left and Right step
 
     auto* pages = new QHBoxLayout;
     pages->setContentsMargins(kStep + 4, 0, kStep + 4, 0);
@@ -319,6 +319,7 @@ void LessonsPanel::check()
     if (page->question->kind == LessonQuestion::Kind::Choice && m_choices->checkedId() >= 0) course.answerChoice(static_cast<std::size_t>(m_choices->checkedId()));
     if (page->question->kind == LessonQuestion::Kind::Number) course.answerNumber(m_number->text());
     if (page->question->kind == LessonQuestion::Kind::Pixel && session().now().picked) course.answerPixel(*session().now().picked);
+    if (course.given()) m_scroll->setFocus();  // the page is read on, and the keys step
 }
 
 void LessonsPanel::keyPressEvent(QKeyEvent* event)
