@@ -170,11 +170,12 @@ private slots:
         desk.window.speak(Language::Chinese);
         QCoreApplication::processEvents();
         const CheatSheet sheet(*desk.window.menuBar(), &desk.window);
-        const QString    text = sheet.findChild<QTextBrowser*>()->toPlainText();
-        for (const char* tool : {"tool.inspect", "tool.camera"}) {
+        QStringList lines = sheet.findChild<QTextBrowser*>()->toPlainText().split('\n');
+        for (const char* tool : {"tool.inspect", "tool.camera"}) {  // in this order at the top of the sheet
             const QString name = plainName(*desk.window.findChild<QAction*>(tool));
             QCOMPARE(desk.window.findChild<QAction*>(tool)->iconText(), name);
-            QVERIFY2(text.contains(QRegularExpression('^' + name, QRegularExpression::MultilineOption)), qPrintable(text.left(200)));
+            QVERIFY2(lines.front().startsWith(name), qPrintable(lines.front()));
+            lines.removeFirst();
         }
         desk.window.speak(Language::English);
     }
