@@ -219,7 +219,7 @@ MeshBatches built(const Mesh& mesh, BatchSize size, std::size_t triangles, const
 {
     MeshBatches  out;
     BatchBuilder builder(mesh, size, out);
-    for (std::vector<std::uint16_t>& corner : out.corners) corner.reserve(triangles + kBatchPadding);
+    for (MeshBatches::Column<std::uint16_t>& corner : out.corners) corner.reserve(triangles + kBatchPadding);
     out.meshTriangle.reserve(triangles + kBatchPadding);
     fill(builder);
     builder.close();
@@ -228,7 +228,7 @@ MeshBatches built(const Mesh& mesh, BatchSize size, std::size_t triangles, const
     // Lanes read whole vectors: let the last batch be read past its end.
     const auto pad = [](auto& column) { column.resize(column.size() + kBatchPadding); };
     pad(out.x), pad(out.y), pad(out.z), pad(out.meshTriangle);
-    for (std::vector<std::uint16_t>& corner : out.corners) pad(corner);
+    for (MeshBatches::Column<std::uint16_t>& corner : out.corners) pad(corner);
     return out;
 }
 
@@ -288,7 +288,7 @@ private:
             const std::size_t   lane  = patch % PatchBlock::kPatches;
             place(std::span(m_triangles).subspan(first, count), block, lane);
             for (std::uint32_t t = batch.firstTriangle + first; t < batch.firstTriangle + first + count; ++t)
-                for (const std::vector<std::uint16_t>& corner : m_mesh.corners) block.vertexGroups[lane] |= std::uint64_t{1} << corner[t] / kVertexGroup;
+                for (const MeshBatches::Column<std::uint16_t>& corner : m_mesh.corners) block.vertexGroups[lane] |= std::uint64_t{1} << corner[t] / kVertexGroup;
         }
     }
 

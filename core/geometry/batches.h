@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/large_pages.h"
 #include "core/geometry/normal_cone.h"
 #include "core/geometry/patches.h"
 #include "core/scene/mesh.h"
@@ -50,15 +51,18 @@ struct Batch {
 static_assert(kBatchTriangles <= 32 * kPatchTriangles && kBatchVertices <= 64 * kVertexGroup, "one bit each: PatchBits, PatchBlock::vertexGroups");
 
 struct MeshBatches {
-    std::vector<Batch>         batches;
-    std::vector<PatchBlock>    patches;       // PatchBlock::kPatches of a batch in each; or none at all
-    std::vector<double>        x, y, z;       // model space
-    std::vector<std::uint32_t> meshTriangle;  // which triangle of the mesh each one is
-    std::vector<std::uint8_t>  patterned;     // whether it has holes or a relief; empty if none has
-    Bounds                     bounds;        // of all batches
+    template <class T>
+    using Column = std::vector<T, LargePages<T>>;
+
+    std::vector<Batch>        batches;
+    std::vector<PatchBlock>   patches;       // PatchBlock::kPatches of a batch in each; or none at all
+    Column<double>            x, y, z;       // model space
+    Column<std::uint32_t>     meshTriangle;  // which triangle of the mesh each one is
+    std::vector<std::uint8_t> patterned;     // whether it has holes or a relief; empty if none has
+    Bounds                    bounds;        // of all batches
 
     /// Corners as positions in the batch's own vertices; padded like x, y, z and meshTriangle.
-    std::array<std::vector<std::uint16_t>, 3> corners;
+    std::array<Column<std::uint16_t>, 3> corners;
 
     std::span<const std::uint32_t> meshTriangles() const { return std::span(meshTriangle).first(triangleCount()); }
     std::size_t   vertexCount() const { return batches.empty() ? 0 : batches.back().firstVertex + batches.back().vertexCount; }

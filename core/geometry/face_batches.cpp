@@ -141,7 +141,7 @@ FaceBatches makeFaceBatches(const Mesh& mesh)
     }
     builder.close();
     out.faces.push_back({.firstSide = static_cast<std::uint32_t>(out.sides.size()), .firstEar = static_cast<std::uint32_t>(out.ears.size())});
-    for (std::vector<double>* axis : {&out.points.x, &out.points.y, &out.points.z}) axis->resize(axis->size() + kBatchPadding);
+    for (MeshBatches::Column<double>* axis : {&out.points.x, &out.points.y, &out.points.z}) axis->resize(axis->size() + kBatchPadding);
     return out;
 }
 

@@ -436,9 +436,13 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         const auto lineOf = [&](int down, std::size_t from) HWY_ATTR {
             return numbers(triangles.b, from) * (centres(triangles.top, from) + hn::Set(d64, down)) + numbers(triangles.c, from);
         };
-        const auto depthOf = [&](Vec64 line, int right, std::size_t from) HWY_ATTR {
-            return hn::DemoteTo(half, numbers(triangles.a, from) * (centres(triangles.x0, from) + hn::Set(d64, right)) + line);
-        };
+        // a * (i + 0.5), of both halves: found before the first store, which could change what it is found from for all the compiler knows.
+        std::array<std::array<Vec64, 2>, kTinySide> columns;
+        for (std::size_t right = 0; right < kTinySide; ++right)
+            for (const std::size_t other : {0, 1}) {
+                const std::size_t from = other * kOtherHalf;
+                columns[right][other]  = numbers(triangles.a, from) * (centres(triangles.x0, from) + hn::Set(d64, static_cast<double>(right)));
+            }
         for (int down = 0; down < kTinySide; ++down) {
             const auto line = lineOf(down, 0), otherLine = lineOf(down, kOtherHalf);
             for (int right = 0; right < kTinySide; ++right) {
@@ -451,7 +455,8 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
                 const auto inside  = hn::RebindMask(i32, hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(f32));
                 const auto exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
                 const auto covered = hn::And(hn::And(inside, exists), isDrawn);
-                const auto z     = hn::Min(hn::Max(together(depthOf(otherLine, right, kOtherHalf), depthOf(line, right, 0)), farthest), nearest);
+                const auto& column = columns[static_cast<std::size_t>(right)];
+                const auto z     = hn::Min(hn::Max(together(hn::DemoteTo(half, column[1] + otherLine), hn::DemoteTo(half, column[0] + line)), farthest), nearest);
                 const auto here  = place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
                 const auto kept  = keptFirst(i32, covered);
                 hn::StoreU(hn::TableLookupLanes(here, hn::IndicesFromVec(u32, kept)), u32, places + count);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/large_pages.h"
 #include "core/scene/scene.h"
 
 namespace zscope {
@@ -30,7 +31,7 @@ public:
     std::uint64_t        bytes() const { return m_colours.capacity() * sizeof(std::uint32_t); }
 
 private:
-    std::vector<std::uint32_t> m_colours;  // by rank, or empty
+    std::vector<std::uint32_t, LargePages<std::uint32_t>> m_colours;  // by rank, or empty
 };
 
 }  // namespace zscope
