@@ -132,8 +132,8 @@ QString styleSheetOf(const Theme& theme)
         QComboBox:disabled { color: @faint; }
         QComboBox::drop-down { border: none; width: 20px; }
         QComboBox::down-arrow { image: url(:/icons/@arrow.svg); width: 10px; height: 10px; }
-        QComboBox QAbstractItemView { background: @card; border: 1px solid @border; padding: 4px;
-              selection-background-color: @pickedTint; selection-color: @text; outline: none; }
+        QComboBox, QComboBox QAbstractItemView { selection-background-color: @pickedTint; selection-color: @text; }
+        QComboBox QAbstractItemView { background: @card; border: 1px solid @border; padding: 4px; outline: none; }
         QDoubleSpinBox::up-button, QDoubleSpinBox::down-button, QSpinBox::up-button, QSpinBox::down-button { width: 0; }
         QFrame#cardTitle { background: @card; border: 1px solid @border; border-bottom: none;
               border-top-left-radius: 7px; border-top-right-radius: 7px; }

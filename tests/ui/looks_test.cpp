@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can be read, in light and in dark: contrast as it is measured, on pixels that were painted.
+#include <cmath>
+#include <map>
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QComboBox>
+
+#include "tests/ui/desk.h"
+
+using namespace zscope;
+using namespace zscope::ui;
+
+namespace {
+
+constexpr double kReadable = 4.5;  // WCAG 2.1, text of usual size
+
+double luminance(const QColor& colour)
+{
+    const auto linear = [](double part) { return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+/// 1 to 21, as WCAG 2.1 defines it.
+double contrast(const QColor& a, const QColor& b)
+{
+    const double brighter = std::max(luminance(a), luminance(b)), darker = std::min(luminance(a), luminance(b));
+    return (brighter + 0.05) / (darker + 0.05);
+}
+
+/// Of the colour that covers most of a part of a picture, and the one there that is farthest from it: ground and letters.
+double contrastOfText(const QImage& picture, const QRect& part)
+{
+    std::map<QRgb, int> counts;
+    for (int y = part.top(); y <= part.bottom(); ++y)
+        for (int x = part.left(); x <= part.right(); ++x) ++counts[picture.pixel(x, y)];
+    const QColor ground(std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; })->first);
+    double       most = 1;
+    for (const auto& [colour, count] : counts) most = std::max(most, contrast(ground, QColor(colour)));
+    return most;
+}
+
+void wear(const Desk& desk, const char* look) { desk.window.findChild<QAction*>(QStringLiteral("appearance.") + look)->trigger(); }
+
+}  // namespace
+
+class LooksTest final : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cleanup() { QCoreApplication::processEvents(); }
+
+    void theChosenRowOfAListCanBeRead()
+    {
+        Desk desk;
+        for (const char* look : {"light", "dark"}) {
+            wear(desk, look);
+            for (auto* box : desk.window.findChildren<QComboBox*>()) {
+                if (!box->isVisible() || !box->isEnabled()) continue;
+                box->showPopup();
+                QTest::qWait(20);
+                const QRect  row     = box->view()->visualRect(box->view()->currentIndex());
+                const QImage picture = box->view()->viewport()->grab().toImage();
+                const double found   = contrastOfText(picture, row.adjusted(4, 4, -4, -4) & picture.rect());
+                box->hidePopup();
+                QVERIFY2(found >= kReadable, qPrintable(QStringLiteral("%1: %2").arg(box->accessibleName()).arg(found)));
+            }
+        }
+    }
+};
+
+int main(int argc, char** argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    QApplication::setStyle("Fusion");
+    LooksTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "looks_test.moc"
