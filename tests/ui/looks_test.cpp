@@ -8,6 +8,10 @@
 #include <QComboBox>
 
 #include "tests/ui/desk.h"
+#include "ui/panels/timeline/step_track.h"
+#include "ui/text/grains.h"
+#include "ui/theme/theme.h"
+#include "ui/view/magnifier.h"
 
 using namespace zscope;
 using namespace zscope::ui;
@@ -15,6 +19,7 @@ using namespace zscope::ui;
 namespace {
 
 constexpr double kReadable = 4.5;  // WCAG 2.1, text of usual size
+constexpr double kSeen     = 3;    // likewise, marks without letters
 
 double luminance(const QColor& colour)
 {
@@ -27,6 +32,19 @@ double contrast(const QColor& a, const QColor& b)
 {
     const double brighter = std::max(luminance(a), luminance(b)), darker = std::min(luminance(a), luminance(b));
     return (brighter + 0.05) / (darker + 0.05);
+}
+
+/// The most that two colours in a part of a picture differ.
+double contrastIn(const QImage& picture, const QRect& part)
+{
+    QColor darkest = Qt::white, brightest = Qt::black;
+    for (int y = part.top(); y <= part.bottom(); ++y)
+        for (int x = part.left(); x <= part.right(); ++x) {
+            const QColor colour = picture.pixelColor(x, y);
+            if (luminance(colour) < luminance(darkest)) darkest = colour;
+            if (luminance(colour) > luminance(brightest)) brightest = colour;
+        }
+    return contrast(darkest, brightest);
 }
 
 /// Of the colour that covers most of a part of a picture, and the one there that is farthest from it: ground and letters.
@@ -66,6 +84,39 @@ private slots:
                 box->hidePopup();
                 QVERIFY2(found >= kReadable, qPrintable(QStringLiteral("%1: %2").arg(box->accessibleName()).arg(found)));
             }
+        }
+    }
+    void theNamesOfStagesCanBeReadOnBothSidesOfTheHandle()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:teapot"));
+        auto* track = desk.window.dock("timeline")->findChild<StepTrack*>();
+        for (const char* look : {"light", "dark"}) {
+            wear(desk, look);
+            for (const std::int64_t step : {std::int64_t{10}, std::int64_t{-1}}) {
+                QVERIFY(desk.goTo(Grain::Line, step));
+                const auto& stages = track->marks().stages;
+                const auto  raster = std::ranges::find(stages, nameOf(Stage::Raster), &TrackMarks::Named::name);
+                QVERIFY(raster != stages.end());
+                const double from = track->placeOf(raster->step), to = raster + 1 == stages.end() ? track->width() : track->placeOf((raster + 1)->step);
+                const QRect  name = QRect(0, 0, 60, 14).translated(static_cast<int>((from + to) / 2) - 30, track->height() / 2 - 7);
+                const double found = contrastOfText(track->grab().toImage(), name);
+                QVERIFY2(found >= kReadable, qPrintable(QStringLiteral("%1, step %2: %3").arg(look).arg(step).arg(found)));
+            }
+        }
+    }
+    void thePickedPixelStandsOutInTheMagnifier()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:teapot"));
+        desk.session.pick(QPoint(160, 90));
+        auto* magnifier = desk.window.findChild<Magnifier*>();
+        for (const char* look : {"light", "dark"}) {
+            wear(desk, look);
+            QVERIFY(magnifier->isVisible());
+            const QRect  lens  = QRect(0, 0, 150, 150).translated(kStep, kStep);
+            const double found = contrastIn(magnifier->grab().toImage(), QRect(0, 0, 16, 16).translated(lens.center() - QPoint(8, 8)));
+            QVERIFY2(found >= kSeen, qPrintable(QStringLiteral("%1: %2").arg(look).arg(found)));
         }
     }
 };

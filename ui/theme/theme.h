@@ -35,6 +35,7 @@ struct Theme {
     QColor picked;
     QColor pickedTint;
     QColor idle;        // active edges that are neither of these
+    QColor idleText;    // letters on it
     QColor hidden;      // nodes that the pyramid hides
     QColor outside;     // nodes that do not reach the view
     QColor error;       // used for nothing else

@@ -78,9 +78,12 @@ void Magnifier::paintEvent(QPaintEvent*)
     const QRect lens(kStep, kStep, kAcross * kPixel, kAcross * kPixel);
     painter.fillRect(lens, theme.canvas);
     painter.drawImage(lens, m_around);
-    painter.setPen(QPen(m_isPick ? theme.picked : theme.softText, 2));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRect(lens.left() + kAcross / 2 * kPixel, lens.top() + kAcross / 2 * kPixel, kPixel, kPixel));
+    const QPen frame(m_isPick ? theme.picked : theme.softText, 2), rim(theme.card, 4);  // one of the two stands out from any picture
+    for (const QPen& pen : {rim, frame}) {
+        painter.setPen(pen);
+        painter.drawRect(QRect(lens.left() + kAcross / 2 * kPixel, lens.top() + kAcross / 2 * kPixel, kPixel, kPixel));
+    }
 
     int y = lens.bottom() + kStep;
     for (std::size_t i = 0; i < m_facts.size() && i < kMost; ++i) {

@@ -134,13 +134,14 @@ void StepTrack::paintStages(QPainter& painter, const QRectF& track) const
         const double   wide = painter.fontMetrics().horizontalAdvance(name) + 2 * kStep;
         if (to - from < wide) continue;
         // Where the handle would hide it, it makes room on the wider side.
-        double left = from, right = to;
-        if (const double at = placeOf(m_scale.stepOf(value())); std::abs(at - (from + to) / 2) < wide / 2) {
+        double       left = from, right = to;
+        const double at   = placeOf(m_scale.stepOf(value()));
+        if (std::abs(at - (from + to) / 2) < wide / 2) {
             if (at - from > to - at) right = at - kStep / 2;
             else left = at + kStep / 2;
         }
         if (right - left < wide) continue;
-        painter.setPen(theme.text);
+        painter.setPen((left + right) / 2 < at ? theme.idleText : theme.text);
         painter.drawText(QRectF(left, track.top(), right - left, track.height()), Qt::AlignCenter, name);
     }
 }
