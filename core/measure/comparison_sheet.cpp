@@ -22,6 +22,9 @@ constexpr int           kMaxPictureWidth = 480, kMinColumn = 400;
 constexpr std::array<std::uint32_t, kStages.size()> kStageColours{0xFF999999u, 0xFF0072B2u, 0xFF56B4E9u, 0xFF004D7Au, 0xFFCC79A7u,
                                                                   0xFF7A4A66u, 0xFFE69F00u, 0xFFF0E442u, 0xFF009E73u, 0xFFCCCCCCu};
 
+/// As the window writes it.
+std::string number(std::uint64_t value) { return grouped(value, ','); }
+
 /// Differences must not fade in a smaller picture: where one pixel stands for several, one that differs is shown.
 Grid<std::uint32_t> shrunk(const Grid<std::uint32_t>& differences, int width, int height)
 {
@@ -49,7 +52,7 @@ struct Line {
 std::string figureLine(const ErrorFigures& f)
 {
     if (f.isExact()) return "same to the bit";
-    return fmt::format("{} holes, {} spills, {} other, {} steps", grouped(f.holes), grouped(f.spills), grouped(f.wrongSurface()), grouped(f.maxDepthSteps));
+    return fmt::format("{} holes, {} spills, {} other, {} steps", number(f.holes), number(f.spills), number(f.wrongSurface()), number(f.maxDepthSteps));
 }
 
 std::vector<Line> figuresOf(const ComparedAlgorithm& a, bool isFirst)
@@ -65,14 +68,32 @@ std::vector<Line> figuresOf(const ComparedAlgorithm& a, bool isFirst)
     if (isFirst)
         lines.push_back({"First: this one", kPale});
     else
-        lines.push_back({"First: " + (a.coloursDiffer > 0 && a.againstFirst.isExact() ? fmt::format("{} other colours", grouped(a.coloursDiffer)) : figureLine(a.againstFirst))});
+        lines.push_back({"First: " + (a.coloursDiffer > 0 && a.againstFirst.isExact() ? fmt::format("{} other colours", number(a.coloursDiffer)) : figureLine(a.againstFirst))});
     return lines;
+}
+
+std::uint64_t countOf(const ComparedAlgorithm& a, std::string_view name)
+{
+    const auto counter = std::ranges::find(a.counters, name, &NamedCount::name);
+    return counter == a.counters.end() ? 0 : counter->value;
+}
+
+/// What at least one of them counted, in the order of stats.json: the same lines in every column.
+std::vector<std::string> countersOf(const Comparison& comparison)
+{
+    std::vector<std::string> names;
+    for (const ComparedAlgorithm& each : comparison.algorithms)
+        for (const NamedCount& counter : each.counters) {
+            const bool counts = std::ranges::any_of(comparison.algorithms, [&](const ComparedAlgorithm& other) { return countOf(other, counter.name) > 0; });
+            if (counts && std::ranges::find(names, counter.name) == names.end()) names.push_back(counter.name);
+        }
+    return names;
 }
 
 class Sheet {
 public:
     Sheet(const Comparison& comparison, const Scene& scene, const SheetWords& words, SheetCanvas& canvas)
-        : m_comparison(comparison), m_scene(scene), m_words(words), m_canvas(canvas)
+        : m_comparison(comparison), m_scene(scene), m_words(words), m_canvas(canvas), m_counters(countersOf(comparison))
     {
     }
 
@@ -85,7 +106,7 @@ public:
         m_column        = std::max(m_pictureWidth, kMinColumn);
         m_cell          = std::max(m_pictureHeight, (static_cast<int>(differences().size()) + 2) * kLine);  // the legend stands in one
         const auto columns   = static_cast<int>(m_comparison.algorithms.size());
-        const int  textLines = 4 + static_cast<int>(kStages.size());
+        const int  textLines = 4 + static_cast<int>(kStages.size()) + 1 + static_cast<int>(m_counters.size());
         const int  header = kTitle + 2 * kLine + 2 * kStep, column = kLarge + m_pictureHeight + m_cell + 3 * kStep + 2 * kLine + textLines * kLine;
         const int  sheetWidth = 2 * kMargin + columns * m_column + (columns - 1) * kGap;
         const auto command = wrapped(m_words.command, sheetWidth - 2 * kMargin);
@@ -143,6 +164,7 @@ private:
         for (const Line& line : figuresOf(a, isFirst)) write(x, y += kLine, fitted(line.text), kSmall, line.colour);
         y += kLine;
         drawStages(x, y, a);
+        drawCounters(x, y + (static_cast<int>(kStages.size()) + 1) * kLine, a);
     }
 
     void drawLegend(int x, int y)
@@ -167,16 +189,32 @@ private:
             write(x, y + kSmall, wordOf(stage.stage), kSmall, stage.ran ? kInk : kPale);
             const int length = longest > 0 ? static_cast<int>(stage.ms / longest * (m_column - kName - kNumber - kStep)) : 0;
             if (stage.ran) m_canvas.fill(x + kName, y + 2, x + kName + std::max(length, 1), y + kSmall + 1, colour);
-            const std::string number = stage.ran ? fmt::format("{:.3f} ms", stage.ms) : "-";
-            write(x + m_column - m_canvas.width(number, kSmall), y + kSmall, number, kSmall, stage.ran ? kInk : kPale);
+            writeToTheRight(x, y, stage.ran ? fmt::format("{:.3f} ms", stage.ms) : "-", stage.ran ? kInk : kPale);
             y += kLine;
         }
+    }
+
+    void drawCounters(int x, int y, const ComparedAlgorithm& a)
+    {
+        for (const std::string& name : m_counters) {
+            const std::uint64_t count = countOf(a, name);
+            write(x, y + kSmall, name, kSmall, count > 0 ? kInk : kPale);
+            writeToTheRight(x, y, count > 0 ? number(count) : "-", count > 0 ? kInk : kPale);
+            y += kLine;
+        }
+    }
+
+    /// At the right end of a line that begins at y.
+    void writeToTheRight(int x, int y, std::string_view text, std::uint32_t colour)
+    {
+        write(x + m_column - m_canvas.width(text, kSmall), y + kSmall, text, kSmall, colour);
     }
 
     const Comparison&   m_comparison;
     const Scene&        m_scene;
     const SheetWords&   m_words;
     SheetCanvas&        m_canvas;
+    const std::vector<std::string> m_counters;  // the names of those that are shown
     int                 m_pictureWidth = 0, m_pictureHeight = 0, m_column = 0, m_cell = 0;
 };
 
@@ -190,7 +228,8 @@ void drawSheet(const Comparison& comparison, const Scene& scene, const SheetWord
 SheetWords sheetWordsOf(const Comparison& comparison, const Scene& scene, const Camera& camera, std::string command)
 {
     const FrameReport& report = comparison.algorithms.front().report;
-    return {.scene   = fmt::format("{}   {} triangles   {}x{}", scene.name, grouped(scene.triangleCount()), camera.width, camera.height),
+    const std::size_t  count  = scene.triangleCount();
+    return {.scene   = fmt::format("{}   {} triangle{}   {}x{}", scene.name, number(count), count == 1 ? "" : "s", camera.width, camera.height),
             .machine = fmt::format("{}, {} cores; {} thread{}, {}; ZScope " ZSCOPE_VERSION "; scene {}", processorName(), std::thread::hardware_concurrency(),
                                    report.threads, report.threads == 1 ? "" : "s", wordOf(report.simd), scene.digest),
             .command = std::move(command)};

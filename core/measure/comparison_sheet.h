@@ -1,5 +1,5 @@
-// The comparison sheet: one column per algorithm with its picture, where it differs, its figures and its stages as bars; above
-// them the scene, the machine and the version, below them the command that makes it again. What is where is decided here; on
+// The comparison sheet: one column per algorithm with its picture, where it differs, its figures, its stages as bars and its counters;
+// above them the scene, the machine and the version, below them the command that makes it again. What is where is decided here; on
 // what it is drawn, a picture or a page, by whoever has letters.
 #pragma once
 
