@@ -126,6 +126,7 @@ QString styleSheetOf(const Theme& theme)
         QToolButton:disabled, QPushButton:disabled { color: @faint; }
         QPushButton#strong:disabled { background: @ground; border-color: @border; color: @faint; }
         QToolButton::menu-indicator { image: none; }
+        QFileDialog QToolButton, QTabBar QToolButton, QToolButton#qt_toolbar_ext_button { padding: 2px; }
         QToolButton#plain { border: none; padding: 2px; background: transparent; }
         QToolButton#plain:hover { background: @ground; }
         QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit { background: @card; border: 1px solid @border;
