@@ -7,8 +7,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
+#include <QScreen>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QTableView>
+#include <QToolBar>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -20,7 +23,10 @@
 #include "ui/panels/pyramid/level_thumbs.h"
 #include "ui/panels/pyramid/level_view.h"
 #include "ui/panels/pyramid/pyramid_words.h"
+#include "ui/panels/registry.h"
+#include "ui/theme/theme.h"
 #include "ui/view/overlay.h"
+#include "ui/window/layouts.h"
 
 using namespace zscope;
 using namespace zscope::ui;
@@ -137,6 +143,74 @@ private slots:
         desk.session.setPipeline(findPreset("hzb-octree")->pipeline);
         QVERIFY(desk.settles());
         desk.photograph("small");
+    }
+    void theWindowFitsALowScreenInEveryLayoutAndLanguage()
+    {
+        constexpr QSize kLow{1000, 680};  // what 1366 x 768 leaves below title and task bar, and narrower still
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        desk.session.pick(QPoint(160, 90));
+        for (const Language language : {Language::English, Language::Chinese}) {
+            desk.window.speak(language);
+            for (const LayoutEntry& layout : layoutEntries()) {
+                desk.window.useLayout(layout.word);
+                for (const char* preset : {"zbuffer", "hzb-octree", "scanline", "interval"}) {
+                    desk.session.setPipeline(findPreset(preset)->pipeline);
+                    QVERIFY(desk.settles());
+                    for (const PanelEntry& panel : panels()) {  // also where another is in front
+                        desk.window.dock(panel.word)->raise();
+                        QTest::qWait(0);
+                        const QSize least = desk.window.minimumSizeHint();
+                        QVERIFY2(least.height() <= kLow.height() && least.width() <= kLow.width(),
+                                 qPrintable(QStringLiteral("%1, %2, %3: %4 x %5").arg(layout.word, preset, panel.word).arg(least.width()).arg(least.height())));
+                    }
+                }
+            }
+        }
+    }
+    void theWindowBeginsNoLargerThanTheScreen()
+    {
+        QTemporaryDir folder;
+        Settings      settings(folder.filePath("settings.ini"));
+        Session       session;
+        MainWindow    window(session, settings, QApplication::palette());
+        QVERIFY(window.width() < std::max(1281, window.minimumSizeHint().width()) && window.height() < window.screen()->availableSize().height());
+    }
+    void aNarrowWindowCutsNothingAndAWideOneHasItsColumnsBack()
+    {
+        Desk desk("scanline", {1280, 800});
+        QVERIFY(desk.open("builtin:teapot", {640, 360}));
+        QVERIFY(desk.goTo(Grain::Line, 180));
+        auto*     table = desk.window.dock("active-edges")->findChild<QTableView*>();
+        auto*     tools = desk.window.findChild<QToolBar*>("tools");
+        const int wide  = desk.window.dock("active-edges")->width();
+        for (const QSize& size : {QSize(964, 700), QSize(1280, 800), QSize(1600, 1000), QSize(1000, 700), QSize(1280, 720)}) {
+            desk.window.resize(size);
+            QTest::qWait(50);
+            QCOMPARE(desk.window.size(), size);
+            for (const auto* dock : desk.window.findChildren<PanelDock*>()) {
+                if (!dock->isVisible() || dock->visibleRegion().isEmpty()) continue;
+                QVERIFY2(dock->geometry().right() < size.width(), dock->entry().word);
+                QVERIFY2(dock->minimumSizeHint().width() <= dock->width(), dock->entry().word);
+            }
+            for (auto* button : tools->findChildren<QToolButton*>()) {
+                if (button->objectName() == "qt_toolbar_ext_button") QVERIFY(!button->isVisible());
+                else QVERIFY2(button->isVisible() && tools->rect().adjusted(0, 0, 0, -kStep).contains(button->geometry()), qPrintable(button->text()));
+            }
+            if (size.width() < 1280) continue;
+            QCOMPARE(desk.window.dock("active-edges")->width(), wide);
+            QVERIFY(!table->horizontalScrollBar()->isVisible());
+        }
+    }
+    void theTreesColumnsFitBesideItsScrollBar()
+    {
+        Desk desk("hzb-octree");
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3", {640, 360}));
+        QVERIFY(desk.goTo(Grain::Node, 60));
+        QTest::qWait(50);
+        auto* tree = desk.window.dock("hierarchy")->findChild<QTreeView*>();
+        QVERIFY(tree->verticalScrollBar()->isVisible());
+        QVERIFY(!tree->horizontalScrollBar()->isVisible());
     }
     void thumbnailsNeverOverlapAndNeverLeaveTheirRoom()
     {

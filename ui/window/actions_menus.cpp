@@ -342,7 +342,7 @@ void Actions::makeCompareMenu()
         group->addAction(action);
         m_others.push_back(action);
     }
-    other->setToolTipsVisible(true);
+    for (QMenu* each : {menu, other}) each->setToolTipsVisible(true);
     m_needScene.push_back(add(menu, "compare.keep", QT_TR_NOOP("&Keep A as B"), QKeySequence(), [this] { m_session.compareWith(m_session.now().pipeline); }));
     menu->addSeparator();
     const auto show = [&](const char* name, const char* label, Qt::Key k, CompareShow what) {
@@ -405,7 +405,6 @@ void Actions::makeToolBar()
     m_toolBar->toggleViewAction()->setVisible(false);
     m_toolBar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_toolBar->setIconSize({16, 16});
-    m_toolBar->setMinimumHeight(54);  // with the step below it that the style sheet leaves
 
     m_algorithmBox = new QComboBox;
     m_algorithmBox->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a composed name is cut short
@@ -418,6 +417,7 @@ void Actions::makeToolBar()
     const auto spacer = [this] {
         auto* space = new QWidget;
         space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+        space->setMinimumHeight(38);  // of a button, and the step below the bar that the style sheet leaves
         m_toolBar->addWidget(space);
     };
     m_toolBar->addAction(m_open);

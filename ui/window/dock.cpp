@@ -5,6 +5,7 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QToolButton>
 
 #include "ui/panels/registry.h"
@@ -17,6 +18,20 @@ namespace {
 
 /// The timeline explains itself: a title would only cost height.
 bool isTitled(const PanelEntry& entry) { return entry.area != Qt::BottomDockWidgetArea; }
+
+/// As much of its text as there is room for: a long summary makes no dock wider.
+class Summary final : public QLabel {
+public:
+    QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(rect(), Qt::AlignRight | Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
 
 }  // namespace
 
@@ -61,7 +76,7 @@ QWidget* PanelDock::makeTitle()
     title->setObjectName("cardTitle");
     auto* name = new QLabel;
     name->setObjectName("title");
-    m_summary = new QLabel;
+    m_summary = new Summary;
     m_summary->setObjectName("soft");
     m_close = new QToolButton;
     m_close->setObjectName("plain");

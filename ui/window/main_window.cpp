@@ -22,6 +22,8 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QMouseEvent>
+#include <QScreen>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QTimer>
@@ -49,6 +51,16 @@
 #include "ui/window/status_line.h"
 
 namespace zscope::ui {
+namespace {
+
+/// For a window, beside its frame and what the desktop keeps for itself.
+QSize roomOn(const QScreen& screen)
+{
+    constexpr QSize kFrame{2 * kStep, 5 * kStep};  // with the title bar; nobody knows it before the window is shown
+    return screen.availableSize() - kFrame;
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& systemPalette)
     : m_session(session), m_settings(settings), m_systemPalette(systemPalette)
@@ -140,7 +152,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     m_actions->showAppearance(settings.appearance());
     m_actions->showLanguage(settings.language());
     applyAppearance(settings.appearance());
-    resize(1280, 800);
+    resize(QSize(1280, 800).boundedTo(roomOn(*screen())));
     useLayout(settings.layoutName());
     restoreLayout();
     present(kEverything);
@@ -214,9 +226,21 @@ void MainWindow::speak(Language language)
 
 bool MainWindow::event(QEvent* event)
 {
+    if (event->type() == QEvent::MouseButtonPress) m_separates = isSeparator(static_cast<QMouseEvent*>(event)->position().toPoint());
     const bool isHandled = QMainWindow::event(event);  // passes a change of language on to all that is in the window
-    if (event->type() == QEvent::LanguageChange && m_actions) present(kEverything);
+    if (event->type() == QEvent::LanguageChange && m_actions) {
+        present(kEverything);
+        fitToolBar();
+    }
+    if (event->type() == QEvent::MouseButtonRelease && std::exchange(m_separates, false)) rememberWidths();
     return isHandled;
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    fitToolBar();
+    if (event->size().width() > event->oldSize().width()) restoreWidths();
 }
 
 // The snapshot ------------------------------------------------------------------------------------------------------
@@ -233,7 +257,7 @@ void MainWindow::present(Changes what)
     if (what & Change::Selection) showWhy(shown);
     if ((what & Change::Scene) && shown.scene) {
         if (std::exchange(m_sceneShown, shown.scene) != shown.scene) m_messages->hide();  // something went right
-        m_sceneName->setText(tr("%1 — %2 triangles").arg(shown.scene->title, grouped(shown.scene->scene().triangleCount())));
+        m_sceneName->setText(tr("%1 — %2").arg(shown.scene->title, counted(shown.scene->scene().triangleCount(), tr("1 triangle"), tr("%1 triangles"))));
         setWindowTitle(tr("%1 — ZScope").arg(shown.scene->title));
         menuBar()->setCornerWidget(m_sceneName);  // lays the corner out again for the longer text
     }

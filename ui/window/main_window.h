@@ -69,6 +69,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;
     bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void present(Changes what);
@@ -80,6 +81,10 @@ private:
     void showNeeded(const Snapshot& shown);
     void shareWidths();
     void shareHeights();
+    void widen(Qt::DockWidgetArea side, int width);
+    void rememberWidths();
+    void restoreWidths();
+    void fitToolBar();
     void resetLayout();
     void saveOwnLayout();
     void useOwnLayout(const QString& name);
@@ -125,6 +130,8 @@ private:
     SheetMaker*             m_sheets = nullptr;
     QTimer                  m_held;   // from pressing Shift until it counts as held
     std::vector<PanelDock*> m_docks;  // in the order of panels()
+    bool                    m_separates = false;      // the mouse has hold of what separates docks
+    int                     m_left = 0, m_right = 0;  // widths of the docks' sides as they were asked for; a narrow window may give less
 };
 
 }  // namespace zscope::ui

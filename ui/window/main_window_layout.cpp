@@ -15,6 +15,8 @@
 #include <QStyle>
 #include <QTabBar>
 #include <QTimer>
+#include <QToolBar>
+#include <QToolButton>
 
 #include "ui/panels/registry.h"
 #include "ui/text/spoken.h"
@@ -90,6 +92,9 @@ Pipeline ranIn(const Snapshot& shown)
     return ran;
 }
 
+/// Whether it takes part in how wide its side is.
+bool isThere(const PanelDock& dock) { return dock.isWanted() && dock.isNeeded() && !dock.isFloating(); }
+
 }  // namespace
 
 void MainWindow::showNeeded(const Snapshot& shown)
@@ -117,12 +122,48 @@ void MainWindow::shareWidths()
     constexpr std::array kWide{"active-edges", "pyramid", "hierarchy", "observer"};
     const LayoutEntry& layout = layoutEntry(m_layout);
     const double       larger = 1 + 0.4 * (std::max(width(), 1280) / 1280.0 - 1);
-    const auto         isThere = [this](const PanelDock* dock) { return dock->isWanted() && dock->isNeeded() && !dock->isFloating(); };
-    const bool         isWide = std::ranges::any_of(kWide, [&](const char* word) { return isThere(dock(word)); });
+    const bool         isWide = std::ranges::any_of(kWide, [&](const char* word) { return isThere(*dock(word)); });
     for (const auto& [area, at1280] : {std::pair(Qt::LeftDockWidgetArea, layout.left), std::pair(Qt::RightDockWidgetArea, isWide ? layout.right : layout.narrow)}) {
-        const auto first = std::ranges::find_if(m_docks, [&, side = area](PanelDock* dock) { return isThere(dock) && dockWidgetArea(dock) == side; });
-        if (first != m_docks.end()) resizeDocks({*first}, {static_cast<int>(at1280 * larger)}, Qt::Horizontal);
+        widen(area, static_cast<int>(at1280 * larger));
     }
+}
+
+void MainWindow::widen(Qt::DockWidgetArea side, int width)
+{
+    (side == Qt::LeftDockWidgetArea ? m_left : m_right) = width;
+    const auto first = std::ranges::find_if(m_docks, [&](PanelDock* dock) { return isThere(*dock) && dockWidgetArea(dock) == side; });
+    if (first != m_docks.end()) resizeDocks({*first}, {width}, Qt::Horizontal);
+}
+
+void MainWindow::rememberWidths()
+{
+    for (PanelDock* dock : m_docks) {
+        if (!dock->isVisible() || !isThere(*dock)) continue;
+        if (dockWidgetArea(dock) == Qt::LeftDockWidgetArea) m_left = dock->width();
+        if (dockWidgetArea(dock) == Qt::RightDockWidgetArea) m_right = dock->width();
+    }
+}
+
+void MainWindow::restoreWidths()
+{
+    // The picture gives way first, then the docks; but only the picture grows again by itself.
+    const int left = m_left, right = m_right;
+    for (const auto& [area, wanted] : {std::pair(Qt::LeftDockWidgetArea, left), std::pair(Qt::RightDockWidgetArea, right)})
+        if (std::ranges::any_of(m_docks, [&, side = area, width = wanted](PanelDock* dock) {
+                return dock->isVisible() && isThere(*dock) && dockWidgetArea(dock) == side && dock->width() < width;
+            }))
+            widen(area, wanted);
+}
+
+void MainWindow::fitToolBar()
+{
+    auto* tools = findChild<QToolBar*>("tools");
+    const auto dress = [tools](Qt::ToolButtonStyle style) {
+        tools->setToolButtonStyle(style);
+        for (auto* button : tools->findChildren<QToolButton*>()) button->setToolButtonStyle(style);
+    };
+    dress(Qt::ToolButtonTextBesideIcon);
+    if (tools->sizeHint().width() > width()) dress(Qt::ToolButtonIconOnly);  // what has no icon keeps its word, and all have their tool tips
 }
 
 void MainWindow::shareHeights()
@@ -150,7 +191,7 @@ void MainWindow::useLayout(const QString& word)
         PanelDock* below = dock(place.panel);  // else as high as what stood there in the layout before
         resizeDocks({below}, {layout.bottom > 0 ? height() * layout.bottom / 100 : below->sizeHint().height()}, Qt::Vertical);
     }
-    if (dock("scene")->isWanted()) resizeDocks({dock("scene"), dock("pipeline")}, {42, 58}, Qt::Vertical);
+    if (dock("scene")->isWanted()) resizeDocks({dock("scene"), dock("pipeline")}, {46, 54}, Qt::Vertical);
     shareHeights();
     m_actions->showLayout(m_layout);
     QTimer::singleShot(0, this, [this] { keepTabsOffTheEdge(); });
@@ -187,7 +228,7 @@ void MainWindow::makeRoomForLesson()
 {
     showPanel(QStringLiteral("lessons"));
     if (dockWidgetArea(dock("lessons")) != Qt::LeftDockWidgetArea) return;
-    resizeDocks({dock("lessons")}, {std::max(320, width() * 24 / 100)}, Qt::Horizontal);
+    widen(Qt::LeftDockWidgetArea, std::max(320, width() * 24 / 100));
     if (dock("pipeline")->isWanted()) resizeDocks({dock("lessons"), dock("pipeline")}, {80, 20}, Qt::Vertical);
 }
 
@@ -203,6 +244,7 @@ bool MainWindow::applyLayout(const WindowLayout& layout)
 {
     const bool fits = restoreState(layout.state, Settings::kLayoutVersion);
     for (PanelDock* dock : m_docks) dock->setWanted(fits ? !layout.hidden.contains(dock->entry().word) : dock->isWanted());
+    QTimer::singleShot(0, this, [this] { rememberWidths(); });
     return fits;
 }
 
@@ -234,6 +276,7 @@ void MainWindow::restoreLayout()
     else return;
     const QStringList hidden = m_settings.hiddenPanels();
     for (PanelDock* dock : m_docks) dock->setWanted(!hidden.contains(dock->entry().word));
+    QTimer::singleShot(0, this, [this] { rememberWidths(); });
 }
 
 }  // namespace zscope::ui

@@ -25,7 +25,7 @@ namespace zscope::ui {
 
 namespace {
 
-constexpr int         kLowest        = 330;  // table, strip and buckets; a question scrolls them
+constexpr int         kLowest        = 200;  // a few rows; what lies below them is scrolled to on a low screen
 constexpr std::size_t kPolygonsNamed = 60;  // the tool tip of the list; the line itself shows what fits
 
 }  // namespace

@@ -38,6 +38,7 @@ HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
     m_tree->setSelectionMode(QAbstractItemView::SingleSelection);
     m_tree->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_tree->setMinimumHeight(110);
+    m_tree->viewport()->installEventFilter(this);  // its width is known last
     QFont small = m_tree->font();
     small.setPointSizeF(small.pointSizeF() * 0.92);
     m_tree->setFont(small);
@@ -186,10 +187,10 @@ void HierarchyPanel::fitColumns()
     m_tree->setColumnWidth(NodeModel::Node, std::max(92, room - verdict - screen - nearest));
 }
 
-void HierarchyPanel::resizeEvent(QResizeEvent* event)
+bool HierarchyPanel::eventFilter(QObject* object, QEvent* event)
 {
-    Panel::resizeEvent(event);
-    fitColumns();
+    if (object == m_tree->viewport() && event->type() == QEvent::Resize) fitColumns();
+    return Panel::eventFilter(object, event);
 }
 
 void HierarchyPanel::changeEvent(QEvent* event)

@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
@@ -27,7 +28,8 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_title(new QLabel), m_hint(new QLabel), m_facts(new QWidget), m_turning(new QWidget),
       m_normalise(new QPushButton), m_warningsTitle(new QLabel), m_warnings(new QListWidget)
 {
-    auto* layout = new QVBoxLayout(this);
+    auto* inside = new QWidget;
+    auto* layout = new QVBoxLayout(inside);
     layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     layout->setSpacing(kStep);
     m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -86,6 +88,9 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     m_warnings->setWordWrap(true);
     layout->addWidget(m_warnings, 1);
     layout->addStretch(0);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolling(inside));
     showScene(session.now());
     spoken(*this, [this, section, factNames] {
         m_normalise->setText(tr("Normalise"));
