@@ -1597,6 +1597,18 @@
         <source>&amp;Forget the camera path</source>
         <translation>清除相机路径(&amp;F)</translation>
     </message>
+    <message>
+        <source>Open a scene first</source>
+        <translation>请先打开场景</translation>
+    </message>
+    <message>
+        <source>There is no B to compare with: choose one above, under B</source>
+        <translation>没有可比较的 B：请在上面的 B 菜单中选择</translation>
+    </message>
+    <message>
+        <source>Only with the tool Inspect (I)</source>
+        <translation>只在查看工具（I）下可用</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::ActiveEdgesPanel</name>
@@ -1882,6 +1894,10 @@
     <message>
         <source>Where B gives the picked pixel to the triangle that it shows in A</source>
         <translation>B 把拾取的像素交给 A 中所示三角形之处</translation>
+    </message>
+    <message>
+        <source>There is no B: choose one below</source>
+        <translation>没有 B：请在下面选择</translation>
     </message>
 </context>
 <context>
@@ -2504,10 +2520,6 @@
         <translation>ZScope</translation>
     </message>
     <message>
-        <source>%1 — %2 triangles</source>
-        <translation>%1 — %2 个三角形</translation>
-    </message>
-    <message>
         <source>%1 — ZScope</source>
         <translation>%1 — ZScope</translation>
     </message>
@@ -2622,6 +2634,18 @@
     <message>
         <source>Camera paths (*.json)</source>
         <translation>相机路径 (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 个三角形</translation>
     </message>
 </context>
 <context>
@@ -2899,6 +2923,22 @@
     <message>
         <source>Records (*.json);;CSV, the table (*.csv)</source>
         <translation>记录 (*.json);;CSV 表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Open a scene first</source>
+        <translation>请先打开场景</translation>
+    </message>
+    <message>
+        <source>Runs are being timed already</source>
+        <translation>正在计时</translation>
+    </message>
+    <message>
+        <source>Nothing is being timed</source>
+        <translation>没有正在计时的运行</translation>
+    </message>
+    <message>
+        <source>There are no runs to save yet: press Measure</source>
+        <translation>还没有可保存的运行：请按“测量”</translation>
     </message>
 </context>
 <context>
@@ -3650,16 +3690,32 @@
         <translation>近似</translation>
     </message>
     <message>
-        <source>%1 of %2 triangles seen in %3 pixels</source>
-        <translation>%2 个三角形中有 %1 个可见，共 %3 个像素</translation>
-    </message>
-    <message>
         <source>1 thread</source>
         <translation>1 个线程</translation>
     </message>
     <message>
         <source>%1 threads</source>
         <translation>%1 个线程</translation>
+    </message>
+    <message>
+        <source>%1 of %2 seen in %3</source>
+        <translation>%2中有 %1 个可见，共 %3</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 个三角形</translation>
+    </message>
+    <message>
+        <source>1 pixel</source>
+        <translation>1 个像素</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 个像素</translation>
     </message>
 </context>
 <context>
@@ -3891,6 +3947,10 @@
     <message>
         <source>node too small</source>
         <translation>结点太小</translation>
+    </message>
+    <message>
+        <source>Choose a row that tells of a step</source>
+        <translation>请选择讲述某一步的行</translation>
     </message>
 </context>
 </TS>

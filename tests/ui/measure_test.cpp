@@ -13,6 +13,8 @@
 #include <QTimer>
 #include <QCheckBox>
 #include <QSignalSpy>
+#include <QAction>
+#include <QMenu>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -25,9 +27,12 @@
 
 #include "tests/ui/desk.h"
 #include "ui/charts/speed_error_chart.h"
+#include "core/measure/compare.h"
+#include "core/measure/comparison_sheet.h"
 #include "core/scene/camera_path.h"
 #include "ui/panels/measure/measure_panel.h"
 #include "ui/sheet/sheet_maker.h"
+#include "ui/text/numbers.h"
 #include "ui/panels/measure/runs_model.h"
 #include "ui/panels/measure/stages_model.h"
 
@@ -435,6 +440,55 @@ private slots:
         QVERIFY(QImage(desk.folder.filePath("englishsheet.png")) != QImage(desk.folder.filePath("chinesesheet.png")));
         desk.window.sheets().make(pair, "/no/such/folder/sheet.pdf");
         QVERIFY(failed.wait(60'000));
+    }
+    void aSheetHasTheCountersThatTheMeasurePanelShowsGroupedAsThere()
+    {
+        struct Writer final : SheetCanvas {
+            std::vector<QString> texts;
+            void begin(int, int) override {}
+            int  width(std::string_view utf8, int size) override { return static_cast<int>(utf8.size()) * size / 2; }
+            void text(int, int, std::string_view utf8, int, std::uint32_t) override { texts.push_back(QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()))); }
+            void fill(int, int, int, int, std::uint32_t) override {}
+            void picture(int, int, int, int, const Grid<std::uint32_t>&) override {}
+        } writer;
+        MeasuringDesk desk;
+        QVERIFY(desk.open("builtin:teapot"));
+        std::size_t likely = 0;
+        const auto  pair   = std::vector{SheetMaker::choices(desk.session, likely)[0], BenchAlgorithm{"scanline", findPreset("scanline")->pipeline}};
+        CompareRequest request{.scene = desk.session.now().scene->prepared, .camera = desk.session.now().camera, .algorithms = pair, .frames = 1, .useReference = false};
+        const auto     made = compareAlgorithms(request);
+        QVERIFY(made);
+        const Scene& scene = request.scene->scene();
+        drawSheet(*made, scene, sheetWordsOf(*made, scene, request.camera, "zscope-cli compare"), writer);
+        QVERIFY(scene.triangleCount() > 999);
+        QCOMPARE(std::ranges::count(writer.texts, QString("triangles_in")), 2);
+        QCOMPARE(std::ranges::count(writer.texts, grouped(scene.triangleCount())), 2);
+        QCOMPARE(std::ranges::count(writer.texts, QString("active_edge_lines")), 2);  // of one of them only, and a dash for the other
+        QVERIFY(std::ranges::none_of(writer.texts, [](const QString& text) { return text == "pyramid_queries"; }));  // of neither
+        for (const QString& text : writer.texts) QVERIFY2(!text.contains(QRegularExpression("[0-9] [0-9]{3}\\b")), qPrintable(text));
+    }
+    void whatCannotBePressedSaysWhy()
+    {
+        MeasuringDesk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        for (const char* word : {"measure", "compare", "why"})
+            for (const auto* button : desk.window.dock(word)->findChildren<QPushButton*>()) {
+                if (button->isHidden() || !(button->text() == "Save…" || button->text() == "Stop" || button->text() == "Swap" || button->text() == "Go there")) continue;
+                QVERIFY(!button->isEnabled());
+                QVERIFY2(QRegularExpression("^(There|Nothing|Choose)").match(button->toolTip()).hasMatch(), qPrintable(button->text() + ": " + button->toolTip()));
+            }
+        for (const char* name : {"compare.to-and-fro", "compare.wipe", "compare.difference", "compare.swap", "compare.end"}) {
+            const auto* action = desk.window.findChild<QAction*>(name);
+            QVERIFY(!action->isEnabled());
+            QVERIFY2(action->toolTip().startsWith("There is no B"), name);
+            for (const QObject* at : action->associatedObjects())
+                if (const auto* menu = qobject_cast<const QMenu*>(at)) QVERIFY(menu->toolTipsVisible());
+        }
+        desk.session.compareWith(findPreset("scanline")->pipeline);
+        QVERIFY(desk.settles());
+        QVERIFY(!desk.window.findChild<QAction*>("compare.wipe")->toolTip().startsWith("There is no B"));
+        desk.window.findChild<QAction*>("tool.camera")->trigger();
+        QVERIFY(desk.window.findChild<QAction*>("compare.wipe")->toolTip().contains("Inspect"));
     }
     void theDialogOfASheetBeginsWithWhatIsShownAndWantsTwoColumns()
     {

@@ -29,6 +29,7 @@ constexpr double kWheelStep    = 1.25;  // zoom per notch
 constexpr double kOrbitPerSize = 3.2;   // radians per height of the view
 constexpr double kFlyPerSecond = 0.6;   // scene units
 constexpr double kFlyFaster    = 4;     // with Shift
+constexpr double kChipsTop     = 1.5 * kStep, kChipsHigh = 3 * kStep;
 
 }  // namespace
 
@@ -153,7 +154,7 @@ void FrameView::placeMagnifier()
     QPoint      at(width() - size.width() - 2 * kStep, height() - size.height() - 2 * kStep);
     if (QRect(at, size).adjusted(-2 * kStep, -2 * kStep, 2 * kStep, 2 * kStep).contains(m_last.toPoint()) &&
         underMouse())
-        at.setY(2 * kStep);  // out of the way of the cursor
+        at.setY(static_cast<int>(kChipsTop + kChipsHigh) + kStep);  // out of the way of the cursor, and of what says what is shown
     m_magnifier->move(at);
 }
 
@@ -313,7 +314,7 @@ void FrameView::paintChips(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing, true);
     int x = 2 * kStep;
     for (const QString& chip : chips()) {
-        const QRectF at(x, 1.5 * kStep, fontMetrics().horizontalAdvance(chip) + 3 * kStep, 3 * kStep);
+        const QRectF at(x, kChipsTop, fontMetrics().horizontalAdvance(chip) + 3 * kStep, kChipsHigh);
         painter.setPen(theme.border);
         painter.setBrush(theme.card);
         painter.drawRoundedRect(at.adjusted(0.5, 0.5, -0.5, -0.5), at.height() / 2, at.height() / 2);

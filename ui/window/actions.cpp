@@ -172,8 +172,11 @@ void Actions::showTool(Tool tool)
     for (QAction* action : m_inspectOnly) action->setEnabled(scene && tool == Tool::Inspect);
     for (QAction* action : m_cameraOnly) action->setEnabled(scene && tool == Tool::Camera);
     const bool other = m_session.now().compare.other.has_value();
-    for (QAction* action : m_needOther)
-        action->setEnabled(scene && other && (tool == Tool::Inspect || !std::ranges::count(m_inspectOnly, action)));
+    for (QAction* action : m_needOther) {
+        const bool isFree = tool == Tool::Inspect || !std::ranges::count(m_inspectOnly, action);
+        action->setEnabled(scene && other && isFree);
+        action->setToolTip(!scene ? tr("Open a scene first") : !other ? tr("There is no B to compare with: choose one above, under B") : !isFree ? tr("Only with the tool Inspect (I)") : QString());
+    }
 }
 
 void Actions::showNamedViews(const Snapshot& shown)

@@ -67,10 +67,10 @@ void StatusLine::present(const Snapshot& shown, Changes what)
                                .arg(shown.step ? milliseconds(shown.step->replayMs) : QStringLiteral("–")));
         const Claim claim = claimOf(frame.pipeline);
         m_exact->setText(claim == Claim::Exact ? tr("exact") : claim == Claim::ExactByFace ? tr("exact by face") : tr("approximate"));
-        m_triangles->setText(tr("%1 of %2 triangles seen in %3 pixels")
-                                 .arg(grouped(frame.visibleTriangles),
-                                      grouped(shown.scene ? shown.scene->scene().triangleCount() : 0),
-                                      grouped(frame.coveredPixels)));
+        const std::size_t triangles = shown.scene ? shown.scene->scene().triangleCount() : 0;
+        m_triangles->setText(tr("%1 of %2 seen in %3")
+                                 .arg(grouped(frame.visibleTriangles), counted(triangles, tr("1 triangle"), tr("%1 triangles")),
+                                      counted(frame.coveredPixels, tr("1 pixel"), tr("%1 pixels"))));
         const std::string_view simd = wordOf(frame.report.simd);
         m_machine->setText(counted(static_cast<unsigned>(frame.report.threads), tr("1 thread"), tr("%1 threads")) + " · " +
                            QString::fromUtf8(simd.data(), static_cast<qsizetype>(simd.size())));

@@ -273,7 +273,8 @@ Error ObjBuilder::nothingToDraw() const
     if (m_counts.faces == 0 && m_counts.vertices == 0)
         return {Trouble::Input, "nothing to draw: the file holds no vertices and no faces; is it an OBJ file?", m_file};
     if (m_counts.faces == 0)
-        return {Trouble::Input, fmt::format("nothing to draw: the file holds {} vertices but no faces", m_counts.vertices), m_file};
+        return {Trouble::Input, fmt::format("nothing to draw: the file holds {} {} but no faces", m_counts.vertices, m_counts.vertices == 1 ? "vertex" : "vertices"), m_file};
+    if (m_counts.faces == 1) return {Trouble::Input, fmt::format("nothing to draw: the only face cannot be used ({})", m_firstDrop), m_file};
     return {Trouble::Input, fmt::format("nothing to draw: none of the {} faces can be used (the first, {})", m_counts.faces, m_firstDrop),
             m_file};
 }

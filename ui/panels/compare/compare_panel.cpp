@@ -174,7 +174,6 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
         m_keep->setText(tr("Keep A as B"));
         m_worst->setText(tr("Worst pixel"));
         m_linked->setText(tr("Step B with A"));
-        m_swap->setToolTip(tr("B becomes A, and A becomes B"));
         m_keep->setToolTip(tr("Keeps A as it is as B, so that you can change A and see what that does"));
         m_worst->setToolTip(tr("Picks a pixel where the two differ most: another surface before another depth"));
         m_wipe->setAccessibleName(tr("Where the wipe lies"));
@@ -218,6 +217,7 @@ void ComparePanel::showChoices(const Snapshot& shown)
     choose(*m_a, shown.pipeline, 0);
     choose(*m_b, compare.other, 1);
     m_swap->setEnabled(compare.other.has_value());
+    m_swap->setToolTip(compare.other ? tr("B becomes A, and A becomes B") : tr("There is no B: choose one below"));
     m_body->setVisible(compare.other.has_value());
     m_hint->setVisible(!compare.other);
     for (std::size_t i = 0; i < m_shows.size(); ++i) m_shows[i]->setChecked(i == static_cast<std::size_t>(compare.seen()));

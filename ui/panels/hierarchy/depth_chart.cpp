@@ -84,7 +84,7 @@ void DepthChart::paintEvent(QPaintEvent*)
         const QString total = grouped(totalOf(m_counts[depth]));
         if (fontMetrics().horizontalAdvance(total) <= wide - 2) {
             painter.setPen(theme.text);
-            painter.drawText(QRectF(left, y - line, wide, line), Qt::AlignCenter, total);
+            painter.drawText(QRectF(left, std::max(y - line, 0.0), wide, line), Qt::AlignCenter, total);  // slivers of rare verdicts add to the height
         }
         painter.setPen(theme.softText);
         painter.drawText(QRect(left, bottom + 2, wide, line), Qt::AlignCenter, QString::number(depth));

@@ -272,9 +272,6 @@ void MeasurePanel::say()
     m_cases->setAccessibleName(tr("Whose runs are shown"));
     m_cases->setToolTip(tr("The view in the window, or a case of the record that was opened"));
     fillCases();
-    m_start->setToolTip(tr("Checks, times and counts what is chosen, in the background; leave the window alone meanwhile, it takes time from the runs"));
-    m_stop->setToolTip(tr("Stops; what is finished stays"));
-    m_save->setToolTip(tr("Saves the runs as a record, which 'zscope --report' reads, or as CSV"));
     m_progress->setAccessibleName(tr("How far the runs are"));
     m_runTable->setAccessibleName(tr("Runs of this view"));
     m_stageTable->setAccessibleName(tr("Stages of the selected run"));
@@ -321,7 +318,11 @@ void MeasurePanel::showProgress()
     const bool isRunning = m_measurer.isRunning(), hasScene = session().now().scene != nullptr;
     for (QWidget* choice : {static_cast<QWidget*>(m_what), static_cast<QWidget*>(m_frames), static_cast<QWidget*>(m_checks)}) choice->setEnabled(!isRunning);
     m_start->setEnabled(!isRunning && hasScene);
+    m_start->setToolTip(!hasScene   ? tr("Open a scene first")
+                        : isRunning ? tr("Runs are being timed already")
+                                    : tr("Checks, times and counts what is chosen, in the background; leave the window alone meanwhile, it takes time from the runs"));
     m_stop->setEnabled(isRunning);
+    m_stop->setToolTip(isRunning ? tr("Stops; what is finished stays") : tr("Nothing is being timed"));
     m_progress->setVisible(isRunning);
     m_progress->setValue(static_cast<int>(1000 * m_measurer.progress()));
     m_doing->setText(isRunning ? m_measurer.doing().isEmpty() ? tr("Drawing the reference") : tr("Timing %1").arg(m_measurer.doing()) : m_trouble);
@@ -341,6 +342,7 @@ void MeasurePanel::showRuns()
     m_hint->setText(!m_view ? tr("Open a scene, then measure how long algorithms take on it.")
                             : tr("Nothing has been timed on this view yet. Choose what to time, and press Measure: every run is checked first, then timed, then explained by counters."));
     m_save->setEnabled(!runs.empty());
+    m_save->setToolTip(runs.empty() ? tr("There are no runs to save yet: press Measure") : tr("Saves the runs as a record, which 'zscope --report' reads, or as CSV"));
     showChart();
     for (std::size_t i = 0; i < runs.size(); ++i)
         if (runs[i].pipeline == kept) select(i);

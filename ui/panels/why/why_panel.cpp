@@ -98,7 +98,7 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
         m_tree->setAccessibleName(tr("Triangles that cover the pixel"));
         m_sentence->setAccessibleName(tr("Why"));
         m_detail->setAccessibleName(tr("What happened to the chosen triangle"));
-        m_jump->setToolTip(tr("Goes to the step of the run that the chosen row tells of (Enter)"));
+        showRow({});  // says what the button does, or why it does nothing
         m_triangle->setPlaceholderText(tr("Why not triangle …"));
         m_triangle->setAccessibleName(tr("Number of a triangle to ask about"));
     });
@@ -218,6 +218,7 @@ void WhyPanel::showRow(const QModelIndex& at)
     m_detail->setText(m_model->sentenceOf(at));
     m_detail->setVisible(!m_detail->text().isEmpty());
     m_jump->setEnabled(m_model->eventOf(at) != nullptr);
+    m_jump->setToolTip(m_jump->isEnabled() ? tr("Goes to the step of the run that the chosen row tells of (Enter)") : tr("Choose a row that tells of a step"));
     if (!at.isValid()) return;
     session().selectTriangle(m_model->triangleOf(at));
     const Event* event = m_model->eventOf(at);
