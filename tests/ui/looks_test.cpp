@@ -6,12 +6,19 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QToolButton>
 
 #include "tests/ui/desk.h"
+#include "ui/panels/hierarchy/depth_chart.h"
 #include "ui/panels/timeline/step_track.h"
 #include "ui/text/grains.h"
 #include "ui/theme/theme.h"
 #include "ui/view/magnifier.h"
+#include "ui/window/message_bar.h"
 
 using namespace zscope;
 using namespace zscope::ui;
@@ -118,6 +125,68 @@ private slots:
             const double found = contrastIn(magnifier->grab().toImage(), QRect(0, 0, 16, 16).translated(lens.center() - QPoint(8, 8)));
             QVERIFY2(found >= kSeen, qPrintable(QStringLiteral("%1: %2").arg(look).arg(found)));
         }
+    }
+    void theButtonsOfQtsFileDialogShowTheirIcons()
+    {
+        Desk desk;
+        for (const char* look : {"light", "dark"}) {
+            wear(desk, look);
+            QFileDialog dialog(&desk.window);
+            dialog.setOption(QFileDialog::DontUseNativeDialog);
+            dialog.show();
+            for (const char* name : {"backButton", "forwardButton", "toParentButton", "newFolderButton", "listModeButton", "detailModeButton"}) {
+                auto*        button = dialog.findChild<QToolButton*>(name);
+                const QImage inside = button->grab(button->rect().adjusted(3, 3, -3, -3)).toImage();
+                QRect        ink;
+                for (int y = 0; y < inside.height(); ++y)
+                    for (int x = 0; x < inside.width(); ++x)
+                        if (inside.pixel(x, y) != inside.pixel(0, 0)) ink |= QRect(x, y, 1, 1);
+                QVERIFY2(ink.width() >= 8 && ink.height() >= 8, qPrintable(QStringLiteral("%1, %2: %3 x %4").arg(look, name).arg(ink.width()).arg(ink.height())));
+            }
+        }
+    }
+    void theMagnifierGivesWayToTheMouseAndLeavesTheChipsUncovered()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:teapot"));
+        FrameView& view = desk.window.view();
+        desk.session.pick(QPoint(160, 90));
+        auto* magnifier = desk.window.findChild<Magnifier*>();
+        view.setAttribute(Qt::WA_UnderMouse);
+        const QPoint before = magnifier->pos();
+        QTest::mouseMove(&view, magnifier->geometry().center());
+        QTest::qWait(10);
+        QVERIFY(magnifier->pos() != before);
+        QVERIFY(magnifier->y() >= 5 * kStep);  // the chips are above
+    }
+    void theCountAboveABarIsWhole()
+    {
+        DepthChart chart;
+        chart.resize(300, chart.sizeHint().height());
+        chart.present({{1000, 1, 1, 1, 1, 1}, {1, 0, 0, 0, 0, 0}});  // by NodeVerdict: five slivers on a high bar
+        const QImage picture = chart.grab().toImage();
+        for (int x = 0; x < picture.width(); ++x) QCOMPARE(picture.pixelColor(x, 0), picture.pixelColor(0, 0));
+    }
+    void oneIsNoPlural()
+    {
+        Desk          desk;
+        const QString path = desk.folder.filePath("one.obj");
+        const auto    write = [&](const char* text) {
+            QFile file(path);
+            return file.open(QIODevice::WriteOnly) && file.write(text) > 0;
+        };
+        QVERIFY(write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        QVERIFY(desk.open(path));
+        QStringList said;
+        for (const auto* label : desk.window.findChildren<QLabel*>()) said << label->text();
+        QVERIFY(said.join('\n').contains("one.obj \u2014 1 triangle"));
+        QVERIFY(said.join('\n').contains("1 of 1 triangle seen in "));
+        QVERIFY(write("v 0 0 0\n"));
+        desk.window.open(path);
+        QVERIFY(desk.settles());
+        said << desk.window.messages().sentence();
+        QVERIFY2(said.back().contains("1 vertex but no faces"), qPrintable(said.back()));
+        for (const QString& text : said) QVERIFY2(!text.contains(QRegularExpression("(^|[^0-9,.])1 (triangles|vertices|pixels|faces)")), qPrintable(text));
     }
 };
 

@@ -262,6 +262,11 @@ private slots:
         QVERIFY(nodes);
         QCOMPARE(stages->index(stages->rowCount() - 1, StagesModel::Name).data().toString(), QString("frame"));
         QVERIFY(desk.said().contains("the reference's, to the bit"));
+        QTest::qWait(50);
+        QTableView* table = desk.table("Stages of the selected run");
+        QFont       bold  = table->font();
+        bold.setBold(true);  // the frame's
+        QVERIFY(table->columnWidth(StagesModel::Cost) >= QFontMetrics(bold).horizontalAdvance("999 / triangle \u00B7 99.9 / pixel"));
     }
     void stoppingInTheMiddleKeepsWhatIsFinishedAndTheWindowGoesOn()
     {

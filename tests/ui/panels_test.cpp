@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScreen>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
@@ -201,6 +202,18 @@ private slots:
             QCOMPARE(desk.window.dock("active-edges")->width(), wide);
             QVERIFY(!table->horizontalScrollBar()->isVisible());
         }
+    }
+    void theSweepsTableStripAndBucketsAreAllSeenAt1280By800()
+    {
+        Desk desk("zbuffer", {1280, 800});
+        QVERIFY(desk.open("builtin:teapot", {640, 360}));
+        desk.session.setPipeline(findPreset("scanline")->pipeline);  // the panel comes when it is needed
+        QVERIFY(desk.settles());
+        QVERIFY(desk.goTo(Grain::Line, 180));
+        QTest::qWait(50);
+        for (const char* panel : {"active-edges", "scene"})
+            for (auto* area : desk.window.dock(panel)->findChildren<QScrollArea*>())
+                QVERIFY2(!area->verticalScrollBar()->isVisible(), qPrintable(QStringLiteral("%1: %2 of %3").arg(panel).arg(area->height()).arg(area->widget()->minimumSizeHint().height())));
     }
     void theTreesColumnsFitBesideItsScrollBar()
     {

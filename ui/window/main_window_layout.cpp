@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <numeric>
 
 #include <QAction>
 #include <QCoreApplication>
@@ -95,6 +96,15 @@ Pipeline ranIn(const Snapshot& shown)
 /// Whether it takes part in how wide its side is.
 bool isThere(const PanelDock& dock) { return dock.isWanted() && dock.isNeeded() && !dock.isFloating(); }
 
+/// Docks one below the other get their parts of the height that they have together: that of the picture beside them.
+void divideHeight(QMainWindow& window, const QList<QDockWidget*>& docks, QList<int> parts)
+{
+    const int room  = std::max(window.centralWidget()->height(), window.height() / 2);  // it has none before the window is shown
+    const int whole = std::accumulate(parts.begin(), parts.end(), 0);
+    for (int& part : parts) part = part * room / whole;
+    window.resizeDocks(docks, parts, Qt::Vertical);
+}
+
 }  // namespace
 
 void MainWindow::showNeeded(const Snapshot& shown)
@@ -177,7 +187,7 @@ void MainWindow::shareHeights()
         docks << dock;
         shares << dock->share();
     }
-    resizeDocks(docks, shares, Qt::Vertical);
+    if (!docks.isEmpty()) divideHeight(*this, docks, shares);
 }
 
 void MainWindow::useLayout(const QString& word)
@@ -191,7 +201,7 @@ void MainWindow::useLayout(const QString& word)
         PanelDock* below = dock(place.panel);  // else as high as what stood there in the layout before
         resizeDocks({below}, {layout.bottom > 0 ? height() * layout.bottom / 100 : below->sizeHint().height()}, Qt::Vertical);
     }
-    if (dock("scene")->isWanted()) resizeDocks({dock("scene"), dock("pipeline")}, {46, 54}, Qt::Vertical);
+    if (dock("scene")->isWanted()) divideHeight(*this, {dock("scene"), dock("pipeline")}, {50, 50});
     shareHeights();
     m_actions->showLayout(m_layout);
     QTimer::singleShot(0, this, [this] { keepTabsOffTheEdge(); });
@@ -229,7 +239,7 @@ void MainWindow::makeRoomForLesson()
     showPanel(QStringLiteral("lessons"));
     if (dockWidgetArea(dock("lessons")) != Qt::LeftDockWidgetArea) return;
     widen(Qt::LeftDockWidgetArea, std::max(320, width() * 24 / 100));
-    if (dock("pipeline")->isWanted()) resizeDocks({dock("lessons"), dock("pipeline")}, {80, 20}, Qt::Vertical);
+    if (dock("pipeline")->isWanted()) divideHeight(*this, {dock("lessons"), dock("pipeline")}, {80, 20});
 }
 
 WindowLayout MainWindow::layoutNow() const

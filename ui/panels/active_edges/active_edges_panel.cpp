@@ -42,7 +42,7 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
     m_table->setWordWrap(false);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setMinimumHeight(120);
+    m_table->setMinimumHeight(100);
     QFont small = m_table->font();
     small.setPointSizeF(small.pointSizeF() * 0.92);
     m_table->setFont(small);

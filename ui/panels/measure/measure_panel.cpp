@@ -95,9 +95,9 @@ MeasurePanel::MeasurePanel(Session& session, QWidget* parent)
     m_columns = new QBoxLayout(QBoxLayout::TopToBottom, m_body);
     m_columns->setContentsMargins(0, 0, 0, 0);
     m_columns->setSpacing(2 * kStep);
-    m_columns->addWidget(makeRuns(), 33);
-    m_columns->addWidget(makeDetails(), 36);
-    m_columns->addWidget(makeChart(), 31);
+    m_columns->addWidget(makeRuns(), 29);
+    m_columns->addWidget(makeDetails(), 42);  // at 1280 both costs of a frame are written out
+    m_columns->addWidget(makeChart(), 29);
     layout->addWidget(m_body, 1);
     layout->addStretch(0);
     auto* outer = new QVBoxLayout(this);
