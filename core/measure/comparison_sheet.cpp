@@ -198,7 +198,7 @@ private:
     {
         for (const std::string& name : m_counters) {
             const std::uint64_t count = countOf(a, name);
-            write(x, y + kSmall, name, kSmall, count > 0 ? kInk : kPale);
+            m_canvas.name(x, y + kSmall, name, kSmall, count > 0 ? kInk : kPale);
             writeToTheRight(x, y, count > 0 ? number(count) : "-", count > 0 ? kInk : kPale);
             y += kLine;
         }

@@ -23,6 +23,8 @@ public:
     virtual int width(std::string_view utf8, int size) = 0;
     /// y is the base line.
     virtual void text(int x, int y, std::string_view utf8, int size, std::uint32_t colour) = 0;
+    /// The same for a name, which is the same in every language.
+    virtual void name(int x, int y, std::string_view utf8, int size, std::uint32_t colour) { text(x, y, utf8, size, colour); }
     virtual void fill(int x0, int y0, int x1, int y1, std::uint32_t colour) = 0;
     /// The whole picture in a place that is at most as large.
     virtual void picture(int x, int y, int width, int height, const Grid<std::uint32_t>& pixels) = 0;

@@ -30,11 +30,10 @@ QFont fontOf(int pixels)
 class PaintedCanvas : public SheetCanvas {
 public:
     int  width(std::string_view utf8, int size) override { return QFontMetrics(fontOf(size)).horizontalAdvance(said(utf8)); }
-    void text(int x, int y, std::string_view utf8, int size, std::uint32_t colour) override
+    void text(int x, int y, std::string_view utf8, int size, std::uint32_t colour) override { write(x, y, said(utf8), size, colour); }
+    void name(int x, int y, std::string_view utf8, int size, std::uint32_t colour) override
     {
-        m_painter.setFont(fontOf(size));
-        m_painter.setPen(QColor::fromRgb(colour));
-        m_painter.drawText(x, y, said(utf8));
+        write(x, y, QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())), size, colour);
     }
     void fill(int x0, int y0, int x1, int y1, std::uint32_t colour) override { m_painter.fillRect(x0, y0, x1 - x0, y1 - y0, QColor::fromRgb(colour)); }
     void picture(int x, int y, int width, int height, const Grid<std::uint32_t>& pixels) override
@@ -48,6 +47,14 @@ protected:
     virtual QImage scaled(const QImage& image, int width, int height) const = 0;
 
     QPainter m_painter;
+
+private:
+    void write(int x, int y, const QString& words, int size, std::uint32_t colour)
+    {
+        m_painter.setFont(fontOf(size));
+        m_painter.setPen(QColor::fromRgb(colour));
+        m_painter.drawText(x, y, words);
+    }
 };
 
 class PictureCanvas final : public PaintedCanvas {

@@ -99,7 +99,7 @@ bool isThere(const PanelDock& dock) { return dock.isWanted() && dock.isNeeded() 
 /// Docks one below the other get their parts of the height that they have together: that of the picture beside them.
 void divideHeight(QMainWindow& window, const QList<QDockWidget*>& docks, QList<int> parts)
 {
-    const int room  = std::max(window.centralWidget()->height(), window.height() / 2);  // it has none before the window is shown
+    const int room  = window.isVisible() ? window.centralWidget()->height() : window.height() * 2 / 3;  // about as much, before it is known
     const int whole = std::accumulate(parts.begin(), parts.end(), 0);
     for (int& part : parts) part = part * room / whole;
     window.resizeDocks(docks, parts, Qt::Vertical);
@@ -181,7 +181,7 @@ void MainWindow::shareHeights()
     QList<QDockWidget*> docks;
     QList<int>          shares;
     for (PanelDock* dock : m_docks) {
-        if (!dock->isVisible() || dock->isFloating() || dockWidgetArea(dock) != Qt::RightDockWidgetArea) continue;
+        if (!isThere(*dock) || dockWidgetArea(dock) != Qt::RightDockWidgetArea) continue;
         const QList<QDockWidget*> sameTabs = tabifiedDockWidgets(dock);  // they share one height
         if (std::ranges::any_of(docks, [&](QDockWidget* counted) { return sameTabs.contains(counted); })) continue;
         docks << dock;
