@@ -131,6 +131,9 @@ public:
             if (!m_options.shard.has(each.index)) continue;
             if (const auto measured = measure(each); !measured) return measured.error();
         }
+        // A shard without a case has a record as well: whoever joins them need not know how many cases there are.
+        if (m_record.cases.empty())
+            if (const auto written = writeRecord(); !written) return written.error();
         return tell();
     }
 
@@ -212,8 +215,10 @@ private:
                       .camera      = cameras.empty() ? view->camera : cameras.front(),
                       .faceCulling = view->faceCulling,
                       .rows        = benchToJson(*rows)});
-        return m_options.json ? writeFile(*m_options.json, recordToJson(m_record)) : Result<Done>(Done{});
+        return writeRecord();
     }
+
+    Result<Done> writeRecord() const { return m_options.json ? writeFile(*m_options.json, recordToJson(m_record)) : Result<Done>(Done{}); }
 
     static BenchPictures picturesOf(const ExperimentPart& part)
     {

@@ -184,6 +184,20 @@ TEST_F(Cli, AnInterruptedExperimentLeavesARecordAndGoesOn)
     EXPECT_EQ(timeless(path("r.json"))["cases"].size(), 2u);
 }
 
+TEST_F(Cli, AShardWithoutACaseHasARecordThatIsJoinedAndGoneOnWith)
+{
+    const std::string file = write("e.json", kSmall);
+    ASSERT_EQ(run({"bench", "--experiment", file, "--shard", "3/4", "--json", path("c.json")}).status, 0);
+    const Answer none = run({"bench", "--experiment", file, "--shard", "4/4", "--json", path("d.json")});
+    ASSERT_EQ(none.status, 0) << none.err;
+    EXPECT_EQ(Json::parse(contentsOf(path("d.json")))["cases"], Json::array());
+    const Answer joined = run({"merge", path("d.json"), path("c.json"), "-o", path("all.json")});
+    EXPECT_EQ(joined.status, 0) << joined.err;
+    EXPECT_EQ(Json::parse(contentsOf(path("all.json")))["cases"].size(), 1u);
+    EXPECT_EQ(run({"bench", "--experiment", file, "--shard", "3/4", "--json", path("d.json")}).status, 0);
+    EXPECT_EQ(Json::parse(contentsOf(path("d.json")))["cases"].size(), 1u);
+}
+
 TEST_F(Cli, ARecordOfAnotherExperimentOrSceneIsNotGoneOnWith)
 {
     const std::string file = write("e.json", kSmall);
