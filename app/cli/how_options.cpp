@@ -4,6 +4,7 @@
 
 #include "app/cli/options.h"
 #include "app/cli/words.h"
+#include "core/base/thread_count.h"
 #include "core/frame/faults.h"
 
 namespace zscope::cli {

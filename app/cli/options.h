@@ -106,7 +106,4 @@ Result<int>                        threadsOf(std::string_view word);
 Result<Simd>                       simdOf(std::string_view word);
 Result<std::uint64_t>              memoryLimitOf(std::string_view word);
 
-/// The most threads that can be asked for.
-inline constexpr int kMaxThreads = 1024;
-
 }  // namespace zscope::cli

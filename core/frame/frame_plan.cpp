@@ -5,13 +5,12 @@
 #include <omp.h>
 
 #include "core/base/memory.h"
+#include "core/base/thread_count.h"
 #include "core/frame/auto_choice.h"
 
 namespace zscope {
 
 namespace {
-
-constexpr int kMaxThreads = 256;
 
 /// What the picture's buffers take. Scratch memory depends on what is in view; running out of it is caught while drawing.
 std::uint64_t estimatedBytes(const DrawRequest& request)

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/thread_count.h"
 #include "core/io/json_document.h"
 
 namespace zscope {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr int kMaxSide    = 1 << 16;
 constexpr int kMaxFrames  = 100'000;
-constexpr int kMaxThreads = 1024;
 constexpr int kMaxSamples = 100'000'000;
 
 class ExperimentReader {
@@ -236,7 +236,7 @@ private:
         if (!find(value, "threads")) return true;
         part.threads.clear();
         return list(value, "threads", [&](const JsonValue& each) {
-            const auto read = wholeOf(each, m_file, "a number of threads", 0, kMaxThreads);
+            const auto read = wholeOf(each, m_file, "threads", 0, kMaxThreads);
             if (!read) return m_error = read.error(), false;
             part.threads.push_back(static_cast<int>(*read));
             return true;

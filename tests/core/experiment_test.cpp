@@ -102,7 +102,8 @@ TEST(Experiment, ThatIsWrongIsRefusedWithItsLine)
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"cull\":\"front\"}"), 4, "none or back");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"frames\":0}"), 4, "'frames'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"frames\":4,\n\"rounds\":5}"), 4, "'rounds'");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"threads\":[-1]}"), 4, "threads");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"threads\":[-1]}"), 4, "'threads' must be a whole number from 0 to 256");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"threads\":[1,\n257]}"), 4, "'threads' must be a whole number from 0 to 256");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"shade\":1}"), 4, "'shade'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"sample\":0}"), 4, "'sample'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"size\":\"9\"}]}"), 5, "WxH");
