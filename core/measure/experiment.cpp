@@ -27,6 +27,7 @@ public:
                             text(document, "question", experiment.question, false) && word(document, "baseline", experiment.baseline) &&
                             parts(document, experiment.parts);
         if (!isRead) return *m_error;
+        if (const JsonValue* baseline = find(document, "baseline")) experiment.baselineLine = baseline->line;
         if (experiment.caseCount() > kMaxCases)
             return Error{Trouble::Limit, fmt::format("an experiment has at most {} cases, not {}", kMaxCases, experiment.caseCount()), m_file, document.line};
         experiment.digest = digestOf(experiment);
@@ -101,7 +102,7 @@ private:
     {
         const JsonValue* value = find(object, key);
         if (!value) return true;
-        const auto read = wholeOf(*value, m_file, fmt::format("'{}'", key), min, max);
+        const auto read = wholeOf(*value, m_file, key, min, max);
         if (!read) return m_error = read.error(), false;
         to = static_cast<int>(*read);
         return true;
@@ -156,7 +157,9 @@ private:
     {
         if (!number(value, "frames", 1, kMaxFrames, part.frames)) return false;
         part.rounds = std::min(part.rounds, part.frames);
-        return number(value, "rounds", 1, part.frames, part.rounds);
+        if (!number(value, "rounds", 1, kMaxFrames, part.rounds)) return false;
+        if (part.rounds <= part.frames) return true;
+        return fail(*find(value, "rounds"), fmt::format("'rounds' are parts of the 'frames', so at most {}: only along a 'path' there may be more", part.frames));
     }
 
     /// Along a path.
@@ -188,7 +191,7 @@ private:
                                 word(value, "camera", scene.camera) && word(value, "model", scene.model) && word(value, "model_camera", scene.modelCamera);
             if (!isRead) return false;
             if (const JsonValue* x = find(value, "x")) {
-                const auto read = realOf(*x, m_file, "'x'");
+                const auto read = realOf(*x, m_file, "x");
                 if (!read) return m_error = read.error(), false;
                 scene.x = *read;
             }

@@ -65,6 +65,7 @@ struct ExperimentPart {
 struct Experiment {
     ExperimentText              title, question;
     std::string                 baseline;  // the algorithm that the others' times are divided by
+    int                         baselineLine = 0;  // of the file, for errors about it
     std::vector<ExperimentPart> parts;
     std::string                 digest;    // 16 hex digits of everything but titles and questions
 

@@ -86,6 +86,7 @@ TEST(Experiment, ThatIsWrongIsRefusedWithItsLine)
         EXPECT_EQ(read.error().file, "e.json");
         EXPECT_EQ(read.error().line, line) << read.error().sentence;
         EXPECT_NE(read.error().sentence.find(word), std::string::npos) << read.error().sentence;
+        EXPECT_EQ(read.error().sentence.find("''"), std::string::npos) << read.error().sentence;
     };
     const auto part = [](const std::string& members) { return "{\"title\":\"t\",\n\"parts\":[\n" + members + "]}"; };
     refused("[]", 1, "object");
@@ -100,13 +101,14 @@ TEST(Experiment, ThatIsWrongIsRefusedWithItsLine)
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"size\":\"640x\"}"), 4, "WxH");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"size\":\"0x9\"}"), 4, "WxH");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"cull\":\"front\"}"), 4, "none or back");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"frames\":0}"), 4, "'frames'");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"frames\":4,\n\"rounds\":5}"), 4, "'rounds'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"frames\":0}"), 4, "'frames' must be a whole number from 1 to");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"frames\":4,\n\"rounds\":5}"), 4, "'rounds' are parts of the 'frames', so at most 4: only along a 'path'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"threads\":[-1]}"), 4, "'threads' must be a whole number from 0 to 256");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"threads\":[1,\n257]}"), 4, "'threads' must be a whole number from 0 to 256");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"shade\":1}"), 4, "'shade'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"sample\":0}"), 4, "'sample'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"size\":\"9\"}]}"), 5, "WxH");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"x\":\"a\"}]}"), 5, "'x': 'a' is not a number");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"choices\":[\"depth\"]}]}"), 5, "axis=choice");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"frames\":9}"), 4, "as many frames as the path");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"peers\":true}"), 4, "one view");
