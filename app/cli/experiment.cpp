@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -19,12 +20,15 @@
 namespace zscope::cli {
 namespace {
 
-Error at(const std::string& file, int line, Error error)
+/// At the line of the experiment that asked for it; where it is the line of another file that is wrong, at that one.
+Error at(const std::string& file, int line, const Error& error)
 {
-    return {Trouble::Input, std::move(error.sentence), file, line};
+    if (error.file.empty()) return {Trouble::Input, error.sentence, file, line};
+    if (error.line > 0) return {Trouble::Input, error.sentence, error.file, error.line};
+    return {Trouble::Input, fmt::format("'{}': {}", error.file, error.sentence), file, line};
 }
 
-/// Algorithms, files and names of scenes of all parts are looked up before anything is measured: a misspelt one must not cost
+/// Algorithms, files, names of scenes and their views of all parts are looked up before anything is measured: a misspelt one must not cost
 /// an hour.
 struct PreparedScene {
     BenchScene                  scene;
@@ -85,14 +89,14 @@ Result<PreparedPart> prepare(const ExperimentPart& part, const std::string& file
         const SuiteScene scene{.word = from.word, .view = from.view, .title = from.title, .camera = from.camera, .model = from.model, .modelCamera = from.modelCamera};
         auto             named = benchSceneOf(scene, part.faceCulling);
         if (!named) return at(file, from.line, named.error());
-        if (auto why = whyNotThere(*named)) return at(file, from.line, std::move(*why));
+        if (auto why = whyNotThere(*named)) return at(file, from.line, *why);
         prepared.scenes.push_back({*std::move(named), *std::move(algorithms), viewOf(from, part)});
     }
     if (part.peers)
         if (const auto there = checkPeers(); !there) return at(file, part.line, there.error());
     if (!part.path.empty()) {
         auto path = cameraPathOf(part.path);
-        if (!path) return path.error();
+        if (!path) return at(file, part.line, path.error());
         prepared.path = *std::move(path);
     }
     return prepared;
@@ -125,6 +129,8 @@ public:
             if (!prepared) return prepared.error();
             m_parts.push_back(*std::move(prepared));
         }
+        if (const auto known = checkBaseline(); !known) return known.error();
+        if (const auto known = checkViews(); !known) return known.error();
         if (const auto begun = beginRecord(); !begun) return begun.error();
 
         for (const ExperimentCase& each : casesOf(m_experiment)) {
@@ -138,6 +144,52 @@ public:
     }
 
 private:
+    Result<Done> checkBaseline() const
+    {
+        if (m_experiment.baseline.empty()) return Done{};
+        std::vector<std::string> drawn;
+        for (const PreparedPart& part : m_parts)
+            for (const PreparedScene& scene : part.scenes)
+                for (const BenchAlgorithm& each : scene.algorithms)
+                    if (std::ranges::find(drawn, each.name) == drawn.end()) drawn.push_back(each.name);
+        if (std::ranges::find(drawn, m_experiment.baseline) != drawn.end()) return Done{};
+        return at(m_options.file, m_experiment.baselineLine, unknownWord("baseline", m_experiment.baseline, drawn));
+    }
+
+    /// What views a scene has is known once it is loaded: those with a view that was named are, each once.
+    Result<Done> checkViews() const
+    {
+        std::map<std::string, std::vector<std::string>> viewsOf;
+        for (const ExperimentCase& each : casesOf(m_experiment)) {
+            const BenchScene& named = preparedOf(each).scene;
+            const bool        isModel = !each.scene->model.empty() && !named.isStandIn;  // its camera is in a file
+            if (named.view.empty() || isModel) continue;
+            auto known = viewsOf.find(named.word);
+            if (known == viewsOf.end()) {
+                const auto scene = load(each);
+                if (!scene) return scene.error();
+                known = viewsOf.emplace(named.word, std::vector<std::string>()).first;
+                for (const NamedView& view : (*scene)->views) known->second.push_back(view.name);
+            }
+            const std::vector<std::string>& views = known->second;
+            if (std::ranges::find(views, named.view) != views.end()) continue;
+            return Error{Trouble::Input,
+                         fmt::format("'{}' has no view '{}': it has {}", named.word, named.view, views.empty() ? "none" : fmt::format("{}", fmt::join(views, ", "))),
+                         m_options.file, each.scene->line};
+        }
+        return Done{};
+    }
+
+    const PreparedPart&  partOf(const ExperimentCase& each) const { return m_parts[static_cast<std::size_t>(each.part - m_experiment.parts.data())]; }
+    static std::size_t   numberOf(const ExperimentCase& each) { return static_cast<std::size_t>(each.scene - each.part->scenes.data()); }
+    const PreparedScene& preparedOf(const ExperimentCase& each) const { return partOf(each).scenes[numberOf(each)]; }
+
+    Result<std::shared_ptr<const Scene>> load(const ExperimentCase& each, LoadTimes* times = nullptr) const
+    {
+        auto scene = cli::loadScene(preparedOf(each).scene.word, m_session, m_options.memoryLimit, 0, times);
+        return scene || scene.error().kind != Trouble::Usage ? scene : at(m_options.file, each.scene->line, scene.error());
+    }
+
     Result<Done> beginRecord()
     {
         m_record.head = recordHeadFor(m_experiment);
@@ -155,15 +207,13 @@ private:
 
     Result<Done> measure(const ExperimentCase& each)
     {
-        const auto            part = static_cast<std::size_t>(each.part - m_experiment.parts.data());
-        const auto            number = static_cast<std::size_t>(each.scene - each.part->scenes.data());
-        const PreparedPart&   prepared = m_parts[part];
-        const PreparedScene&  asked = prepared.scenes[number];
+        const PreparedPart&   prepared = partOf(each);
+        const PreparedScene&  asked = preparedOf(each);
         const BenchScene&     named = asked.scene;
 
-        LoadTimes  load;
-        const auto scene = cli::loadScene(named.word, m_session, m_options.memoryLimit, 0, &load);
-        if (!scene) return scene.error().kind == Trouble::Usage ? at(m_options.file, each.scene->line, scene.error()) : scene.error();
+        LoadTimes  times;
+        const auto scene = load(each, &times);
+        if (!scene) return scene.error();
         const std::string pathDigest = prepared.path ? prepared.path->digest : std::string();
         if (const RecordCase* known = m_record.find(each.index)) {
             if (known->sceneDigest != (*scene)->digest)
@@ -190,7 +240,7 @@ private:
                                    .pictures    = picturesOf(*each.part),
                                    .samples     = each.part->samples,
                                    .memoryLimit = m_options.memoryLimit,
-                                   .load        = load,
+                                   .load        = times,
                                    .progress    = m_session.progress()};
         std::vector<Camera> cameras;
         if (prepared.path)
@@ -207,7 +257,7 @@ private:
                       .x           = each.part->x,
                       .scene       = named.nameFor(**scene),
                       .sceneDigest = (*scene)->digest,
-                      .place       = each.scene->x.value_or(static_cast<double>(number) + 1),
+                      .place       = each.scene->x.value_or(static_cast<double>(numberOf(each)) + 1),
                       .width       = view->camera.width,
                       .height      = view->camera.height,
                       .pathDigest  = pathDigest,

@@ -229,6 +229,20 @@ TEST_F(Cli, AnExperimentWithWordsNobodyKnowsIsRefusedBeforeItRuns)
     refused(R"("scenes":["builtin:cubes"],"algorithms":["nonsense"])", 3, "e.json:1: error: unknown algorithm 'nonsense'");
     refused(R"("scenes":["builtin:cubes"],"algorithms":["zbuffer+cull=nodes"])", 3, "cannot be drawn");
     refused(R"("scenes":["builtin:nowhere"],"algorithms":["zbuffer"])", 3, "nowhere");
+    refused("\"algorithms\":[\"zbuffer\"],\n\"scenes\":[\"builtin:cubes\",\n{\"scene\":\"builtin:city?blocks=2\",\"view\":\"aboev\"}]", 3,
+            "e.json:3: error: 'builtin:city?blocks=2' has no view 'aboev': it has above, street");
+    refused("\"algorithms\":[\"zbuffer\"],\n\"scenes\":[{\"scene\":\"builtin:cubes\",\"camera\":\"no/cam.json\"}]", 3,
+            "e.json:2: error: 'no/cam.json': this file of the project was not found");
+    refused("\"algorithms\":[\"zbuffer\"],\n\"scenes\":[{\"scene\":\"builtin:cubes\",\"camera\":\"" + write("cam.json", "{\n\"eyes\":1}") + "\"}]", 3,
+            "cam.json:2: error: ");
+    refused(R"("algorithms":["zbuffer"],"scenes":["builtin:cubes"],"path":"no/way.json")", 3, "e.json:1: error: 'no/way.json': this camera path was not found");
+    for (const char* baseline : {"zbufer", "scanline", "all", "auto"}) {
+        const std::string wrong = R"({"title":"t",)" "\n" R"("baseline":")" + std::string(baseline) +
+                                  R"(","parts":[{"title":"p","scenes":["builtin:cubes"],"algorithms":["zbuffer","zbuffer+depth=late"]}]})";
+        const Answer      answer = run({"bench", "--experiment", write("e.json", wrong)});
+        EXPECT_EQ(answer.status, 3) << baseline;
+        EXPECT_NE(answer.err.find("e.json:2: error: unknown baseline '" + std::string(baseline) + "': choose zbuffer or zbuffer"), std::string::npos) << answer.err;
+    }
     EXPECT_EQ(run({"bench", "builtin:cubes", "--experiment", "x.json"}).status, 2);
     EXPECT_EQ(run({"bench", "builtin:cubes", "--shard", "1/2"}).status, 2);
     for (const char* shard : {"0/2", "3/2", "1", "a/b", "1/2/3"})
