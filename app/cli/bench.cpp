@@ -8,6 +8,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/experiment.h"
 #include "app/cli/options.h"
+#include "app/cli/outputs.h"
 #include "app/cli/peers/peer_rows.h"
 #include "app/cli/peers/peer_tables.h"
 #include "app/cli/words.h"
@@ -137,6 +138,10 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
 {
     const Result<ViewWords> words = options.view.read();
     if (!words) return words.error();
+    std::vector<std::string> inputs = options.scenes;
+    for (const auto& file : {options.experiment, options.path}) inputs.push_back(file.value_or(""));
+    inputs.push_back(options.view.cameraFile());
+    if (const auto checked = checkOutputs({{"--json", options.json}, {"--csv", options.csv}}, inputs); !checked) return checked.error();
     if (options.experiment) return benchExperiment(options, *words, session);
     if (options.shard) return Error{Trouble::Usage, "--shard parts the cases of an experiment: name one with --experiment"};
     const Result<const Suite*> suite = suiteOf(options);

@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/compare_sheet.h"
 #include "app/cli/options.h"
+#include "app/cli/outputs.h"
 #include "app/cli/table.h"
 #include "app/cli/words.h"
 #include "core/io/png.h"
@@ -99,6 +100,7 @@ Result<Exit> compareOnSheet(const CompareOptions& options, Session& session)
     if (!words) return words.error();
     Result<CompareRequest> request = requestOf(options, session);
     if (!request) return request.error();
+    if (const auto checked = checkOutputs({{"-o", options.sheet}}, {options.scene.word(), options.view.cameraFile()}); !checked) return checked.error();
     const Result<LoadedScene> scene = options.scene.prepare(session, request->memoryLimit);
     if (!scene) return scene.error();
     const auto view = words->of(*scene->scene);

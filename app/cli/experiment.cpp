@@ -9,6 +9,7 @@
 #include "app/cli/bench_scenes.h"
 #include "app/cli/bench_tables.h"
 #include "app/cli/options.h"
+#include "app/cli/outputs.h"
 #include "app/cli/peers/peer_rows.h"
 #include "app/cli/peers/peer_tables.h"
 #include "app/cli/words.h"
@@ -129,6 +130,7 @@ public:
             if (!prepared) return prepared.error();
             m_parts.push_back(*std::move(prepared));
         }
+        if (const auto checked = checkTargets(); !checked) return checked.error();
         if (const auto known = checkBaseline(); !known) return known.error();
         if (const auto known = checkViews(); !known) return known.error();
         if (const auto begun = beginRecord(); !begun) return begun.error();
@@ -144,6 +146,16 @@ public:
     }
 
 private:
+    Result<Done> checkTargets() const
+    {
+        std::vector<std::string> inputs;
+        for (const PreparedPart& part : m_parts) {
+            if (part.path) inputs.push_back(part.path->file);
+            for (const PreparedScene& each : part.scenes) inputs.insert(inputs.end(), {each.scene.word, each.scene.cameraFile});
+        }
+        return checkOutputs({{"--json", m_options.json}, {"--csv", m_options.csv}}, inputs);
+    }
+
     Result<Done> checkBaseline() const
     {
         if (m_experiment.baseline.empty()) return Done{};

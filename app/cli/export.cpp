@@ -3,6 +3,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/cli/outputs.h"
 #include "core/io/npy.h"
 
 namespace zscope::cli {
@@ -14,15 +15,18 @@ struct ExportOptions {
     std::string                triangles;
 };
 
+constexpr std::uint64_t kTrianglesAtATime = 1 << 14;  // between two looks at whether they are still wanted
+
 Result<Done> writeTriangles(const Scene& scene, const std::string& path, const Session& session)
 {
     Result<NpyTriangleWriter> file = NpyTriangleWriter::create(path, scene.triangleCount());
     if (!file) return file.error();
+    std::uint64_t written = 0;
     for (const Instance& instance : scene.instances) {
-        if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
         const Mesh& mesh  = *scene.meshes[instance.mesh.value];
         const bool  moved = !instance.toWorld.isIdentity();
         for (const auto& triangle : mesh.triangles) {
+            if (written++ % kTrianglesAtATime == 0 && session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
             std::array<double, 9> corners;
             for (std::size_t c = 0; c < 3; ++c) {
                 const dvec3& p = mesh.positions[triangle[c]];
@@ -44,6 +48,7 @@ Result<Exit> exportTriangles(const ExportOptions& options, Session& session)
         if (!given) return given.error();
         limit = *given;
     }
+    if (const auto checked = checkOutputs({{"--triangles", options.triangles}}, {options.scene.word()}); !checked) return checked.error();
     const auto scene = options.scene.load(session, limit);
     if (!scene) return scene.error();
     if (const auto done = writeTriangles(**scene, options.triangles, session); !done) return done.error();

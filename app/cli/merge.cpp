@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
+#include "app/cli/outputs.h"
 #include "core/io/file_writer.h"
 #include "core/io/read_file.h"
 #include "core/measure/record.h"
@@ -16,6 +17,8 @@ struct MergeOptions {
 
 Result<Exit> merge(const MergeOptions& options, Session& session)
 {
+    // A record may be joined into itself: it is read as a whole before anything is written.
+    if (const auto checked = checkOutputs({{"-o", options.output}}, {}); !checked) return checked.error();
     std::vector<NamedRecord> records;
     for (const std::string& file : options.files) {
         const auto text = readRegularFile(file, kMaxRecordFile);

@@ -62,6 +62,8 @@ class ViewOptions {
 public:
     void              add(CLI::App& parser);
     Result<ViewWords> read() const;
+    /// The file of --camera; empty: none was named.
+    std::string       cameraFile() const { return m_camera.value_or(""); }
 
 private:
     Result<ViewWords> readCamera(ViewWords words) const;

@@ -1,4 +1,5 @@
 // zscope-cli render: one frame, as a picture, as arrays, and as the statistics of making it.
+#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json.h"
 #include "app/cli/options.h"
+#include "app/cli/outputs.h"
 #include "app/cli/table.h"
 #include "app/cli/words.h"
 #include "core/io/file_writer.h"
@@ -182,6 +184,8 @@ Result<Exit> render(const RenderOptions& options, Session& session)
     if (!words) return words.error();
     const Result<How> how = options.how.read();
     if (!how) return how.error();
+    const std::vector<Output> outputs{{"-o", options.picture}, {"--ids", options.ids}, {"--depth", options.depth}, {"--stats", options.stats}};
+    if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked) return checked.error();
     if (options.layer && !options.picture)
         return Error{Trouble::Usage, "--show chooses what the picture shows: say with -o where it goes"};
     const Layer* layer = findLayer(options.layer.value_or(std::string(layers().front().word)));
@@ -192,6 +196,8 @@ Result<Exit> render(const RenderOptions& options, Session& session)
     }
 
     if (options.printCamera) {
+        if (std::ranges::any_of(outputs, [](const Output& output) { return output.path.has_value(); }))
+            return Error{Trouble::Usage, "--print-camera draws nothing: -o, --ids, --depth and --stats do not go with it"};
         const auto scene = options.scene.load(session, how->memoryLimit);
         if (!scene) return scene.error();
         const auto view = words->of(**scene);

@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/cli/outputs.h"
 #include "app/cli/words.h"
 #include "core/io/file_writer.h"
 #include "core/io/png.h"
@@ -62,6 +63,8 @@ Result<Exit> step(const StepOptions& options, Session& session)
     if (!words) return words.error();
     const Result<How> how = options.how.read();
     if (!how) return how.error();
+    if (const auto checked = checkOutputs({{"--state", options.state}, {"-o", options.picture}}, {options.scene.word(), options.view.cameraFile()}); !checked)
+        return checked.error();
     const Result<LoadedScene> scene = options.scene.prepare(session, how->memoryLimit);
     if (!scene) return scene.error();
     const auto view = words->of(*scene->scene);

@@ -42,7 +42,7 @@ Result<FileWriter> FileWriter::create(const std::string& path)
 {
     FileWriter writer;
     writer.m_path = path;
-    if (path.empty()) return outputError(path, "an output needs a file name", ENOENT);
+    if (path.empty()) return Error{Trouble::Usage, "an output needs a file name"};
 
     struct stat existing {};
     const bool  exists = ::stat(path.c_str(), &existing) == 0;

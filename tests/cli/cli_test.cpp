@@ -1,5 +1,7 @@
 // The words of the command line and what each mistake costs: exit statuses, sentences, lists.
+#include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -188,6 +190,51 @@ TEST_F(Cli, AnInterruptEndsWithOneHundredAndThirtyAndLeavesNothing)
         }
     }
     EXPECT_EQ(filesInFolder(), 0u);
+}
+
+TEST_F(Cli, AnExportIsInterruptedAmongTheTrianglesOfAMesh)
+{
+    const Answer answer = runIntoFifoAndSignal(path("t"), {"export", "builtin:million", "--triangles", path("t")}, SIGINT);
+    EXPECT_EQ(answer.status, 130) << answer.err;
+    EXPECT_LT(answer.out.size(), 1'000'000u * 72 / 2);
+}
+
+TEST_F(Cli, OutputsOfOneRunMayNotReplaceEachOtherOrWhatIsRead)
+{
+    const std::string obj    = write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string camera = write("cam.json", run({"render", obj, "--size", "32x24", "--print-camera"}).out);
+    std::filesystem::create_symlink("m.obj", path("link.obj"));
+    std::filesystem::create_symlink("new.png", path("nowhere.png"));
+    const auto refused = [this](const std::vector<std::string>& arguments, const std::string& said) {
+        const std::size_t before = filesInFolder();
+        const Answer      answer = run(arguments);
+        EXPECT_EQ(answer.status, 2) << arguments[0] << '\n' << answer.err;
+        EXPECT_NE(answer.err.find(said), std::string::npos) << answer.err;
+        EXPECT_EQ(filesInFolder(), before);
+    };
+    const std::string replaced = " would replace '" + obj + "', which is read";
+    refused({"render", obj, "-o", path("same"), "--ids", path("same")}, "-o and --ids name the same file");
+    refused({"render", obj, "--depth", path("same"), "--stats", path("./no/../same")}, "--depth and --stats name the same file");
+    refused({"render", obj, "-o", obj}, "-o" + replaced);
+    refused({"render", path("link.obj"), "--ids", obj}, "--ids would replace '" + path("link.obj"));
+    refused({"render", obj, "--depth", path("link.obj")}, "--depth" + replaced);
+    refused({"render", obj, "--camera", camera, "--stats", camera}, "--stats would replace '" + camera);
+    refused({"step", obj, "--grain", "frame", "--at", "0", "--state", path("same"), "-o", path("same")}, "--state and -o");
+    refused({"step", obj, "--grain", "frame", "--at", "0", "--state", obj}, "--state" + replaced);
+    refused({"export", obj, "--triangles", obj}, "--triangles" + replaced);
+    refused({"compare", obj, "--algorithms", "zbuffer,scanline", "-o", obj}, "-o" + replaced);
+    refused({"bench", obj, "--csv", path("same"), "--json", path("same")}, "--json and --csv");
+    refused({"bench", kScene, obj, "--csv", obj}, "--csv" + replaced);
+    const std::string experiment = write("e.json", R"({"title":"t","parts":[{"title":"p","scenes":[")" + obj + R"("],"algorithms":["zbuffer"]}]})");
+    refused({"bench", "--experiment", experiment, "--csv", experiment}, "--csv would replace '" + experiment);
+    refused({"bench", "--experiment", experiment, "--csv", obj}, "--csv" + replaced);
+    refused({"render", obj, "--print-camera", "-o", path("x.png")}, "--print-camera draws nothing");
+    for (const char* option : {"-o", "--ids", "--depth", "--stats"}) refused({"render", obj, option, ""}, std::string(option) + " wants the name of a file");
+    refused({"export", obj, "--triangles", ""}, "--triangles wants");
+    refused({"merge", experiment, "-o", ""}, "-o wants");
+
+    EXPECT_EQ(run({"render", obj, "--size", "32x24", "--ids", "/dev/null", "--depth", "/dev/null"}).status, 0) << "nothing is lost in it";
+    EXPECT_EQ(run({"render", obj, "--size", "32x24", "-o", path("nowhere.png"), "--ids", path("new.png")}).status, 0) << "a link to nowhere is replaced itself";
 }
 
 TEST_F(Cli, HelpAndVersionAreNoMistake)

@@ -11,6 +11,8 @@
 #include <thread>
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +51,7 @@ pid_t start(const std::vector<std::string>& arguments, int out, int err)
     argv.push_back(nullptr);
     const pid_t child = ::fork();
     if (child != 0) return child;
+    ::signal(SIGHUP, SIG_DFL);  // tests that run under nohup ignore it
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
     ::execv(ZSCOPE_CLI, argv.data());
@@ -100,6 +103,23 @@ Answer runAndSignal(const std::vector<std::string>& arguments, int signal, int m
     ::kill(child, signal);
     const int status = statusOf(child);
     return {status, out.text(), err.text()};
+}
+
+Answer runIntoFifoAndSignal(const std::string& fifo, const std::vector<std::string>& arguments, int signal)
+{
+    EXPECT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+    const int     in = ::open(fifo.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    const Capture out, err;
+    const pid_t   child = start(arguments, out.descriptor(), err.descriptor());
+    pollfd        ready{in, POLLIN, 0};
+    EXPECT_EQ(::poll(&ready, 1, 60'000), 1);
+    ::kill(child, signal);
+    ::fcntl(in, F_SETFL, 0);
+    std::string            text;
+    std::array<char, 4096> part;
+    for (ssize_t n = 0; (n = ::read(in, part.data(), part.size())) > 0;) text.append(part.data(), static_cast<std::size_t>(n));
+    ::close(in);
+    return {statusOf(child), text, err.text()};
 }
 
 std::string contentsOf(const fs::path& file)

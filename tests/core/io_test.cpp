@@ -89,14 +89,14 @@ TEST_F(Io, ANameAsLongAsTheSystemAllowsCanBeWritten)
 
 TEST_F(Io, WhatCannotBeWrittenIsAnOutputErrorInOneSentence)
 {
-    for (const std::string& target : {m_folder.string(), path("no/such/folder.txt"), std::string("/dev/full"),
-                                      std::string("")}) {
+    for (const std::string& target : {m_folder.string(), path("no/such/folder.txt"), std::string("/dev/full")}) {
         const Result<Done> done = writeFile(target, "x");
         ASSERT_FALSE(done) << target;
         EXPECT_EQ(done.error().kind, Trouble::Output) << target;
         EXPECT_FALSE(done.error().sentence.empty()) << target;
         EXPECT_EQ(done.error().sentence.find('\n'), std::string::npos) << target;
     }
+    EXPECT_EQ(writeFile("", "x").error().kind, Trouble::Usage) << "no name is no fault of the system";
     EXPECT_EQ(filesInFolder(), 0u);
     struct stat device {};
     ASSERT_EQ(::stat("/dev/full", &device), 0);

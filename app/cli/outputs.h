@@ -1,0 +1,25 @@
+// Where a command's outputs go, looked at before anything is drawn: each has a name, none is another's, and none is what is read.
+//
+// Same       names that lead to one file, links followed, whether or not it is there yet. A device or a pipe may be named more
+//            than once: nothing in it can be lost
+// Errors     Usage, with the options that are concerned
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace zscope::cli {
+
+struct Output {
+    std::string_view           option;  // as it is written on the command line
+    std::optional<std::string> path;    // nothing: not asked for
+};
+
+/// `inputs` are files that are read; scenes that are generated and empty names are none.
+Result<Done> checkOutputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs);
+
+}  // namespace zscope::cli
