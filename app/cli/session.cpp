@@ -81,6 +81,8 @@ void catchInterrupts()
 {
     std::signal(SIGINT, requestInterrupt);
     std::signal(SIGTERM, requestInterrupt);
+    if (std::signal(SIGHUP, requestInterrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup wants it
+    std::signal(SIGXFSZ, SIG_IGN);  // write() then says that the file is too large
 }
 
 Session::Session(std::span<char* const> arguments)

@@ -1,7 +1,7 @@
 // What every subcommand shares: where words go, how a run ends, and how it is interrupted.
 //
 // Output     results on standard output, diagnostics and progress on standard error
-// Interrupt  the first SIGINT or SIGTERM sets a flag that all long work looks at; a second one ends the program
+// Interrupt  the first SIGINT, SIGTERM or SIGHUP sets a flag that all long work looks at; a second one ends the program
 #pragma once
 
 #include <atomic>
@@ -63,7 +63,7 @@ private:
     std::chrono::steady_clock::time_point m_lastProgress{};
 };
 
-/// Makes SIGINT and SIGTERM set the flag of Session::cancel().
+/// Makes SIGINT, SIGTERM and SIGHUP set the flag of Session::cancel(), and a file that may not grow an error like any other.
 void catchInterrupts();
 
 }  // namespace zscope::cli

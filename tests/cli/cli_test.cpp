@@ -183,7 +183,7 @@ TEST_F(Cli, AnInterruptEndsWithOneHundredAndThirtyAndLeavesNothing)
         {"step", "builtin:layers?count=3000", "--size", "4000x4000", "--grain", "pixel", "--at", "40000000000",
          "--state", path("x.json"), "-o", path("x.png")}};
     for (const std::vector<std::string>& arguments : longWork) {
-        for (const int signal : {SIGINT, SIGTERM}) {
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
             const Answer answer = runAndSignal(arguments, signal, 200);
             EXPECT_EQ(answer.status, 130) << arguments[0] << '\n' << answer.err;
             EXPECT_EQ(answer.out, "") << arguments[0];

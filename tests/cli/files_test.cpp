@@ -267,6 +267,22 @@ TEST_F(Cli, AnOutputThatCannotBeWrittenEndsWithFourAndLeavesNothing)
     EXPECT_EQ(filesInFolder(), 1u);
 }
 
+TEST_F(Cli, AFileThatMayNotGrowIsAnOutputThatCannotBeWritten)
+{
+    rlimit unlimited{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &unlimited), 0);
+    const rlimit small{4096, unlimited.rlim_max};
+    for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{"render", kScene, "--size", "64x48", "--ids", path("i.npy")},
+                                                                                        {"export", kScene, "--triangles", path("t.npy")}}) {
+        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+        const Answer answer = run(command);
+        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &unlimited), 0);
+        EXPECT_EQ(answer.status, 4) << answer.err;
+        EXPECT_NE(answer.err.find(command.back() + ": error: cannot be written: File too large"), std::string::npos) << answer.err;
+    }
+    EXPECT_EQ(filesInFolder(), 0u);
+}
+
 TEST_F(Cli, VerifyFindsNoDifferenceAndSaysSoInJson)
 {
     const Answer answer = run({"verify", kScene, "--size", "129x65", "--algorithm", "all", "--json"});
