@@ -108,7 +108,7 @@ Result<PreparedPart> prepare(const ExperimentPart& part, const std::string& file
 Result<std::vector<BenchRow>> alongPath(const BenchRequest& request, const NamedPath& path)
 {
     const auto cameras = camerasOf(path.path, request.scene->bounds, request.camera.width, request.camera.height);
-    if (!cameras) return Error{Trouble::Input, cameras.error().sentence, path.file};
+    if (!cameras) return Error{Trouble::Input, cameras.error().sentence, path.file, cameras.error().line};
     return benchPath(request, {.cameras = *cameras, .cuts = path.path.cuts()});
 }
 

@@ -77,7 +77,7 @@ private:
     Result<CameraKey> keyFrom(const JsonValue& value, const CameraPath& path) const
     {
         if (!value.object()) return wrong(value, m_file, "a key frame is an object with frame, eye and target");
-        CameraKey key;
+        CameraKey key{.line = value.line};
         bool      hasFrame = false, hasEye = false, hasTarget = false;
         for (const auto& [name, member] : *value.object()) {
             if (name == "frame") {
@@ -116,6 +116,8 @@ private:
         CameraPath depthless = path;
         depthless.near = depthless.far = std::nullopt;
         if (const auto camera = makeCamera(requestOf(depthless, key, 1, 1), anyBox); !camera) return wrong(value, m_file, camera.error().sentence);
+        // Frames between this key and the next aim at a target as far away.
+        if (!std::isfinite(dotAsWritten(key.target - key.eye, key.target - key.eye))) return wrong(value, m_file, "eye and target are too far apart");
         return key;
     }
 
@@ -229,7 +231,7 @@ Result<std::vector<Camera>> camerasOf(const CameraPath& path, const Bounds& scen
     }
     const auto cameraAt = [&](const CameraKey& key) -> Result<Camera> {
         Result<Camera> camera = makeCamera(requestOf(path, key, width, height), scene);
-        if (!camera) return Error{camera.error().kind, fmt::format("frame {} of the camera path: {}", key.frame, camera.error().sentence)};
+        if (!camera) return Error{camera.error().kind, fmt::format("frame {} of the camera path: {}", key.frame, camera.error().sentence), {}, key.line};
         return camera;
     };
     std::vector<Camera> ends;
@@ -249,6 +251,7 @@ Result<std::vector<Camera>> camerasOf(const CameraPath& path, const Bounds& scen
             }
             CameraKey key = keyBetween(keys[i], keys[i + 1], ends[i], ends[i + 1], static_cast<double>(step) / frames);
             key.frame     = keys[i].frame + step;
+            key.line      = keys[i + 1].line;
             const auto camera = cameraAt(key);
             if (!camera) return camera.error();
             cameras.push_back(*camera);

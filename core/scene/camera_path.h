@@ -31,8 +31,13 @@ struct CameraKey {
     dvec3  eye{0, 0, 1}, target{0, 0, 0}, up{0, 1, 0};
     double verticalFov = 45;  // degrees
     bool   isCut       = false;
+    int    line        = 0;   // of the file that it was read from, for errors
 
-    friend bool operator==(const CameraKey&, const CameraKey&) = default;
+    /// Wherever they were read.
+    friend bool operator==(const CameraKey& a, const CameraKey& b)
+    {
+        return a.frame == b.frame && a.eye == b.eye && a.target == b.target && a.up == b.up && a.verticalFov == b.verticalFov && a.isCut == b.isCut;
+    }
 };
 
 struct CameraPath {
@@ -51,7 +56,7 @@ Result<CameraPath> cameraPathFromJson(const std::string& text, const std::string
 /// Reading it back gives the same path to the bit.
 std::string cameraPathToJson(const CameraPath& path);
 
-/// The camera of every frame. Errors: Usage, what makeCamera() refuses, which a key read from a file gives no reason for but by
+/// The camera of every frame. Errors: Usage with the key's line, what makeCamera() refuses, which a key read from a file gives no reason for but by
 /// the scene's place and size, or by the picture's.
 Result<std::vector<Camera>> camerasOf(const CameraPath& path, const Bounds& scene, int width, int height);
 

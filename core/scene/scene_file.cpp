@@ -9,6 +9,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
@@ -59,6 +60,7 @@ private:
     Problem readCameras(const JsonValue& document);
 
     Problem      checkCount(const JsonValue& value, double count, MeshId mesh) const;
+    Problem      checkReach(const JsonValue& value, const Instance& instance) const;
     void          add(Instance instance, bool colourEach);
     Result<Rgb>   colourOf(const JsonValue& value) const;
     /// Which of `words` the member 'pattern' of a cut-out or relief is.
@@ -89,6 +91,7 @@ private:
 
     Scene                               m_scene;
     std::map<std::string, MeshId>       m_meshes;
+    std::vector<dvec3>                  m_reach;  // of each mesh: how far its vertices are from 0 at most, along each axis
     std::map<std::string, FileMaterial> m_materials;
     std::vector<int>                    m_cameraLines;
 };
@@ -272,6 +275,8 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
         mesh = std::move(changed);
     }
     m_meshes.emplace(name, MeshId{static_cast<std::uint32_t>(m_scene.meshes.size())});
+    const Bounds box = mesh->bounds();
+    m_reach.push_back(box.isEmpty() ? dvec3(0, 0, 0) : glm::max(glm::abs(box.min), glm::abs(box.max)));
     m_scene.meshes.push_back(std::move(mesh));
     return {};
 }
@@ -351,6 +356,7 @@ Problem SceneFileReader::placeByMatrix(const JsonValue& value, Instance instance
         if (!std::isfinite(*entry)) return wrong((*entries)[i], "'matrix' must be finite");
         instance.toWorld.rows[i / 4][i % 4] = *entry;
     }
+    if (auto trouble = checkReach(value, instance)) return trouble;
     add(instance, false);
     return {};
 }
@@ -373,12 +379,16 @@ Problem SceneFileReader::placeInGrid(const JsonValue& value, Instance instance, 
     if (!apart) return apart.error();
     const double total = static_cast<double>(copies[0]) * static_cast<double>(copies[1]) * static_cast<double>(copies[2]);
     if (auto trouble = checkCount(*count, total, instance.mesh)) return trouble;
+    const auto copyAt = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+        return Affine::translation({static_cast<double>(x) * apart->x, static_cast<double>(y) * apart->y, static_cast<double>(z) * apart->z});
+    };
+    instance.toWorld = copyAt(copies[0] - 1, copies[1] - 1, copies[2] - 1);
+    if (auto trouble = checkReach(*step, instance)) return trouble;  // the others are nearer
 
     for (std::int64_t z = 0; z < copies[2]; ++z)
         for (std::int64_t y = 0; y < copies[1]; ++y)
             for (std::int64_t x = 0; x < copies[0]; ++x) {
-                instance.toWorld = Affine::translation({static_cast<double>(x) * apart->x, static_cast<double>(y) * apart->y,
-                                                        static_cast<double>(z) * apart->z});
+                instance.toWorld = copyAt(x, y, z);
                 add(instance, colourEach);
             }
     return {};
@@ -417,6 +427,7 @@ Problem SceneFileReader::placeAtRandom(const JsonValue& value, Instance instance
         instance.toWorld = rotate && *rotate->truth() ? random.rotation() : Affine{};
         const dvec3 at   = random.between(*from, *to);
         for (int k = 0; k < 3; ++k) instance.toWorld.rows[static_cast<std::size_t>(k)][3] = at[k];
+        if (auto trouble = checkReach(value, instance)) return trouble;
         add(instance, colourEach);
     }
     return {};
@@ -435,6 +446,17 @@ Problem SceneFileReader::checkCount(const JsonValue& value, double count, MeshId
     if (bytes > static_cast<double>(m_limit))
         return Error{Trouble::Limit, fmt::format("{:.0f} copies would take {:.0f} MiB, and the memory limit is {:.0f} MiB", count,
                                                  bytes / kMiB, static_cast<double>(m_limit) / kMiB), m_path, value.line};
+    return {};
+}
+
+/// Whether every vertex of the copy, and every sum on the way to it, is a finite number.
+Problem SceneFileReader::checkReach(const JsonValue& value, const Instance& instance) const
+{
+    const dvec3& reach = m_reach[instance.mesh.value];
+    for (const auto& row : instance.toWorld.rows) {
+        const double farthest = std::abs(row[0]) * reach.x + std::abs(row[1]) * reach.y + std::abs(row[2]) * reach.z + std::abs(row[3]);
+        if (!std::isfinite(farthest)) return wrong(value, "an instance reaches beyond the largest number: it is too far or too large");
+    }
     return {};
 }
 

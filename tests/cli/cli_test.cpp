@@ -237,6 +237,29 @@ TEST_F(Cli, OutputsOfOneRunMayNotReplaceEachOtherOrWhatIsRead)
     EXPECT_EQ(run({"render", obj, "--size", "32x24", "-o", path("nowhere.png"), "--ids", path("new.png")}).status, 0) << "a link to nowhere is replaced itself";
 }
 
+TEST_F(Cli, WhatIsTooFarInASceneOrAPathIsToldWithItsLine)
+{
+    write("big.obj", "v 1e308 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto told = [this](const std::string& instance, const std::string& line) {
+        const Answer answer = run({"info", write("s.json", R"({"meshes":{"c":{"builtin":"cube"},"b":{"obj":"big.obj"}},)"
+                                                           "\n\"instances\":[{\"mesh\":\"b\"},\n{" + instance + "}]}")});
+        EXPECT_EQ(answer.status, 3) << instance;
+        EXPECT_NE(answer.err.find("s.json:" + line + ": error: an instance reaches beyond the largest number"), std::string::npos) << answer.err;
+    };
+    told("\"mesh\":\"c\",\"grid\":{\"count\":[4,1,1],\n\"step\":[1e308,0,0]}", "4");
+    told("\"mesh\":\"c\",\"matrix\":[1.5e308,1e308,0,0, 0,1,0,0, 0,0,1,0]", "3");
+    told("\"mesh\":\"b\",\"random\":{\"count\":3,\"min\":[1e308,0,0],\"max\":[1.1e308,0,0]}", "3");
+
+    const auto flown = [this](const std::string& keys, const std::string& said) {
+        const Answer answer = run({"bench", kScene, "--algorithms", "zbuffer", "--size", "20x20", "--path", write("way.json", "{\"keys\":[\n" + keys + "]}")});
+        EXPECT_EQ(answer.status, 3) << keys;
+        EXPECT_NE(answer.err.find(said), std::string::npos) << answer.err;
+    };
+    flown("{\"frame\":0,\"eye\":[0,0,9],\"target\":[0,0,0]},\n{\"frame\":8,\"eye\":[1e308,0,0],\"target\":[0,0,0]}", "way.json:3: error: eye and target are too far apart");
+    flown("{\"frame\":0,\"eye\":[0,0,9],\"target\":[0,0,0]}],\n\"near\":1e300,\"unused\":[", "way.json:3: error: ");
+    flown("{\"frame\":0,\"eye\":[0,0,9],\"target\":[0,0,0]},\n{\"frame\":2,\"eye\":[1e300,0,0],\"target\":[1.001e300,0,0]}", "way.json:3: error: ");
+}
+
 TEST_F(Cli, HelpAndVersionAreNoMistake)
 {
     EXPECT_EQ(run({"--help"}).status, 0);
