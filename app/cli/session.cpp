@@ -10,6 +10,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/cli/json.h"
+#include "core/base/quotable.h"
+
 namespace zscope::cli {
 namespace {
 
@@ -26,8 +29,28 @@ extern "C" void requestInterrupt(int signal)
 /// Options of the subcommands that make pictures; each takes a value.
 constexpr std::array<std::string_view, 6> kOutputOptions{"-o", "--output", "--ids", "--depth", "--stats", "--state"};
 
+/// JSON knows what UTF-8 is: where some of the text is not, it can be replaced or left out.
+bool isUtf8(std::string_view text)
+{
+    const Json json(std::string{text});
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) == json.dump(-1, ' ', false, Json::error_handler_t::ignore);
+}
+
+/// A word of any bytes in plain ASCII: $'...' with octal escapes.
+std::string escapedForShell(std::string_view word)
+{
+    std::string escaped = "$'";
+    for (const char c : word) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte >= 0x7F) escaped += fmt::format("\\{:03o}", byte);
+        else escaped += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+    }
+    return escaped + "'";
+}
+
 std::string quotedForShell(std::string_view word)
 {
+    if (!isUtf8(word) || printable(word) != word) return escapedForShell(word);
     constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+./:,@%";
     if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
     std::string quoted = "'";
@@ -51,11 +74,12 @@ std::string commandWithoutOutputs(std::span<char* const> arguments)
     return command;
 }
 
+/// One line, whatever a file's name or text holds.
 std::string diagnostic(const std::string& file, int line, std::string_view severity, std::string_view sentence)
 {
-    if (file.empty()) return fmt::format("zscope-cli: {}: {}\n", severity, sentence);
-    if (line <= 0) return fmt::format("{}: {}: {}\n", file, severity, sentence);
-    return fmt::format("{}:{}: {}: {}\n", file, line, severity, sentence);
+    if (file.empty()) return printable(fmt::format("zscope-cli: {}: {}", severity, sentence)) + '\n';
+    if (line <= 0) return printable(fmt::format("{}: {}: {}", file, severity, sentence)) + '\n';
+    return printable(fmt::format("{}:{}: {}: {}", file, line, severity, sentence)) + '\n';
 }
 
 void toStandardError(std::string_view text)
@@ -120,7 +144,7 @@ void Session::warn(std::span<const Warning> warnings, std::size_t atMost)
 void Session::note(std::string_view text)
 {
     clearProgress();
-    toStandardError(fmt::format("zscope-cli: note: {}\n", text));
+    toStandardError(diagnostic({}, 0, "note", text));
 }
 
 Progress Session::progress()

@@ -11,10 +11,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/memory.h"
+#include "core/base/quotable.h"
 
 namespace zscope {
 
 namespace {
+
+std::string shown(std::string_view text) { return quotable(text, 60); }
 
 /// Where the parser is in the text: it reads through CountingIterator, which tells this.
 struct ReadPosition {
@@ -100,7 +103,7 @@ public:
         for (const auto& member : members) names.push_back(member.first);
         std::ranges::sort(names);
         const auto twice = std::ranges::adjacent_find(names);
-        if (twice != names.end()) return stop(fmt::format("the key '{}' is given twice in one object", *twice));
+        if (twice != names.end()) return stop(fmt::format("the key '{}' is given twice in one object", shown(*twice)));
         return close();
     }
     bool end_array() { return close(); }
@@ -179,8 +182,6 @@ Error inputError(const JsonValue& value, const std::string& file, std::string se
 {
     return {Trouble::Input, std::move(sentence), file, value.line};
 }
-
-std::string shown(std::string_view text) { return std::string(text.substr(0, 60)); }
 
 }  // namespace
 

@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/quotable.h"
+
 namespace zscope {
 
 namespace {
@@ -101,12 +103,12 @@ Result<std::string> pathInside(const std::string& folder, const std::string& rel
     const fs::path written(relative);
     if (written.is_absolute())
         return Error{Trouble::Input, fmt::format("the path '{}' is absolute; it must be relative to the file that names it",
-                                                 relative)};
+                                                 printable(relative))};
     std::error_code trouble;
     const fs::path  root = fs::canonical(folder, trouble);
     if (trouble) return Error{Trouble::Input, fmt::format("the folder cannot be read: {}", trouble.message()), folder};
     const auto outside = [&] {
-        return Error{Trouble::Input, fmt::format("the path '{}' leads out of the folder of the file that names it", relative)};
+        return Error{Trouble::Input, fmt::format("the path '{}' leads out of the folder of the file that names it", printable(relative))};
     };
     const auto within = [&root](const fs::path& path) {
         return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
@@ -114,7 +116,7 @@ Result<std::string> pathInside(const std::string& folder, const std::string& rel
     // A path that leads out as written is refused before anything out there is looked at.
     if (!within((root / written).lexically_normal())) return outside();
     const fs::path real = fs::canonical(root / written, trouble);
-    if (trouble) return Error{Trouble::Input, fmt::format("'{}' cannot be opened: {}", relative, trouble.message())};
+    if (trouble) return Error{Trouble::Input, fmt::format("'{}' cannot be opened: {}", printable(relative), trouble.message())};
     if (!within(real)) return outside();
     return real.string();
 }

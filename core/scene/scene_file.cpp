@@ -12,6 +12,7 @@
 #include <glm/common.hpp>
 
 #include "core/base/memory.h"
+#include "core/base/quotable.h"
 #include "core/base/stopwatch.h"
 #include "core/io/json_document.h"
 #include "core/io/read_file.h"
@@ -35,7 +36,7 @@ struct FileMaterial {
     bool                  used    = false;
 };
 
-std::string shown(std::string_view text) { return std::string(text.substr(0, 60)); }
+std::string shown(std::string_view text) { return quotable(text, 60); }
 
 class SceneFileReader {
 public:

@@ -237,6 +237,18 @@ TEST_F(Cli, OutputsOfOneRunMayNotReplaceEachOtherOrWhatIsRead)
     EXPECT_EQ(run({"render", obj, "--size", "32x24", "-o", path("nowhere.png"), "--ids", path("new.png")}).status, 0) << "a link to nowhere is replaced itself";
 }
 
+TEST_F(Cli, WhatASceneHoldsIsToldOnOneLineWithoutControlBytes)
+{
+    const std::string cube = R"({"meshes":{"c":{"builtin":"cube"}},"instances":[{"mesh":")";
+    for (const std::string& text : {cube + R"(\u001b[31m\u0000\n"}]})", cube + R"(c","\u001b]0;\u0007":1}]})", std::string(R"({"meshes":{"c":{"obj":"\u001b/\u0007.obj"}}})"),
+                                    cube + R"(c"}],"cameras":{"v":{"\u001b[2J":1}}})", cube + R"(c"}],"\u001b":1,"\u001b":2})"}) {
+        const Answer answer = run({"info", write("s.json", text)});
+        EXPECT_EQ(answer.status, 3) << answer.err;
+        EXPECT_EQ(answer.err.find_first_of(std::string("\x1b\a\0", 3)), std::string::npos) << answer.err;
+        EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1) << answer.err;
+    }
+}
+
 TEST_F(Cli, WhatIsTooFarInASceneOrAPathIsToldWithItsLine)
 {
     write("big.obj", "v 1e308 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n");

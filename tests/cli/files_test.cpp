@@ -283,6 +283,15 @@ TEST_F(Cli, AFileThatMayNotGrowIsAnOutputThatCannotBeWritten)
     EXPECT_EQ(filesInFolder(), 0u);
 }
 
+TEST_F(Cli, APictureOfASceneWithANameOfAnyBytesCarriesTextThatIsUtf8)
+{
+    const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    ASSERT_EQ(run({"render", write("b\xff'\n.obj", obj), "--size", "32x24", "-o", path("p.png")}).status, 0);
+    EXPECT_NE(contentsOf(path("p.png")).find("b\\377\\'\\012.obj' --size 32x24"), std::string::npos) << "as a shell reads it";
+    ASSERT_EQ(run({"render", write("\xE7\x90\x83.obj", obj), "--size", "32x24", "-o", path("p.png")}).status, 0);
+    EXPECT_NE(contentsOf(path("p.png")).find("\xE7\x90\x83.obj' --size 32x24"), std::string::npos);
+}
+
 TEST_F(Cli, VerifyFindsNoDifferenceAndSaysSoInJson)
 {
     const Answer answer = run({"verify", kScene, "--size", "129x65", "--algorithm", "all", "--json"});

@@ -81,15 +81,4 @@ bool LineReader::next()
     return false;
 }
 
-std::string quotable(std::string_view text)
-{
-    constexpr std::size_t kLongest = 40;
-    std::string           quoted;
-    for (const char c : text.substr(0, kLongest)) quoted += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
-    if (text.size() <= kLongest) return quoted;
-    while (!quoted.empty() && (static_cast<unsigned char>(quoted.back()) & 0xC0) == 0x80) quoted.pop_back();
-    if (!quoted.empty() && static_cast<unsigned char>(quoted.back()) >= 0xC0) quoted.pop_back();
-    return quoted + "...";
-}
-
 }  // namespace zscope::obj

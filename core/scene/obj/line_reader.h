@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/quotable.h"
+
 namespace zscope::obj {
 
 /// Longest statement that is read, joined lines together: room for a face of two million corners.
@@ -65,8 +67,5 @@ inline std::string_view withoutBlanks(std::string_view text)
     while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
     return text;
 }
-
-/// A piece of the file fit for a message: control bytes as "?", shortened to 40 bytes at a whole UTF-8 character.
-std::string quotable(std::string_view text);
 
 }  // namespace zscope::obj

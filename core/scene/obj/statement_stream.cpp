@@ -6,10 +6,7 @@ namespace zscope::obj {
 
 std::string printableName(std::string_view text)
 {
-    std::string name(withoutBlanks(text).substr(0, kMaxNameBytes));
-    for (char& c : name)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-    return name;
+    return printable(withoutBlanks(text).substr(0, kMaxNameBytes));
 }
 
 StatementStream::StatementStream(LineReader& lines, std::function<bool()> keepGoing)
