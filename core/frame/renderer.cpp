@@ -9,6 +9,7 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include "core/base/memory.h"
 #include "core/frame/auto_choice.h"
 #include "core/frame/blend.h"
 #include "core/frame/frame_plan.h"
@@ -86,6 +87,18 @@ std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<
     }
     times.back().ms += frameMs - accounted;
     return times;
+}
+
+/// What the picture alone needs is refused before anything is made, by planFrame(); this is for all of it together.
+std::optional<Error> whyTooLarge(const std::vector<NamedCount>& bytes, const DrawRequest& request)
+{
+    constexpr std::uint64_t kMebibyte = 1 << 20;
+    const std::uint64_t     limit     = effectiveMemoryLimit(request.memoryLimit);
+    std::uint64_t           taken     = 0;
+    for (const NamedCount& each : bytes) taken += each.value;
+    if (taken <= limit) return std::nullopt;
+    return Error{Trouble::Limit, "drawing this scene with " + nameOf(request.pipeline) + " takes " + std::to_string((taken + kMebibyte - 1) / kMebibyte) +
+                                     " MiB, more than the limit of " + std::to_string(limit / kMebibyte) + " MiB"};
 }
 
 FrameCost costOf(const FrameReport& report)
@@ -223,6 +236,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
                     {"faces", drawsFaces(request.pipeline) ? facesOf(*request.scene).bytes() : 0},
                     {"transparent_batches", transparent ? transparent->bytes() : 0},
                     {"scratch", scratchBytes}};
+    if (auto tooLarge = whyTooLarge(report.bytes, request)) return *std::move(tooLarge);
     return report;
 }
 
