@@ -237,7 +237,6 @@ public:
         const auto isLarge = side > all(HiddenSquares::kSides.back());
         const auto level   = levelOf(hn::IfThenElse(isLarge, all(1), side));
         const auto known   = hn::And(hn::AndNot(isLarge, asked), level < all(m_squares.levels));
-        if (hn::AllFalse(D(), known)) return known;
         return squaresAt(known, level, left, above);
     }
 

@@ -9,7 +9,7 @@ void ScreenVertices::fetchSnapped(const std::array<const std::uint16_t*, 3>& pla
     const auto [firsts, seconds, thirds] = places;
     const auto [first, second, third]    = out;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint64_t a = snapped[firsts[i]], b = snapped[seconds[i]], c = snapped[thirds[i]];
+        const std::uint64_t a = snapped(firsts[i]), b = snapped(seconds[i]), c = snapped(thirds[i]);
         first[i] = a, second[i] = b, third[i] = c;
     }
 }

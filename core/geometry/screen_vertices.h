@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "core/geometry/batches.h"
@@ -18,15 +19,32 @@ struct ScreenVertices {
     static constexpr std::size_t kCapacity = kBatchVertices + kBatchPadding;
     static constexpr std::size_t kRow      = 4;  // numbers per vertex in `rows`
 
-    alignas(64) std::array<double, kRow * kCapacity> rows;      // per vertex x, y (unsnapped, pixels), d (n / z), and d again
-    alignas(64) std::array<std::uint64_t, kCapacity> snapped;   // xs and ys, where they are whole numbers: int32 in the lower and upper half
-    alignas(64) std::array<double, kCapacity>        xs, ys;    // snapped, 1/256 pixel
+    // Per vertex x, y (unsnapped, pixels), d (n / z), and by exact rules the bits of its snapped position.
+    alignas(64) std::array<double, kRow * kCapacity> rows;
+    alignas(64) std::array<double, kCapacity>        xs, ys;  // snapped, 1/256 pixel, by other rules
 
     /// No vertex lies behind the near plane and none beyond the guard band. If false, the arrays may hold numbers
     /// without meaning, and each triangle is set up carefully from its positions instead.
     bool plain = false;
 
-    ScreenCorner corner(std::size_t i) const { return {rows[kRow * i], rows[kRow * i + 1], rows[kRow * i + 2], xs[i], ys[i]}; }
+    /// Added to a number between -2^31 and 2^31 it rounds it to a whole one, ties to even, which is then the lower half of the sum's bits.
+    static constexpr double kWhole = 0x1.8p52;
+
+    /// The snapped position of vertex i by exact rules: x in the lower, y in the upper half, each an int32.
+    std::uint64_t snapped(std::size_t i) const { return std::bit_cast<std::uint64_t>(rows[kRow * i + kRow - 1]); }
+
+    /// `Rules` are those that it was transformed by.
+    template <class Rules>
+    ScreenCorner corner(std::size_t i) const
+    {
+        const double* row = rows.data() + kRow * i;
+        if constexpr (Rules::kExact) {
+            const std::uint64_t both = snapped(i);
+            return {row[0], row[1], row[2], static_cast<double>(static_cast<std::int32_t>(both)), static_cast<double>(static_cast<std::int32_t>(both >> 32))};
+        } else {
+            return {row[0], row[1], row[2], xs[i], ys[i]};
+        }
+    }
 
     /// out[k][i] becomes the snapped position of vertex places[k][i], for all i < count; places are below kCapacity.
     void fetchSnapped(const std::array<const std::uint16_t*, 3>& places, std::size_t count, const std::array<std::uint64_t*, 3>& out) const;

@@ -192,7 +192,6 @@ private:
             static_assert(!Probe::listens);
             if (hn::AllFalse(D(), drawn)) return drawn;
             const auto hidden = m_hidden(drawn, left, above, right, below);
-            if (hn::AllFalse(D(), hidden)) return drawn;
             m_leftOut       = m_leftOut + hn::IfThenElseZero(hidden, all(1));
             m_leftOutPixels = m_leftOutPixels + hn::IfThenElseZero(hidden, (right - left) * (below - above));
             return hn::AndNot(hidden, drawn);
@@ -258,15 +257,19 @@ private:
         const auto longest = hn::Max(hn::Max(hn::Abs(e1x), hn::Abs(e1y)), hn::Max(hn::Abs(e2x), hn::Abs(e2y)));
         const auto isThin  = hn::Not(hn::Abs(det) > longest * hn::Set(d64, 0x1p-10));
         if (!hn::AllFalse(d64, isThin)) {  // thinner than a quarter of a snapping step: the snapped plane
-            const auto pixels = hn::Set(d64, 1 / kSubpixels);
-            const auto gather = [&](const auto& from, std::size_t k) HWY_ATTR {
-                const auto index = hn::PromoteTo(I64(), hn::LoadU(I32(), m_out.vertex[k].data() + i));
-                return hn::GatherIndex(d64, from.data(), index);
+            const auto snapped = [&](std::size_t k) HWY_ATTR {
+                const hn::Rebind<std::uint64_t, F64> u64;
+                const hn::Rebind<std::uint32_t, F64> u32;
+                const auto place = hn::PromoteTo(I64(), hn::LoadU(I32(), m_out.vertex[k].data() + i)) * hn::Set(I64(), ScreenVertices::kRow) + hn::Set(I64(), ScreenVertices::kRow - 1);
+                const auto both   = hn::BitCast(u64, hn::GatherIndex(d64, m_vertices.rows.data(), place));
+                const auto pixels = [&](auto half) HWY_ATTR { return hn::PromoteTo(d64, hn::BitCast(I32(), hn::TruncateTo(u32, half))) * hn::Set(d64, 1 / kSubpixels); };
+                return std::pair(pixels(both), pixels(hn::ShiftRight<32>(both)));
             };
-            const auto sx = gather(m_vertices.xs, 0) * pixels, sy = gather(m_vertices.ys, 0) * pixels;
             const auto choose = [&](V64 thin, V64& other) HWY_ATTR { other = hn::IfThenElse(isThin, thin, other); };
-            choose(gather(m_vertices.xs, 1) * pixels - sx, e1x), choose(gather(m_vertices.ys, 1) * pixels - sy, e1y);
-            choose(gather(m_vertices.xs, 2) * pixels - sx, e2x), choose(gather(m_vertices.ys, 2) * pixels - sy, e2y);
+            const auto [sx, sy] = snapped(0);
+            const auto [tx, ty] = snapped(1);
+            const auto [ux, uy] = snapped(2);
+            choose(tx - sx, e1x), choose(ty - sy, e1y), choose(ux - sx, e2x), choose(uy - sy, e2y);
             choose(sx, x0), choose(sy, y0);
             det = e1x * e2y - e2x * e1y;
         }

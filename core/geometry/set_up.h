@@ -31,7 +31,7 @@ template <class Rules, class Probe>
 {
     const auto&    corners = place.mesh.corners;
     ScreenTriangle made;
-    const SetUp    fate = setUpTriangle(vertices.corner(corners[0][t]), vertices.corner(corners[1][t]), vertices.corner(corners[2][t]),
+    const SetUp    fate = setUpTriangle(vertices.corner<Rules>(corners[0][t]), vertices.corner<Rules>(corners[1][t]), vertices.corner<Rules>(corners[2][t]),
                                         place.idOf(t), false, culling, region, rules, made);
     if (fate == SetUp::Drawn) {
         made.patterned = place.mesh.isPatterned(t);

@@ -55,10 +55,8 @@ struct VertexStage {
                     ScreenVertices& out)
     {
         const F64  d64;
-        const auto one = hn::Set(d64, 1), guard = hn::Set(d64, kGuardBand);
         const auto near  = all(p.near);
-        const auto snaps = hn::Set(d64, rules.snapsPerPixel());
-        auto       worst = hn::Zero(d64);  // becomes 1 in a lane that meets a vertex that is not plain
+        auto       worst = hn::Zero(d64) > hn::Zero(d64);  // lanes that have met a vertex that is not plain
 
         for (std::size_t i = first; i < end; i += hn::Lanes(d64)) {
             auto x = load(mesh.x.data() + batch.firstVertex + i);
@@ -79,29 +77,29 @@ struct VertexStage {
             const auto d  = near / vz;
             const auto sx = wide(all(p.centreX) + (vx * d) * all(p.scale));
             const auto sy = wide(all(p.centreY) - (vy * d) * all(p.scale));
-            auto       xs = hn::Round(sx * snaps), ys = hn::Round(sy * snaps);
-            if constexpr (!Rules::kExact) {
-                const auto subpixels = hn::Set(d64, kSubpixels / rules.snapsPerPixel());
-                xs = xs * subpixels, ys = ys * subpixels;
-            }
-
             // NaN compares false, so a vertex without a place is not plain either.
-            const auto plain = hn::And(wide(vz) >= wide(near), hn::And(hn::Abs(xs) <= guard, hn::Abs(ys) <= guard));
-            const auto isVertex = countFrom(d64, static_cast<double>(i)) < hn::Set(d64, static_cast<double>(end));
-            worst               = hn::Max(worst, hn::IfThenZeroElse(plain, hn::IfThenElseZero(isVertex, one)));
-
-            hn::StoreInterleaved4(sx, sy, wide(d), wide(d), d64, out.rows.data() + ScreenVertices::kRow * i);
-            hn::StoreU(xs, d64, out.xs.data() + i);
-            hn::StoreU(ys, d64, out.ys.data() + i);
+            auto       plain = hn::RebindMask(d64, wide(vz) >= wide(near));
+            const auto keep  = [&](auto fourth) HWY_ATTR { hn::StoreInterleaved4(sx, sy, wide(d), fourth, d64, out.rows.data() + ScreenVertices::kRow * i); };
             if constexpr (Rules::kExact) {
-                const hn::Rebind<std::int32_t, F64>  i32;
-                const hn::Rebind<std::uint32_t, F64> u32;
+                const auto xs = hn::MulAdd(sx, hn::Set(d64, kSubpixels), hn::Set(d64, ScreenVertices::kWhole));
+                const auto ys = hn::MulAdd(sy, hn::Set(d64, kSubpixels), hn::Set(d64, ScreenVertices::kWhole));
+                const auto isWithin = [&](hn::Vec<F64> whole) HWY_ATTR {
+                    return hn::And(whole >= hn::Set(d64, ScreenVertices::kWhole - kGuardBand), whole <= hn::Set(d64, ScreenVertices::kWhole + kGuardBand));
+                };
+                plain = hn::And(plain, hn::And(isWithin(xs), isWithin(ys)));
                 const hn::Rebind<std::uint64_t, F64> u64;
-                const auto half = [&](hn::Vec<F64> whole) HWY_ATTR { return hn::PromoteTo(u64, hn::BitCast(u32, hn::DemoteTo(i32, whole))); };
-                hn::StoreU(hn::Or(half(xs), hn::ShiftLeft<32>(half(ys))), u64, out.snapped.data() + i);
+                keep(hn::BitCast(d64, hn::OrAnd(hn::ShiftLeft<32>(hn::BitCast(u64, ys)), hn::BitCast(u64, xs), hn::Set(u64, 0xFFFFFFFF))));
+            } else {
+                const auto snaps = hn::Set(d64, rules.snapsPerPixel()), subpixels = hn::Set(d64, kSubpixels / rules.snapsPerPixel());
+                const auto xs = hn::Round(sx * snaps) * subpixels, ys = hn::Round(sy * snaps) * subpixels;
+                plain         = hn::And(plain, hn::And(hn::Abs(xs) <= hn::Set(d64, kGuardBand), hn::Abs(ys) <= hn::Set(d64, kGuardBand)));
+                keep(wide(d));
+                hn::StoreU(xs, d64, out.xs.data() + i);
+                hn::StoreU(ys, d64, out.ys.data() + i);
             }
+            worst = hn::Or(worst, hn::AndNot(plain, hn::FirstN(d64, end - i)));
         }
-        return hn::GetLane(hn::MaxOfLanes(d64, worst)) == 0;
+        return hn::AllFalse(d64, worst);
     }
 };
 
