@@ -96,6 +96,8 @@ private:
             }
         }
         for (std::size_t i = 0; i < triangles.count; ++i) {
+            if constexpr (Probe::listens)
+                if (stripe.progress.cancelled()) return all;  // each may take long then
             if (asksInTurn && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
             if (triangles.isHidden(i)) continue;
             ++all.drawn;

@@ -25,6 +25,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/depth/pixel_key.h"
 #include "core/geometry/corner_rows-inl.h"
 #include "core/geometry/lane_order-inl.h"
 #include "core/geometry/set_up.h"
@@ -161,7 +162,9 @@ private:
             keep(left, out.x0), keep(above, out.y0), keep(right, out.x1), keep(below, out.y1);
             keep(top, out.top);
             keep(kind, out.kind);
-            keep(hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle)), out.id);
+            const auto own = hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle));
+            keep(own, out.id);
+            keep(all(static_cast<std::int32_t>(lowerKeyOf(1))) - own, out.lowerKey);  // of rank id + 1
             const auto grow = [&](V& least, V& most, V from, V to) HWY_ATTR {
                 least = hn::Min(least, hn::IfThenElse(kept, from, least)), most = hn::Max(most, hn::IfThenElse(kept, to, most));
             };
@@ -260,9 +263,12 @@ private:
             const auto snapped = [&](std::size_t k) HWY_ATTR {
                 const hn::Rebind<std::uint64_t, F64> u64;
                 const hn::Rebind<std::uint32_t, F64> u32;
-                const auto place = hn::PromoteTo(I64(), hn::LoadU(I32(), m_out.vertex[k].data() + i)) * hn::Set(I64(), ScreenVertices::kRow) + hn::Set(I64(), ScreenVertices::kRow - 1);
-                const auto both   = hn::BitCast(u64, hn::GatherIndex(d64, m_vertices.rows.data(), place));
-                const auto pixels = [&](auto half) HWY_ATTR { return hn::PromoteTo(d64, hn::BitCast(I32(), hn::TruncateTo(u32, half))) * hn::Set(d64, 1 / kSubpixels); };
+                const auto vertex = hn::PromoteTo(I64(), hn::LoadU(I32(), m_out.vertex[k].data() + i));
+                const auto last   = hn::ShiftLeft<std::countr_zero(ScreenVertices::kRow)>(vertex) + hn::Set(I64(), ScreenVertices::kRow - 1);
+                const auto both   = hn::BitCast(u64, hn::GatherIndex(d64, m_vertices.rows.data(), last));
+                const auto pixels = [&](auto half) HWY_ATTR {
+                    return hn::PromoteTo(d64, hn::BitCast(I32(), hn::TruncateTo(u32, half))) * hn::Set(d64, 1 / kSubpixels);
+                };
                 return std::pair(pixels(both), pixels(hn::ShiftRight<32>(both)));
             };
             const auto choose = [&](V64 thin, V64& other) HWY_ATTR { other = hn::IfThenElse(isThin, thin, other); };

@@ -11,6 +11,7 @@
 #include "core/base/cache_aligned.h"
 #include "core/depth/pixel_key.h"
 #include "core/geometry/batches.h"
+#include "core/geometry/triangle_list.h"
 
 namespace zscope {
 
@@ -20,7 +21,10 @@ struct WindowList {
     AlignedVector<std::uint32_t>        owners;            // which triangle's
     AlignedVector<std::uint32_t>        places;            // its first pixel: x + 65536 y; when it is worked off, that pixel's place among the keys
     std::array<AlignedVector<float>, 3> edges;             // the owner's there, as TriangleList counts them
-    AlignedVector<double>               centreX, centreY;  // the first pixel's, when it is worked off
+    AlignedVector<std::uint32_t>        columns;           // the first pixel's, when it is worked off
+    AlignedVector<double>               centreY;           // likewise
+
+    AlignedVector<double> centres;  // entry x is x + 0.5, of all columns of the picture
 
     /// Triangles of a batch with up to kMost x kMost windows, which are still to be found.
     struct alignas(64) Some {
@@ -47,12 +51,24 @@ struct WindowList {
     {
         if (owners.size() >= count + more + kBatchPadding) return;
         const std::size_t size = 2 * (count + more + kBatchPadding);
-        places.resize(size), centreX.resize(size), centreY.resize(size);
+        places.resize(size), columns.resize(size), centreY.resize(size);
         for (auto& edge : edges) edge.resize(size);
         owners.resize(size);  // last: if one of them finds no memory, all are asked again
     }
 
-    std::size_t bytes() const { return owners.capacity() * (2 * sizeof(std::uint32_t) + 3 * sizeof(float) + 2 * sizeof(double)); }
+    /// Of so many columns, and of those that a window may reach beyond them.
+    void knowCentres(std::size_t width)
+    {
+        std::size_t x = centres.size();
+        if (x >= width + kWindowSide) return;
+        centres.resize(width + kWindowSide);
+        for (; x < centres.size(); ++x) centres[x] = static_cast<double>(x) + 0.5;
+    }
+
+    std::size_t bytes() const
+    {
+        return owners.capacity() * (3 * sizeof(std::uint32_t) + 3 * sizeof(float) + sizeof(double)) + centres.capacity() * sizeof(double);
+    }
 };
 
 struct SampleList {

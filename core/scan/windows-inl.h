@@ -265,11 +265,30 @@ private:
 inline constexpr int kPassColumns = std::min(kPassPixels, kWindowSide);
 inline constexpr int kPassLines   = kPassPixels / kPassColumns;
 
-inline constexpr PassLanes<float, kWindowSide>  kPassLanes32;
-inline constexpr PassLanes<double, kWindowSide> kPassLanes64;
+inline constexpr PassLanes<float, kWindowSide> kPassLanes32;
+
+/// Depths are found two columns of a pass at a time, line by line, so that both vectors of float64 share their lines: how far down each lane is.
+HWY_ALIGN inline constexpr auto kDownOfPairs = [] {
+    std::array<double, kLanes> all{};
+    for (int lane = 0; lane < kLanes; ++lane) all[static_cast<std::size_t>(lane)] = lane / 2;
+    return all;
+}();
 
 /// As many keys as there are lanes: those of one line, or of two.
 #if HWY_TARGET == HWY_AVX3
+/// A pass in the order of its lanes, from its columns one and two and then three and four.
+inline hn::Vec<Pass32> fromColumns(hn::Vec<Pass32> columns)
+{
+    HWY_ALIGN static constexpr auto kPlaces = [] {
+        std::array<std::int32_t, kPassPixels> all{};
+        for (int lane = 0; lane < kPassPixels; ++lane) {
+            const int line = pixelOfLane(lane) / kWindowSide, column = pixelOfLane(lane) % kWindowSide;
+            all[static_cast<std::size_t>(lane)] = column / 2 * kLanes + 2 * line + column % 2;
+        }
+        return all;
+    }();
+    return hn::TableLookupLanes(columns, hn::SetTableIndices(Pass32(), kPlaces.data()));
+}
 using LineKeys = hn::Half<I64>;
 inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t stride) { return hn::Combine(I64(), hn::LoadU(LineKeys(), row + stride), hn::LoadU(LineKeys(), row)); }
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t stride)
@@ -282,6 +301,7 @@ inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t stride)
 }
 #else
 static_assert(kLanes <= kWindowSide);
+inline hn::Vec<Pass32> fromColumns(hn::Vec<Pass32> columns) { return columns; }
 inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64(), row); }
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
 #endif
@@ -293,16 +313,27 @@ HWY_INLINE void offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff
     storeKeys(keptOf<kKeep, kNormal>(offered, loadKeys(row, stride), empty), row, stride);
 }
 
-/// One entry of a WindowList, whose columns have these names; centres in pixels.
+/// One entry of a WindowList; centres in pixels.
 struct Window {
     std::size_t          owner;
     std::array<float, 3> edges;
-    double               centreX, centreY;
+    const double*        centresX;  // of its columns, the left one first
+    double               centreY;   // of its first line
 
     // Its first pixel.
-    int x() const { return static_cast<int>(centreX); }
+    int x() const { return static_cast<int>(*centresX); }
     int y() const { return static_cast<int>(centreY); }
 };
+
+/// Of two columns, side by side over and over.
+inline Vec64 pairOf(const double* centres)
+{
+#if HWY_TARGET == HWY_SCALAR
+    return hn::LoadU(F64(), centres);
+#else
+    return hn::LoadDup128(F64(), centres);
+#endif
+}
 
 /// Tests a window and stores what it wins; `first` is the key of its first pixel. `kNormal` as in DepthTest.
 template <Keep kKeep, bool kNormal, class Probe>
@@ -315,7 +346,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
     const std::size_t t = window.owner;
     const auto a = hn::Set(d64, triangles.a[t]), b = hn::Set(d64, triangles.b[t]), c = hn::Set(d64, triangles.c[t]);
     const auto farthest = hn::Set(f32, triangles.farthest[t]), nearest = hn::Set(f32, triangles.nearest[t]);
-    const auto left = hn::Set(d64, window.centreX), above = hn::Set(d64, window.centreY);
+    const auto above = hn::Set(d64, window.centreY);
 
     const auto perPixel = [&](std::size_t k) HWY_ATTR { return hn::Set(f32, triangles.perPixel[k][t]); };
     const auto perLine  = [&](std::size_t k) HWY_ATTR { return hn::Set(f32, triangles.perLine[k][t]); };
@@ -338,17 +369,13 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
     }
 
     for (int line = 0, pass = 0; line < kWindowSide; line += kPassLines) {
+        const auto start = b * (hn::Load(d64, kDownOfPairs.data()) + hn::Set(d64, line) + above) + c;
         for (int column = 0; column < kWindowSide; column += kPassColumns, ++pass) {
             const auto sign = signs[static_cast<std::size_t>(pass)];
             if constexpr (kLanes == 1)
                 if (std::signbit(hn::GetLane(sign)) || window.x() + column >= width) continue;
 
-            const auto depth = [&](int half) HWY_ATTR {
-                const auto lane = static_cast<std::size_t>(half * kLanes);
-                const auto px   = hn::Load(d64, kPassLanes64.right.data() + lane) + hn::Set(d64, column) + left;
-                const auto py   = hn::Load(d64, kPassLanes64.down.data() + lane) + hn::Set(d64, line) + above;
-                return hn::DemoteTo(F32(), a * px + (b * py + c));
-            };
+            const auto depth = [&](int half) HWY_ATTR { return hn::DemoteTo(F32(), a * pairOf(window.centresX + column + 2 * half) + start); };
             PixelKey* const row = first + line * stride + column;
 #if HWY_TARGET == HWY_SCALAR
             const auto     z       = hn::Min(hn::Max(depth(0), farthest), nearest);
@@ -360,9 +387,9 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
                               false});
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
-            const auto z     = hn::Min(hn::Max(together(depth(1), depth(0)), farthest), nearest);
+            const auto z     = hn::Min(hn::Max(fromColumns(together(depth(1), depth(0))), farthest), nearest);
             const auto upper = hn::OrAnd(z, sign, hn::Set(f32, -0.0f));  // outside: the sign of an edge
-            const auto keys  = keysOf(upper, lowerHalves<kKeep>(triangles.id[t] + 1));
+            const auto keys  = keysOf(upper, lowerHalves<kKeep>(triangles.lowerKey[t]));
             offerKeys<kKeep, kNormal>(keys[0], empty, row, stride);
             offerKeys<kKeep, kNormal>(keys[1], empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide, stride);
 #endif
@@ -425,8 +452,7 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         if (hn::AllFalse(i32, isDrawn)) continue;
 
         const auto farthest = hn::LoadU(f32, triangles.farthest.data() + i), nearest = hn::LoadU(f32, triangles.nearest.data() + i);
-        const auto rank  = hn::LoadU(u32, triangles.id.data() + i) + hn::Set(u32, 1);
-        const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::Not(rank);
+        const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::LoadU(u32, triangles.lowerKey.data() + i);
         const auto place = hn::BitCast(u32, x) + hn::BitCast(u32, y) * hn::Set(u32, stride);
         // In float64, of half of these triangles at a time.
         const auto numbers = [&, i](const auto& column, std::size_t from) HWY_ATTR { return hn::LoadU(d64, column.data() + i + from); };
@@ -491,10 +517,11 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
     PixelKey* const      picture = visible.row(0);
     const std::ptrdiff_t stride  = visible.stride();
     const std::size_t    count   = list.count;
+    list.knowCentres(static_cast<std::size_t>(stride));
     for (std::size_t i = 0; i < count; i += hn::Lanes(F64())) {
         const auto place = hn::LoadU(U32(), list.places.data() + i);
         const auto x = hn::BitCast(I32(), hn::And(place, hn::Set(U32(), 0xFFFF))), y = hn::BitCast(I32(), hn::ShiftRight<16>(place));
-        hn::StoreU(hn::PromoteTo(F64(), x) + hn::Set(F64(), 0.5), F64(), list.centreX.data() + i);
+        hn::StoreU(hn::BitCast(U32(), x), U32(), list.columns.data() + i);
         hn::StoreU(hn::PromoteTo(F64(), y) + hn::Set(F64(), 0.5), F64(), list.centreY.data() + i);
         hn::StoreU(hn::BitCast(U32(), y) * hn::Set(U32(), static_cast<std::uint32_t>(stride)) + hn::BitCast(U32(), x), U32(), list.places.data() + i);
     }
@@ -502,7 +529,8 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
     const std::uint32_t* const owners = list.owners.data();
     const std::uint32_t* const places = list.places.data();
     const std::array<const float*, 3> edges{list.edges[0].data(), list.edges[1].data(), list.edges[2].data()};
-    const double* const        centreX = list.centreX.data();
+    const std::uint32_t* const columns = list.columns.data();
+    const double* const        centres = list.centres.data();
     const double* const        centreY = list.centreY.data();
     for (std::size_t i = 0; i < count; ++i) {
         const PixelKey* ahead = picture + places[std::min(i + kFetchedAhead, count - 1)];
@@ -510,7 +538,7 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
             hwy::Prefetch(ahead);
             hwy::Prefetch(ahead + kWindowSide - 1);  // often in another cache line
         }
-        const Window window{owners[i], {edges[0][i], edges[1][i], edges[2][i]}, centreX[i], centreY[i]};
+        const Window window{owners[i], {edges[0][i], edges[1][i], edges[2][i]}, centres + columns[i], centreY[i]};
         testWindow<kKeep, kNormal>(triangles, window, picture + places[i], stride, visible.empty(), visible.width(), probe);
     }
     list.clear();
