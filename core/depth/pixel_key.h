@@ -18,13 +18,10 @@ using PixelKey = std::int64_t;
 /// Turns a float32's bits into an integer that compares as it does, and back.
 constexpr std::int32_t inOrder(std::int32_t bits) { return bits ^ ((bits >> 31) & 0x7FFFFFFF); }
 
-/// The lower half of the keys of a rank.
-constexpr std::uint32_t lowerKeyOf(std::uint32_t rank) { return 0xFFFFFFFFu - rank; }
-
 constexpr PixelKey keyOf(float depth, std::uint32_t rank)
 {
     const auto above = static_cast<std::uint32_t>(inOrder(std::bit_cast<std::int32_t>(depth)));
-    return static_cast<PixelKey>(std::uint64_t{above} << 32 | lowerKeyOf(rank));
+    return static_cast<PixelKey>(std::uint64_t{above} << 32 | (0xFFFFFFFFu - rank));
 }
 constexpr float depthOf(PixelKey key) { return std::bit_cast<float>(inOrder(static_cast<std::int32_t>(key >> 32))); }
 constexpr std::uint32_t rankOf(PixelKey key) { return 0xFFFFFFFFu - static_cast<std::uint32_t>(key & 0xFFFFFFFF); }

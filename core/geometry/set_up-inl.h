@@ -25,7 +25,6 @@
 
 #include <hwy/highway.h>
 
-#include "core/depth/pixel_key.h"
 #include "core/geometry/corner_rows-inl.h"
 #include "core/geometry/lane_order-inl.h"
 #include "core/geometry/set_up.h"
@@ -164,7 +163,7 @@ private:
             keep(kind, out.kind);
             const auto own = hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle));
             keep(own, out.id);
-            keep(all(static_cast<std::int32_t>(lowerKeyOf(1))) - own, out.lowerKey);  // of rank id + 1
+            keep(all(-2) - own, out.notRank);  // ~(own + 1)
             const auto grow = [&](V& least, V& most, V from, V to) HWY_ATTR {
                 least = hn::Min(least, hn::IfThenElse(kept, from, least)), most = hn::Max(most, hn::IfThenElse(kept, to, most));
             };

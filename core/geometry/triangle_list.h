@@ -60,7 +60,7 @@ struct TriangleList {
 
     // Of compact triangles.
     alignas(64) Column<std::int32_t> top;                               // first line of their windows
-    alignas(64) Column<std::uint32_t> lowerKey;                         // lowerKeyOf() their rank (core/depth/pixel_key.h)
+    alignas(64) Column<std::uint32_t> notRank;                          // complement of the rank, id + 1: what pixels hold of it
     alignas(64) std::array<Column<float>, 3> origin, perPixel, perLine;  // edges, as above, counted from pixel (x0, top)
     // Corners as they were given: positions in the batch. All entries are, from the first on: the lanes of a vector that lie beyond the last
     // triangle look their corners up like the others.

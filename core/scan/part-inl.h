@@ -61,7 +61,7 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<HalfPlane, kCross
 
     const auto farthest = hn::Set(f32, depth.farthest), nearest = hn::Set(f32, depth.nearest);
     const auto b = hn::Set(d64, depth.b), c = hn::Set(d64, depth.c);
-    const auto lowers = lowerHalves<kKeep>(lowerKeyOf(triangle.rank()));
+    const auto lowers = lowerHalves<kKeep>(~triangle.rank());
     const float empty = visible.empty();
 
     const std::ptrdiff_t stride = visible.stride();

@@ -52,11 +52,11 @@ HWY_INLINE std::array<Keys, 2> keysOf(hn::Vec<Pass32> uppers, hn::Vec<Pass32> lo
 constexpr int pixelOfLane(int lane) { return lane % 4 / 2 * kLanes + lane / 4 * 2 + lane % 2; }
 #endif
 
-/// The lower half of the keys of a triangle's fragments in every lane: `lowerKey`, or nobody's if only depths are kept.
+/// The lower half of the keys of a triangle's fragments in every lane: the complement of its rank, or of nobody's if only depths are kept.
 template <Keep kKeep>
-HWY_INLINE hn::Vec<Pass32> lowerHalves(std::uint32_t lowerKey)
+HWY_INLINE hn::Vec<Pass32> lowerHalves(std::uint32_t notRank)
 {
-    return hn::BitCast(Pass32(), hn::Set(hn::RebindToUnsigned<Pass32>(), kKeep == Keep::DepthOnly ? lowerKeyOf(0) : lowerKey));
+    return hn::BitCast(Pass32(), hn::Set(hn::RebindToUnsigned<Pass32>(), kKeep == Keep::DepthOnly ? ~std::uint32_t{0} : notRank));
 }
 
 /// First lane of the second vector of float64.

@@ -389,7 +389,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
             const auto z     = hn::Min(hn::Max(fromColumns(together(depth(1), depth(0))), farthest), nearest);
             const auto upper = hn::OrAnd(z, sign, hn::Set(f32, -0.0f));  // outside: the sign of an edge
-            const auto keys  = keysOf(upper, lowerHalves<kKeep>(triangles.lowerKey[t]));
+            const auto keys  = keysOf(upper, lowerHalves<kKeep>(triangles.notRank[t]));
             offerKeys<kKeep, kNormal>(keys[0], empty, row, stride);
             offerKeys<kKeep, kNormal>(keys[1], empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide, stride);
 #endif
@@ -452,7 +452,7 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         if (hn::AllFalse(i32, isDrawn)) continue;
 
         const auto farthest = hn::LoadU(f32, triangles.farthest.data() + i), nearest = hn::LoadU(f32, triangles.nearest.data() + i);
-        const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::LoadU(u32, triangles.lowerKey.data() + i);
+        const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::LoadU(u32, triangles.notRank.data() + i);
         const auto place = hn::BitCast(u32, x) + hn::BitCast(u32, y) * hn::Set(u32, stride);
         // In float64, of half of these triangles at a time.
         const auto numbers = [&, i](const auto& column, std::size_t from) HWY_ATTR { return hn::LoadU(d64, column.data() + i + from); };
