@@ -1,7 +1,8 @@
 // The vertex stage, several vertices side by side: world, view, screen and snapped position of one batch.
 //
 // Lanes      as many float64 as the instruction set holds; one lane is Projection::toView and toScreen to the bit
-// Cost       one division and some twenty multiplications and additions per vertex, never fused
+// Fused      nothing but the last step, from pixels to the snapped position: its product, by a power of two, is exact either way
+// Cost       one division and some twenty multiplications and additions per vertex
 #if defined(ZSCOPE_TRANSFORM_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_TRANSFORM_INL_H
 #undef ZSCOPE_TRANSFORM_INL_H
