@@ -28,7 +28,7 @@ struct NodeReach {
 /// Always inlined, so that each instruction set gets it in its own instructions.
 [[gnu::always_inline]] inline NodeReach reachOf(const ViewBox& box, const Projection& p, const PixelBox& region)
 {
-    const NodeReach anywhere{region, 1, true, 0};
+    const NodeReach anywhere{region, static_cast<float>(p.depthScale), true, 0};
     const double    error    = PlacedView::kError * box.magnitude;
     const double    nearestZ = box.centre.z - box.spread(0, 0, 1) - error;
     if (!(nearestZ >= p.near)) return anywhere;
@@ -43,7 +43,7 @@ struct NodeReach {
                 y0 = std::min(y0, y), y1 = std::max(y1, y);
             }
     // What an error of the corners, and of the points inside, may move on the screen; then the snapping.
-    const double steepest = std::max(std::max(-x0, x1), std::max(-y0, y1)), pixelsPerSlope = p.scale * p.near;
+    const double steepest = std::max(std::max(-x0, x1), std::max(-y0, y1)), pixelsPerSlope = p.pixelsPerSlope();
     const double slip     = pixelsPerSlope * ((error + error * steepest) / nearestZ + PlacedView::kError * steepest) + 1 / kSubpixels;
     const double left = p.centreX + x0 * pixelsPerSlope - slip, right = p.centreX + x1 * pixelsPerSlope + slip;
     const double top = p.centreY - y1 * pixelsPerSlope - slip, bottom = p.centreY - y0 * pixelsPerSlope + slip;
@@ -60,7 +60,7 @@ struct NodeReach {
                      std::min(region.x1, pixelFrom(right)), std::min(region.y1, pixelFrom(bottom))};
     reach.area    = area;
     // The next float32 up, as nextafter() finds it of a number that is not negative.
-    reach.nearest = std::bit_cast<float>(std::bit_cast<std::uint32_t>(static_cast<float>(p.near / nearestZ)) + 1);
+    reach.nearest = std::bit_cast<float>(std::bit_cast<std::uint32_t>(static_cast<float>(p.depthAtOne / nearestZ)) + 1);
     return reach;
 }
 

@@ -106,7 +106,7 @@ PyramidQuery Pyramid::askAtCorners(const PixelBox& box, float nearest) const
     PyramidQuery query{box, nearest, 0, std::numeric_limits<float>::infinity(), true, 4};
     for (const int y : {box.y0, box.y1 - 1})
         for (const int x : {box.x0, box.x1 - 1})
-            query.value = std::min(query.value, m_visible->isReadable(x, y) ? m_visible->storedAt(x, y) : m_visible->empty());
+            query.value = std::min(query.value, m_visible->isReadable(x, y) ? m_visible->comparedAt(x, y) : m_visible->empty());
     query.hidden = isBehind(nearest, query.value);
     return query;
 }
@@ -121,10 +121,10 @@ float Pyramid::farthestPixel(int tileX, int tileY) const
     if (const TilePlane* plane = m_visible->planeAt(x0, y0); plane && m_fault != Fault::NearestInCells)
         return farthestOver(plane->depth, {x0, y0, x1, y1});
     if (x1 - x0 == kTile && m_leastKey && m_fault != Fault::NearestInCells)
-        return depthOf(m_leastKey(m_visible->row(y0) + x0, m_visible->stride(), y1 - y0));
-    float all = m_visible->storedAt(x0, y0);
+        return depthOf(std::max(m_leastKey(m_visible->row(y0) + x0, m_visible->stride(), y1 - y0), m_visible->background()));
+    float all = m_visible->comparedAt(x0, y0);
     for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) all = kept(all, m_visible->storedAt(x, y));
+        for (int x = x0; x < x1; ++x) all = kept(all, m_visible->comparedAt(x, y));
     return all;
 }
 

@@ -48,7 +48,7 @@ bool Pyramid::shows(const PixelBox& box, float nearest, const Shape& shape) cons
 {
     if (!m_readsPixels) return false;
     const auto showsAt = [&](int x, int y) {
-        return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->storedAt(x, y)));
+        return shape.covers(x, y) && (!m_visible->isReadable(x, y) || !isBehind(nearest, m_visible->comparedAt(x, y)));
     };
     if (showsAt((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)) return true;
     const int right = box.x1 - 1, bottom = box.y1 - 1;

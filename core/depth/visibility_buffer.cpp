@@ -6,9 +6,15 @@ namespace zscope {
 
 void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encoding)
 {
-    const bool isSame = width == m_width && height == m_height && encoding.empty == m_encoding.empty;
+    const bool isSameSize = width == m_width && height == m_height;
+    const bool isSame = isSameSize && encoding.empty == m_encoding.empty, isAbove = isSameSize && encoding.isAbove(m_encoding);
     m_encoding        = encoding;
     if (isSame) return;
+    if (isAbove) {  // what was drawn lies below the background now; what planes lie over may be anything
+        for (Tile& tile : m_tiles.values())
+            if (tile >= Tile::Drawn) tile = tile == Tile::Plane ? Tile::Stale : Tile::Empty;
+        return;
+    }
     m_width  = width;
     m_height = height;
     m_stride = static_cast<std::size_t>((width + 2 * kRowPadding - 1) / kRowPadding * kRowPadding);
@@ -39,7 +45,7 @@ void VisibilityBuffer::clearTile(int x, int y)
 {
     const int left = x * kTileWidth, width = std::min(kTileWidth, static_cast<int>(m_stride) - left);
     for (int line = y * kTileLines; line < std::min((y + 1) * kTileLines, m_height); ++line)
-        std::fill_n(row(line) + left, width, keyOf(empty(), 0));
+        std::fill_n(row(line) + left, width, background());
 }
 
 void VisibilityBuffer::storePixels(const PixelBox& tile, const TilePlane& plane)

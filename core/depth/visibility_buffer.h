@@ -11,6 +11,8 @@
 // Planes     a tile whose pixels all show one triangle may be kept as that triangle's plane (setPlane()). Its keys are not written before
 //            something else is drawn to it or storePlanes() writes what is left; until then row() says nothing of its pixels,
 //            and what is told of single pixels is computed
+// Stacked    a picture whose encoding lies above the last one's (core/base/depth_format.h) need not have its tiles emptied: keys below the background's
+//            stand for it. Who reads row() has to know; keyAt() and what is told of single pixels do
 // Promise    the winner is the maximum of (depth, -id) over all samples offered, in whatever order they come
 // Source     docs/correctness.md, Depth and the winner. Planes: Hasselgren, Akenine-Moller: Efficient Depth Buffer Compression, Graphics
 //            Hardware 2006
@@ -38,8 +40,11 @@ class VisibilityBuffer {
 public:
     static constexpr int kTileWidth = 64, kTileLines = 8;
 
-    /// Sets the size; the contents are undefined until clearRows() has run over all rows, or emptyRows() and finishRows().
+    /// Begins a picture. The contents are undefined until clearRows() has run over all rows, or emptyRows() and finishRows().
     void resize(int width, int height, const DepthEncoding& encoding);
+
+    /// By which the next picture, `plain` but for its scale, need not be emptied for, wherever that can be.
+    DepthEncoding encodingAbove(const DepthEncoding& plain) const { return plain.above(m_encoding); }
 
     // The rows [first, end) are whole lines of tiles, or end with the picture. Threads may work on different ones.
     void clearRows(int first, int end)
@@ -103,6 +108,8 @@ public:
     int   width() const { return m_width; }
     int   height() const { return m_height; }
     float empty() const { return m_encoding.empty; }
+    /// Whatever key is not larger is background.
+    PixelKey background() const { return keyOf(m_encoding.empty, 0); }
 
     /// Keys from a pixel to the one below it.
     std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(m_stride); }
@@ -115,14 +122,15 @@ public:
     PixelKey keyAt(int x, int y) const
     {
         const TilePlane* plane = planeAt(x, y);
-        return plane ? plane->keyAt(x, y) : row(y)[x];
+        return plane ? plane->keyAt(x, y) : std::max(row(y)[x], background());
     }
     /// 0 is background, else triangle id + 1.
     std::uint32_t rankAt(int x, int y) const { return rankOf(keyAt(x, y)); }
-    /// Depth as the encoding stores it.
-    float storedAt(int x, int y) const { return depthOf(keyAt(x, y)); }
+    /// Depth as the encoding stores it, and as it would at scale 1.
+    float comparedAt(int x, int y) const { return depthOf(keyAt(x, y)); }
+    float storedAt(int x, int y) const { return m_encoding.atScaleOne(comparedAt(x, y)); }
     /// Depth as it is reported: near/z, 0 for background.
-    float depthAt(int x, int y) const { return rankAt(x, y) == 0 ? 0.0f : m_encoding.depthOf(storedAt(x, y)); }
+    float depthAt(int x, int y) const { return rankAt(x, y) == 0 ? 0.0f : m_encoding.depthOf(comparedAt(x, y)); }
     /// Triangle id, or -1 for background.
     std::int64_t idAt(int x, int y) const { return static_cast<std::int64_t>(rankAt(x, y)) - 1; }
 
@@ -131,7 +139,7 @@ public:
 private:
     enum class Tile : std::uint8_t {
         Stale,  // background, but memory holds something else
-        Empty,  // all background
+        Empty,  // all background: no key is larger
         Drawn,  // drawn to since emptyRows()
         Plane,  // the same, and kept as a plane: memory holds something else
     };

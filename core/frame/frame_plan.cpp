@@ -1,6 +1,8 @@
 #include "core/frame/frame_plan.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <omp.h>
 
@@ -85,6 +87,8 @@ StageReason reasonForUpkeep(const Pipeline& pipeline)
 /// How many opaque triangles of the scene have holes, and how many a relief.
 struct PatternedTriangles {
     std::uint64_t cutOut = 0, moved = 0;
+
+    bool any() const { return cutOut + moved != 0; }
 };
 
 PatternedTriangles patternedTrianglesOf(const Mesh& mesh)
@@ -100,7 +104,7 @@ PatternedTriangles patternedTrianglesOf(const Mesh& mesh)
     return all;
 }
 
-std::string aboutPatterns(const PreparedScene& scene, DepthMoment moment)
+PatternedTriangles patternedTrianglesOf(const PreparedScene& scene)
 {
     const auto counted = [&scene] {
         std::vector<PatternedTriangles> ofMesh;
@@ -112,15 +116,29 @@ std::string aboutPatterns(const PreparedScene& scene, DepthMoment moment)
         }
         return all;
     };
-    const PatternedTriangles all = scene.derived().get<PatternedTriangles>(counted);
+    return scene.derived().get<PatternedTriangles>(counted);
+}
+
+std::string aboutPatterns(const PreparedScene& scene, DepthMoment moment)
+{
+    const PatternedTriangles all = patternedTrianglesOf(scene);
     const auto triangles = [](std::uint64_t count) { return std::to_string(count) + (count == 1 ? " triangle" : " triangles"); };
-    if (all.cutOut + all.moved == 0) return "; no fragment can be discarded or moved";
+    if (!all.any()) return "; no fragment can be discarded or moved";
     std::string about;
     if (all.cutOut > 0) about += "; " + triangles(all.cutOut) + " can be discarded: " + (all.cutOut == 1 ? "its" : "their") + " depth is written late";
     if (all.moved == 0) return about;
     about += "; the fragments of " + triangles(all.moved) + " are moved away from the eye: ";
     return about + (moment == DepthMoment::Late ? "each is shaded, moved and tested once"
                                                 : "an early test, a tile or the pyramid can only say no for where the triangle is; what passes is moved and tested again");
+}
+
+/// No depth, and nothing that a plane of depths is computed from, comes near the ends of float64, whatever the scale: none loses bits.
+bool isFarFromLimits(const Camera& camera, const Bounds& bounds)
+{
+    const auto isModest = [](double value) { return std::abs(value) < 0x1p100; };
+    const auto isSize   = [&](double value) { return value > 0x1p-100 && isModest(value); };
+    const auto isPlace  = [&](const dvec3& p) { return isModest(p.x) && isModest(p.y) && isModest(p.z); };
+    return isSize(camera.near) && isSize(camera.focal) && isPlace(camera.eye) && isPlace(bounds.min) && isPlace(bounds.max);
 }
 
 StageReason reasonForShade(const DrawRequest& request)
@@ -166,6 +184,18 @@ bool drawsPatchedBatches(const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
     return pipeline.order == Order::Submitted && !drawsFaces(pipeline) && pipeline.usesExactRules() && request.faceCulling == FaceCulling::Back;
+}
+
+DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible)
+{
+    const Camera&       camera = request.camera;
+    const DepthEncoding plain(request.pipeline.approximation.format, camera.near, camera.far);
+    // Faces and reliefs know depths of one scale only, a pyramid that is kept for the next frame holds those of this one, what is blended is compared with
+    // what memory holds, and a fragment that is shaded where it wins must not win over less than the background.
+    const bool isOne = drawsFaces(request.pipeline) || patternedTrianglesOf(*request.scene).any() || request.pipeline.coherence == Coherence::LastPyramid ||
+                       toBeBlended(request) || (request.shade && shadesFragments(request.pipeline.depth));
+    if (isOne || !request.pipeline.usesExactRules()) return plain;
+    return plain.empty >= std::numeric_limits<float>::min() && isFarFromLimits(camera, request.scene->scene().bounds) ? visible.encodingAbove(plain) : plain;
 }
 
 const TransparentSurfaces* toBeBlended(const DrawRequest& request)

@@ -33,6 +33,10 @@ StageReason reasonFor(Stage stage, const DrawRequest& request);
 /// Whether the frame, at full speed, draws batches that stand patch by patch (PatchedBatches).
 bool drawsPatchedBatches(const DrawRequest& request);
 
+/// How the frame's depths are stored at full speed: where nothing but the triangles' own depths is compared, above the last picture of `visible`, so that
+/// what that left need not be emptied (core/base/depth_format.h).
+DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible);
+
 /// The scene's transparent surfaces if this frame blends them: it is shaded, and there are any; else nullptr.
 const TransparentSurfaces* toBeBlended(const DrawRequest& request);
 /// The rules they are drawn by: the request's approximations, as far as a sweep can follow them, and no fault.

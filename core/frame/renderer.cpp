@@ -145,7 +145,6 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
 
     const Clock::time_point start = Clock::now();
     const Camera&           camera = request.camera;
-    const Projection        projection(camera);
     const Kernels&          kernels = kernelsOf(plan->simd);
     const bool              exact   = request.pipeline.usesExactRules();
     const ChosenRules       rules(request.pipeline.approximation, request.pipeline.fault, camera);
@@ -158,6 +157,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     const PatchedBatches*   patched     = nullptr;
     double                  builtMs     = 0;
     const ChosenRules       blendRules  = rulesOfBlending(request);
+    DepthEncoding           encoding;
     try {
         transparent   = toBeBlended(request);
         shadesByTiles = !transparent && !shadesFragments(request.pipeline.depth);
@@ -167,7 +167,8 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
             patched = &patchedBatchesOf(*request.scene);
             builtMs = msSince(asked);
         }
-        frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
+        encoding = encodingOf(request, frame.visible);
+        frame.visible.resize(camera.width, camera.height, encoding);
         if (!request.shade)
             frame.colour = {};
         else if (frame.colour.width() != camera.width || frame.colour.height() != camera.height) {
@@ -181,6 +182,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     } catch (const std::bad_alloc&) {
         return Error{Trouble::Limit, "there is not enough memory for this picture"};
     }
+    const Projection       projection(camera, encoding.scale);
     std::optional<Painter> painter;
     if (colours)
         painter.emplace(Painter{request.scene->scene(), *colours, frame.colour.view(), operationsOf(request.pipeline.cost),

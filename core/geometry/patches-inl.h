@@ -189,13 +189,13 @@ private:
         const auto perNear = all(1) / near, perFar = all(1) / (vz + r), zero = hn::Zero(F64());
         const auto least   = [&](Vec v) HWY_ATTR { return v * hn::IfThenElse(v < zero, perNear, perFar); };
         const auto most    = [&](Vec v) HWY_ATTR { return v * hn::IfThenElse(v < zero, perFar, perNear); };
-        const auto perSlope = all(m_projection.scale * m_projection.near), slip = all(2 / kSubpixels), half = all(0.5);
+        const auto perSlope = all(m_projection.pixelsPerSlope()), slip = all(2 / kSubpixels), half = all(0.5);
         const auto x = all(m_projection.centreX), y = all(m_projection.centreY);
         const auto from  = [&](Vec edge, int first) HWY_ATTR { return hn::IfThenElse(isKnown, hn::Max(hn::Ceil((edge - slip) - half), all(first)), all(first)); };
         const auto until = [&](Vec edge, int end) HWY_ATTR { return hn::IfThenElse(isKnown, hn::Min(hn::Ceil((edge + slip) - half), all(end)), all(end)); };
         return {from(x + least(vx - r) * perSlope, m_region.x0), from(y - most(vy + r) * perSlope, m_region.y0),
                 until(x + most(vx + r) * perSlope, m_region.x1), until(y - least(vy - r) * perSlope, m_region.y1),
-                hn::IfThenElse(isKnown, all(m_projection.near) * perNear, all(1))};
+                hn::IfThenElse(isKnown, all(m_projection.depthAtOne) * perNear, all(m_projection.depthScale))};
     }
 
     const PlacedView& m_view;

@@ -3,6 +3,7 @@
 //
 // View       x right, y up, z = distance in front of the eye
 // Screen     pixels, y down; pixel (i, j) has its centre at (i + 0.5, j + 0.5)
+// Scale      depths may be wanted times a power of two (core/base/depth_format.h): no rounding sees it, nor does a position
 // Snapped    1/256 pixel, integers held in float64 (exact up to 2^53, and rounded to even beyond, as defined)
 // Source     docs/correctness.md, The arithmetic, written out
 #pragma once
@@ -27,18 +28,20 @@ inline constexpr double kGuardBand = 16777216.0;
 /// A corner on the screen: where it is, how near it is, and where it snaps to.
 struct ScreenCorner {
     double x, y;    // unsnapped, pixels
-    double d;       // n / z, in (0, 1]
+    double d;       // n / z, in (0, 1], times the depth scale
     double xs, ys;  // snapped, 1/256 pixel
 };
 
 struct Projection {
-    explicit Projection(const Camera& camera)
+    explicit Projection(const Camera& camera, double scaleOfDepths = 1)
         : eye(camera.eye),
           right(camera.right),
           up(camera.up),
           forward(camera.forward),
           near(camera.near),
-          scale(((camera.height * 0.5) * camera.focal) / camera.near),
+          depthScale(scaleOfDepths),
+          depthAtOne(camera.near * scaleOfDepths),
+          scale(((camera.height * 0.5) * camera.focal) / camera.near / scaleOfDepths),
           centreX(camera.width * 0.5),
           centreY(camera.height * 0.5),
           focalPixels((camera.height * 0.5) * camera.focal)
@@ -59,15 +62,20 @@ struct Projection {
     template <class Real = double>
     ScreenCorner toScreen(const dvec3& view, double snaps = kSubpixels) const
     {
-        const Real   d = static_cast<Real>(near) / static_cast<Real>(view.z);
+        const Real   d = static_cast<Real>(depthAtOne) / static_cast<Real>(view.z);
         const double x = static_cast<Real>(centreX) + (static_cast<Real>(view.x) * d) * static_cast<Real>(scale);
         const double y = static_cast<Real>(centreY) - (static_cast<Real>(view.y) * d) * static_cast<Real>(scale);
         return {x, y, d, std::nearbyint(x * snaps) * (kSubpixels / snaps), std::nearbyint(y * snaps) * (kSubpixels / snaps)};
     }
 
+    /// From a slope, x / z or y / z, to pixels, but for the roundings of toScreen().
+    double pixelsPerSlope() const { return scale * depthAtOne; }
+
     dvec3  eye, right, up, forward;
     double near;
-    double scale;             // k of the definition: pixels per unit of (v.x * D)
+    double depthScale;        // the largest depth: what lies on the near plane has it. A power of two
+    double depthAtOne;        // depth at z = 1
+    double scale;             // k of the definition: pixels per unit of (v.x * D), where D is at depthScale
     double centreX, centreY;  // of the picture, pixels
     double focalPixels;       // pixels per unit of view x / z
 };

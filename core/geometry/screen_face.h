@@ -59,7 +59,7 @@ public:
             const ScreenCorner seen = p.toScreen(mean);
             depth.c = seen.d - (depth.a * seen.x + depth.b * seen.y);
         } else {
-            depth.c = p.near * n.z / w - (depth.a * p.centreX + depth.b * p.centreY);
+            depth.c = p.depthAtOne * n.z / w - (depth.a * p.centreX + depth.b * p.centreY);
         }
         return depth;
     }

@@ -26,7 +26,7 @@ public:
     /// Lines [firstRow, endRow) of a picture `width` pixels wide.
     StripeVolume(const Projection& projection, int width, int firstRow, int endRow) : m_near(projection.near)
     {
-        const double k = projection.scale * projection.near;  // pixels: X = centreX + v.x / v.z * k
+        const double k = projection.pixelsPerSlope();  // X = centreX + v.x / v.z * k
         const double left = projection.centreX + 1, right = width + 1 - projection.centreX;
         const double top = projection.centreY - firstRow + 1, bottom = endRow + 1 - projection.centreY;
         m_inward = {dvec3{0, 0, 1}, dvec3{k, 0, left}, dvec3{-k, 0, right}, dvec3{0, -k, top}, dvec3{0, k, bottom}};

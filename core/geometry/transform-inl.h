@@ -56,7 +56,7 @@ struct VertexStage {
                     ScreenVertices& out)
     {
         const F64  d64;
-        const auto near  = all(p.near);
+        const auto near = all(p.near), depthAtOne = all(p.depthAtOne);
         auto       worst = hn::Zero(d64) > hn::Zero(d64);  // lanes that have met a vertex that is not plain
 
         for (std::size_t i = first; i < end; i += hn::Lanes(d64)) {
@@ -75,7 +75,7 @@ struct VertexStage {
             const auto vy = (all(p.up.x) * dx + all(p.up.y) * dy) + all(p.up.z) * dz;
             const auto vz = (all(p.forward.x) * dx + all(p.forward.y) * dy) + all(p.forward.z) * dz;
 
-            const auto d  = near / vz;
+            const auto d  = depthAtOne / vz;
             const auto sx = wide(all(p.centreX) + (vx * d) * all(p.scale));
             const auto sy = wide(all(p.centreY) - (vy * d) * all(p.scale));
             // NaN compares false, so a vertex without a place is not plain either.

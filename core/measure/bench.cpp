@@ -68,6 +68,7 @@ private:
     struct Run {
         DrawRequest               draw;
         BenchRow                  row;
+        BenchAlgorithm            algorithm;
         std::unique_ptr<Renderer> renderer = std::make_unique<Renderer>();
         std::vector<FrameReport>  reports  = {};  // of the timed frames
     };
@@ -80,7 +81,7 @@ private:
     /// Draws and judges the first picture, and warms up.
     Result<Run> prepare(const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade)
     {
-        Run       run{.draw = drawRequest(algorithm, threads, simd, shade), .row = {}};
+        Run       run{.draw = drawRequest(algorithm, threads, simd, shade), .row = {}, .algorithm = algorithm};
         BenchRow& row = run.row;
         row.shaded    = shade;
         row.scene     = m_request.scene->name;
@@ -95,13 +96,7 @@ private:
         if (!first) return first.error();
         row.threads = first->threads;
         row.simd    = first->simd;
-        if (m_request.verify) {
-            const auto judgement = judge(algorithm);
-            if (!judgement) return judgement.error();
-            row.wrongPixels = judgement->wrong;
-            row.figures     = judgement->figures;
-            row.samples     = m_request.samples.value_or(0);
-        }
+        if (const auto done = judge(algorithm, row); !done) return done.error();
         bool isTrial = first->isTrial;
         for (int frame = 0; frame < m_request.warmUp || isTrial; ++frame) {
             const auto report = run.renderer->draw(run.draw, m_frame);
@@ -122,6 +117,8 @@ private:
             ms.push_back(report->frameMs);
             run.reports.push_back(*std::move(report));
         }
+        if (round + 1 == m_request.rounds)
+            if (const auto done = judge(run.algorithm, run.row); !done) return done.error();
         std::ranges::sort(ms);
         run.row.roundMs.push_back(ms[quantileRank(ms.size(), 0.5)]);
         return Done{};
@@ -149,8 +146,20 @@ private:
         if (m_request.finished) m_request.finished(run.row);
     }
 
-    /// Of the frame just drawn.
-    Result<ViewTruth::Judgement> judge(const BenchAlgorithm& algorithm)
+    /// The frame just drawn, if the run is verified: the row keeps the worst.
+    Result<Done> judge(const BenchAlgorithm& algorithm, BenchRow& row)
+    {
+        if (!m_request.verify) return Done{};
+        const auto judgement = judgementOf(algorithm);
+        if (!judgement) return judgement.error();
+        row.samples = m_request.samples.value_or(0);
+        if (row.wrongPixels && *row.wrongPixels >= judgement->wrong) return Done{};
+        row.wrongPixels = judgement->wrong;
+        row.figures     = judgement->figures;
+        return Done{};
+    }
+
+    Result<ViewTruth::Judgement> judgementOf(const BenchAlgorithm& algorithm)
     {
         Picture    picture = pictureOf(m_frame.visible);
         const bool isDear  = drawsFaces(algorithm.pipeline);

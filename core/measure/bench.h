@@ -3,7 +3,7 @@
 // Runs       every algorithm with every thread count and vector target, shaded, or ids and depth alone, or both; each has
 //            warm-up frames, then `frames` timed ones; one that chooses by trials has them behind it before. Counters come
 //            from a separate run and never slow a timed one
-// Verified   the first picture of every run. Of methods that draw faces the first of each algorithm is judged against
+// Verified   the first picture of every run, and the last timed one, which stands on what all before it have left. Of methods that draw faces the first of each algorithm is judged against
 //            the reference, which takes long, and the others against that first one. A picture that differs gets all its
 //            error figures; one that does not has zeros for the cost of the comparison alone
 // Rounds     more than one: the timed frames of every run are parted into so many turns, each run after the other in every

@@ -224,7 +224,7 @@ private:
                     const bool isFull = here.x1 - here.x0 == kTile && here.y1 - here.y0 == kTile;
                     const auto least  = fillPart<kKeep, kNormal>(triangle, edges, isFull ? parts.within(part) : std::array<bool, 3>{}, left, top, visible);
                     if (upkeep.isKept())
-                        upkeep.drawnTile(left, top, farthestOf(least));
+                        upkeep.drawnTile(left, top, farthestOf(least, visible));
                     else
                         upkeep.touched(here);
                     continue;
@@ -238,7 +238,7 @@ private:
                 least = fartherOf<kNormal>(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0, here.y1, sees, fragments,
                                                            visible, rules, probe));
             if (sees)
-                upkeep.drawnTile(left, here.y0, farthestOf(least));
+                upkeep.drawnTile(left, here.y0, farthestOf(least, visible));
             else
                 upkeep.touched(here);
         }
@@ -273,7 +273,10 @@ private:
         return true;
     }
 
-    static float farthestOf(Keys least) { return depthOf(hn::GetLane(hn::MinOfLanes(I64(), least))); }
+    HWY_INLINE static float farthestOf(Keys least, const VisibilityBuffer& visible)
+    {
+        return depthOf(std::max(hn::GetLane(hn::MinOfLanes(I64(), least)), visible.background()));
+    }
 
     template <class Each>
     static void forEachPixelByWindows(const PixelBox& box, const Each& each)

@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include <hwy/cache_control.h>
@@ -22,43 +23,51 @@ namespace zscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The ranks in as many keys as there are lanes.
+/// Whom a pixel shows: background's key, or a smaller one, shows nobody.
+inline std::uint32_t rankAt(const PixelKey* key, PixelKey background) { return rankOf(std::max(*key, background)); }
+
+/// The same of as many keys as there are lanes.
 template <class U32>
-hn::Vec<U32> ranksAt(U32 u32, const PixelKey* keys)
+hn::Vec<U32> ranksAt(U32 u32, const PixelKey* keys, PixelKey background)
 {
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (hn::MaxLanes(U32()) > 1) {
+        const hn::RebindToSigned<U32> i32;
         const auto* halves = reinterpret_cast<const std::uint32_t*>(keys);  // lower, upper, lower, upper, ...
-        return hn::Not(hn::ConcatEven(u32, hn::LoadU(u32, halves + hn::Lanes(u32)), hn::LoadU(u32, halves)));
+        const auto  first = hn::LoadU(u32, halves), second = hn::LoadU(u32, halves + hn::Lanes(u32));
+        const auto  isShown = hn::BitCast(i32, hn::ConcatOdd(u32, second, first)) > hn::Set(i32, static_cast<std::int32_t>(background >> 32));
+        return hn::IfThenElseZero(hn::RebindMask(u32, isShown), hn::Not(hn::ConcatEven(u32, second, first)));
     }
 #endif
-    return hn::Set(u32, rankOf(*keys));
+    return hn::Set(u32, rankAt(keys, background));
 }
 
-inline void baseColoursFromTable(const PixelKey* keys, int width, const std::uint32_t* table, std::uint32_t* colour)
+inline void baseColoursFromTable(const PixelKey* keys, PixelKey background, int width, const std::uint32_t* table, std::uint32_t* colour)
 {
     const hn::ScalableTag<std::uint32_t> u32;
     const int                            lanes = static_cast<int>(hn::Lanes(u32));
     int                                  x     = 0;
     for (; x + lanes <= width; x += lanes) {
-        const auto          ranks = ranksAt(u32, keys + x);
-        const std::uint32_t first = rankOf(keys[x]);
+        const auto          ranks = ranksAt(u32, keys + x, background);
+        const std::uint32_t first = hn::GetLane(ranks);
         if (hn::AllTrue(u32, ranks == hn::Set(u32, first))) {
             hn::StoreU(hn::Set(u32, table[first]), u32, colour + x);
             continue;
         }
-        for (int i = 0; i < lanes; ++i) colour[x + i] = table[rankOf(keys[x + i])];
+        HWY_ALIGN std::array<std::uint32_t, hn::MaxLanes(decltype(u32)())> each;
+        hn::Store(ranks, u32, each.data());
+        for (int i = 0; i < lanes; ++i) colour[x + i] = table[each[static_cast<std::size_t>(i)]];
     }
-    for (; x < width; ++x) colour[x] = table[rankOf(keys[x])];
+    for (; x < width; ++x) colour[x] = table[rankAt(keys + x, background)];
 }
 
 /// Without a table: one computation per run of pixels that show the same triangle.
-inline void baseColoursByRuns(const Painter& painter, const PixelKey* keys, int width, std::uint32_t* colour)
+inline void baseColoursByRuns(const Painter& painter, const PixelKey* keys, PixelKey background, int width, std::uint32_t* colour)
 {
     std::uint32_t lastRank = 0, lastColour = kBackgroundColour;
     for (int x = 0; x < width; ++x) {
-        if (rankOf(keys[x]) != lastRank) {
-            lastRank   = rankOf(keys[x]);
+        if (const std::uint32_t rank = rankAt(keys + x, background); rank != lastRank) {
+            lastRank   = rank;
             lastColour = painter.baseColour(lastRank);
         }
         colour[x] = lastColour;
@@ -67,11 +76,11 @@ inline void baseColoursByRuns(const Painter& painter, const PixelKey* keys, int 
 
 /// The fragment shader over the base colours of the pixels [x, width) of line y, those of the background left as they are.
 template <class U32>
-int shadeRow(U32 u32, const PixelKey* keys, int x, int width, int y, int operations, std::uint32_t* colour)
+int shadeRow(U32 u32, const PixelKey* keys, PixelKey background, int x, int width, int y, int operations, std::uint32_t* colour)
 {
     const int lanes = static_cast<int>(hn::Lanes(u32));
     for (; x + lanes <= width; x += lanes) {
-        const auto ranks = ranksAt(u32, keys + x);
+        const auto ranks = ranksAt(u32, keys + x, background);
         const auto shows = ranks != hn::Zero(u32);
         if (hn::AllFalse(u32, shows)) continue;
         const auto base = hn::LoadU(u32, colour + x);
@@ -95,15 +104,16 @@ inline void fillColours(std::uint32_t* colour, int width, std::uint32_t value)
 /// Pixels [x0, x1) of line y.
 inline void shadeSpan(const Painter& painter, const VisibilityBuffer& visible, int x0, int x1, int y)
 {
-    const PixelKey* keys   = visible.row(y);
+    const PixelKey* keys       = visible.row(y);
+    const PixelKey  background = visible.background();
     std::uint32_t*  colour = painter.colour.row(y).data();
     if (painter.table.isComplete())
-        baseColoursFromTable(keys + x0, x1 - x0, painter.table.data(), colour + x0);
+        baseColoursFromTable(keys + x0, background, x1 - x0, painter.table.data(), colour + x0);
     else
-        baseColoursByRuns(painter, keys + x0, x1 - x0, colour + x0);
+        baseColoursByRuns(painter, keys + x0, background, x1 - x0, colour + x0);
     if (painter.operations == 0) return;
-    const int rest = shadeRow(hn::ScalableTag<std::uint32_t>(), keys, x0, x1, y, painter.operations, colour);
-    shadeRow(hn::CappedTag<std::uint32_t, 1>(), keys, rest, x1, y, painter.operations, colour);
+    const int rest = shadeRow(hn::ScalableTag<std::uint32_t>(), keys, background, x0, x1, y, painter.operations, colour);
+    shadeRow(hn::CappedTag<std::uint32_t, 1>(), keys, background, rest, x1, y, painter.operations, colour);
 }
 
 /// Lines [first, end), which are whole lines of tiles or end with the picture. Tiles that nothing was drawn to are background,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -63,6 +64,31 @@ private:
     Frame    m_expected, m_frame;
 };
 
+/// One renderer and one buffer for everything, whose pictures may lie above each other, against new ones for each.
+class Stack {
+public:
+    void expectSame(const DrawRequest& request, const std::string& what)
+    {
+        Frame fresh;
+        EXPECT_TRUE(Renderer().draw(request, fresh).ok()) << what;
+        EXPECT_TRUE(m_renderer.draw(request, m_frame).ok()) << what;
+        const Picture expected = pictureOf(fresh.visible);
+        EXPECT_TRUE(expected == pictureOf(m_frame.visible)) << what << ": the picture is another";
+        EXPECT_TRUE(fresh.colour == m_frame.colour) << what << ": its colours are others";
+        covered += compare(expected, expected).covered;
+        above += m_frame.visible.background() > m_lastBackground;
+        m_lastBackground = m_frame.visible.background();
+    }
+
+    std::uint64_t covered = 0;
+    int           above   = 0;  // pictures that did
+
+private:
+    Renderer m_renderer;
+    Frame    m_frame;
+    PixelKey m_lastBackground = std::numeric_limits<PixelKey>::max();
+};
+
 DrawRequest requestFor(std::shared_ptr<const PreparedScene> scene, const Camera& camera, const Pipeline& pipeline)
 {
     DrawRequest request;
@@ -109,6 +135,46 @@ TEST(Coherence, SizeThreadsTreeAndAlgorithmMayChangeBetweenFrames)
         pair.request         = requestFor(scene, onTheWay(scene->scene().bounds, frame, size[0], size[1]), pipelines[frame / 2 % 4]);
         pair.request.threads = 1 + frame % 3;
         pair.expectSame("frame " + std::to_string(frame));
+    }
+}
+
+/// By every preset in turn, whatever it promises, so that those whose depths have one scale come between; with far planes that leave room for
+/// a hundred pictures, and for one.
+TEST(Coherence, PicturesThatLieAboveTheLastOneAreThoseOfANewBuffer)
+{
+    for (const SoupKind kind : soupKinds()) {
+        Stack stack;
+        int   picture = 0;
+        for (const Preset& preset : presets())
+            for (const double far : {1.5, 300.0, 3e5, 1e20}) {
+                const Soup soup = makeSoup(kind, static_cast<std::uint64_t>(picture % 5), 150, 90, 40);
+                DrawRequest request = requestFor(std::make_shared<const PreparedScene>(soup.scene), soup.camera, preset.pipeline);
+                request.camera.far  = far * request.camera.near;
+                request.threads     = 1 + picture % 2;
+                request.shade       = picture % 3 != 0;
+                request.faceCulling = picture % 4 == 3 ? FaceCulling::Back : FaceCulling::None;
+                request.simd        = targetsTested()[static_cast<std::size_t>(picture) % targetsTested().size()];
+                stack.expectSame(request, soup.what + ", " + std::string(preset.name) + ", far " + std::to_string(far));
+                ++picture;
+            }
+        EXPECT_GT(stack.covered, 1000u) << nameOf(kind);
+        EXPECT_GT(stack.above, 20) << nameOf(kind);
+    }
+}
+
+TEST(Coherence, PicturesOfAWalkLieAboveEachOther)
+{
+    const auto scene = load("builtin:city?blocks=2");
+    for (const std::string_view preset : {"zbuffer", "hzb-bvh", "two-pass", "hzb-octree", "zbuffer-prepass", "scanline", "interval", "auto"}) {
+        Stack stack;
+        for (int frame = 0; frame < static_cast<int>(shareOf(40)); ++frame) {
+            DrawRequest request = requestFor(scene, onTheWay(scene->scene().bounds, frame, 160, 100), findPreset(preset)->pipeline);
+            request.threads     = 2;
+            request.shade       = frame % 2 == 0;
+            stack.expectSame(request, std::string(preset) + ", frame " + std::to_string(frame));
+        }
+        EXPECT_GT(stack.covered, 10000u);
+        EXPECT_GT(stack.above, static_cast<int>(shareOf(40)) / 2) << preset;
     }
 }
 

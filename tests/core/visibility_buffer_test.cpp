@@ -92,6 +92,82 @@ TEST(VisibilityBuffer, WhatIsDrawnToIsEmptyBeforeAndEverythingElseIsAfterTheFram
     }
 }
 
+/// Of pictures with this n/F, by exact rules.
+DepthEncoding plainEncoding(double farthest) { return {DepthFormat::ReversedFloat32, farthest, 1.0}; }
+
+TEST(DepthEncoding, PicturesLieAboveEachOtherUntilFloat32EndsAndHoldTheSameDepths)
+{
+    for (const double farthest : {0.9, 0.5, 0.1, 1e-3, 1.0 / 65536, 1e-10, 1e-30, 1e-37}) {
+        const DepthEncoding plain = plainEncoding(farthest);
+        DepthEncoding       last  = plain.above(plain);
+        EXPECT_EQ(last.scale, 1) << "nothing is known of what came before";
+        EXPECT_FALSE(last.isAbove(plain));
+        int stacked = 0;
+        for (int picture = 0; picture < 1000; ++picture) {
+            const DepthEncoding next = plain.above(last);
+            stacked += next.isAbove(last);
+            EXPECT_EQ(next.isAbove(last), keyOf(next.empty, 0) > keyOf(static_cast<float>(last.scale), 1)) << farthest << ": " << picture;
+            EXPECT_TRUE(std::isnormal(next.empty)) << farthest << ": " << picture;
+            for (const double depth : {farthest, std::sqrt(farthest), 0.5 + farthest / 2, 1.0}) {
+                const auto stored = static_cast<float>(depth * next.scale);
+                EXPECT_TRUE(std::isnormal(stored) && stored > next.empty) << farthest << ": " << picture;
+                EXPECT_EQ(next.depthOf(stored), static_cast<float>(depth)) << farthest << ": " << picture;
+                EXPECT_LT(keyOf(stored, 1), keyOf(std::numeric_limits<float>::max(), 1));
+            }
+            EXPECT_EQ(next.atScaleOne(next.empty), plain.empty);
+            last = next;
+        }
+        EXPECT_GE(stacked, farthest > 1e-30 ? 500 : 0) << farthest;
+    }
+}
+
+TEST(VisibilityBuffer, OfAPictureAboveTheLastOneTilesAreNotEmptiedAndShowOnlyWhatWasDrawn)
+{
+    VisibilityBuffer buffer;
+    std::mt19937_64  random(5);
+    const auto       below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+    constexpr int    kWidth = 200, kHeight = 61;
+    int              keptMemory = 0;
+    for (int picture = 0; picture < 400; ++picture) {
+        const DepthEncoding encoding = buffer.encodingAbove(plainEncoding(picture < 200 ? 1e-3 : 1e-5));
+        buffer.resize(kWidth, kHeight, encoding);
+        buffer.emptyRows(0, kHeight);
+        Grid<PixelKey> expected(kWidth, kHeight, buffer.background());
+        for (int i = below(4); i > 0; --i) {
+            const int           x = below(kWidth), y = below(kHeight);
+            const PixelBox      box{x, y, x + 1 + below(kWidth - x), y + 1 + below(kHeight - y)};
+            const auto          depth = static_cast<float>((0.25 + 0.125 * below(7)) * encoding.scale);
+            const std::uint32_t rank  = 1 + static_cast<std::uint32_t>(below(1000));
+            if (below(3) == 0) {  // the whole tile as a plane, in place of what it holds
+                const PixelBox tile{x / 64 * 64, y / 8 * 8, std::min(x / 64 * 64 + 64, kWidth), std::min(y / 8 * 8 + 8, kHeight)};
+                buffer.setPlane(x, y, {{0, 0, depth, depth, depth}, rank});
+                for (int row = tile.y0; row < tile.y1; ++row)
+                    for (int column = tile.x0; column < tile.x1; ++column) expected.at(column, row) = keyOf(depth, rank);
+                continue;
+            }
+            buffer.open(box);
+            for (int row = box.y0; row < box.y1; ++row)
+                for (int column = box.x0; column < box.x1; ++column) {
+                    keptMemory += buffer.row(row)[column] < buffer.background();
+                    PixelKey& key          = buffer.row(row)[column];
+                    key                    = std::max(key, keyOf(depth, rank));
+                    expected.at(column, row) = std::max(expected.at(column, row), keyOf(depth, rank));
+                }
+        }
+        buffer.finishRows(0, kHeight);
+        if (below(2) == 0) buffer.storePlanes(0, kHeight, [&buffer](const PixelBox& tile, const TilePlane& plane) {
+            for (int y = tile.y0; y < tile.y1; ++y)
+                for (int x = tile.x0; x < tile.x1; ++x) buffer.row(y)[x] = plane.keyAt(x, y);
+        });
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                ASSERT_EQ(buffer.keyAt(x, y), expected.at(x, y)) << picture << ": " << x << ' ' << y;
+                ASSERT_EQ(buffer.depthAt(x, y), buffer.rankAt(x, y) == 0 ? 0.0f : static_cast<float>(depthOf(expected.at(x, y)) / encoding.scale));
+            }
+    }
+    EXPECT_GT(keptMemory, 10000) << "memory was never left as it was";
+}
+
 TEST(VisibilityBuffer, ATileKeptAsAPlaneShowsItsTriangleUntilTheFrameEndsAndItsPixelsAreWrittenWhenSomethingElseIsDrawn)
 {
     VisibilityBuffer buffer;
