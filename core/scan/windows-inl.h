@@ -407,7 +407,7 @@ HWY_INLINE bool wins(PixelKey offered, PixelKey held, [[maybe_unused]] float emp
 }
 
 /// Pixels are fetched so many windows or samples before they are tested: triangles come in any order, and memory answers late.
-inline constexpr std::size_t kFetchedAhead = 16;
+inline constexpr std::size_t kWindowsAhead = 24, kSamplesAhead = 64;
 
 /// Keys from their halves, which stand lane by lane: first those of the lanes that `order` names, in that order.
 template <class V, class Order>
@@ -494,7 +494,7 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
 
     const float empty = visible.empty();
     for (std::size_t i = 0; i < count; ++i) {
-        hwy::Prefetch(picture + places[std::min(i + kFetchedAhead, count - 1)]);
+        hwy::Prefetch(picture + places[std::min(i + kSamplesAhead, count - 1)]);
         const PixelKey offered = keys[i];
         PixelKey&      held    = picture[places[i]];
         const bool     won     = wins<kKeep>(offered, held, empty);
@@ -533,7 +533,7 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
     const double* const        centres = list.centres.data();
     const double* const        centreY = list.centreY.data();
     for (std::size_t i = 0; i < count; ++i) {
-        const PixelKey* ahead = picture + places[std::min(i + kFetchedAhead, count - 1)];
+        const PixelKey* ahead = picture + places[std::min(i + kWindowsAhead, count - 1)];
         for (int line = 0; line < kWindowSide; ++line, ahead += stride) {
             hwy::Prefetch(ahead);
             hwy::Prefetch(ahead + kWindowSide - 1);  // often in another cache line

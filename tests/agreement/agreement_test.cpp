@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/measure/verify.h"
+#include "core/scene/generators/random.h"
 #include "core/scene/load.h"
 #include "tests/agreement/agreement_support.h"
 #include "tests/agreement/soups.h"
@@ -49,6 +50,23 @@ TEST_P(AgreementOnSoups, EveryPresetDrawsWhatTheReferenceDraws)
     }
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, AgreementOnSoups, testing::Range(std::uint64_t{0}, kSoups, kSoupsPerTest));
+
+/// Triangles whose planes the eye looks along, a few pixels long and through a pixel's centre: without area before they snap, so that their depths come from
+/// where they snap to.
+TEST(Agreement, OfTrianglesWithoutAreaBeforeTheySnapTheSnappedPlaneCounts)
+{
+    const Camera         camera = plainCamera(128, 96);
+    Random               random(21);
+    std::vector<Corners> triangles(shareOf(5000));
+    for (Corners& corners : triangles) {
+        const double x = 0.5 + static_cast<double>(4 + random.below(120)), y = 0.5 + static_cast<double>(4 + random.below(88));
+        const double dx = random.between(-4, 4), dy = random.between(-4, 4);
+        const double along[] = {random.between(-1, -0.2), random.between(0.2, 1), random.between(-1, 1)};
+        for (std::size_t i = 0; i < 3; ++i) corners[i] = pointAt(camera, x + along[i] * dx, y + along[i] * dy, random.between(2, 40));
+    }
+    const std::uint64_t covered = expectAgreement(prepared(sceneOf(triangles)), camera, FaceCulling::None, "seen edge on");
+    EXPECT_GT(covered, triangles.size() / 20);
+}
 
 /// One test per generated scene.
 class AgreementOnGenerated : public testing::TestWithParam<std::string> {};

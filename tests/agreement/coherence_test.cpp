@@ -165,7 +165,7 @@ TEST(Coherence, PicturesThatLieAboveTheLastOneAreThoseOfANewBuffer)
 TEST(Coherence, PicturesOfAWalkLieAboveEachOther)
 {
     const auto scene = load("builtin:city?blocks=2");
-    for (const std::string_view preset : {"zbuffer", "hzb-bvh", "two-pass", "hzb-octree", "zbuffer-prepass", "scanline", "interval", "auto"}) {
+    for (const std::string_view preset : {"zbuffer", "hzb-bvh", "two-pass", "hzb-octree", "scanline", "interval", "auto"}) {
         Stack stack;
         for (int frame = 0; frame < static_cast<int>(shareOf(40)); ++frame) {
             DrawRequest request = requestFor(scene, onTheWay(scene->scene().bounds, frame, 160, 100), findPreset(preset)->pipeline);
