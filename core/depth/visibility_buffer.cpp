@@ -15,12 +15,13 @@ void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encodi
             if (tile >= Tile::Drawn) tile = tile == Tile::Plane ? Tile::Stale : Tile::Empty;
         return;
     }
-    m_width  = width;
-    m_height = height;
+    m_width = m_height = 0;  // what follows may run out of memory
     m_stride = static_cast<std::size_t>((width + 2 * kRowPadding - 1) / kRowPadding * kRowPadding);
     m_keys.resize(m_stride * static_cast<std::size_t>((height + 1) / 2 * 2) * sizeof(PixelKey) / sizeof(CacheLine));
     m_tiles.reset((width + kTileWidth - 1) / kTileWidth, (height + kTileLines - 1) / kTileLines, Tile::Stale);
     m_planes.reset(m_tiles.width(), m_tiles.height(), {});
+    m_width  = width;
+    m_height = height;
 }
 
 void VisibilityBuffer::emptyRows(int first, int end)
