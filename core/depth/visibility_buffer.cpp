@@ -7,7 +7,9 @@ namespace zscope {
 void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encoding)
 {
     const bool isSameSize = width == m_width && height == m_height;
-    const bool isSame = isSameSize && encoding.empty == m_encoding.empty, isAbove = isSameSize && encoding.isAbove(m_encoding);
+    // Whose tiles must be emptied, though the last picture's lie above others.
+    const bool emptiesMore = m_encoding.isBounded && !encoding.isBounded;
+    const bool isSame = isSameSize && encoding.empty == m_encoding.empty && !emptiesMore, isAbove = isSameSize && encoding.isAbove(m_encoding);
     m_encoding        = encoding;
     if (isSame) return;
     if (isAbove) {  // what was drawn lies below the background now; what planes lie over may be anything

@@ -180,6 +180,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         m_workspace->scratch.resize(std::max(m_workspace->scratch.size(), stageMs.size()));
         for (StripeScratch& scratch : m_workspace->scratch) scratch.memory.allowWholeNodes();
     } catch (const std::bad_alloc&) {
+        frame.colour = {};  // it may have its size and not its values
         return Error{Trouble::Limit, "there is not enough memory for this picture"};
     }
     const Projection       projection(camera, encoding.scale);

@@ -80,6 +80,8 @@ public:
         m_lastBackground = m_frame.visible.background();
     }
 
+    void draw(const DrawRequest& request) { EXPECT_TRUE(m_renderer.draw(request, m_frame).ok()); }
+
     std::uint64_t covered = 0;
     int           above   = 0;  // pictures that did
 
@@ -175,6 +177,27 @@ TEST(Coherence, PicturesOfAWalkLieAboveEachOther)
         }
         EXPECT_GT(stack.covered, 10000u);
         EXPECT_GT(stack.above, static_cast<int>(shareOf(40)) / 2) << preset;
+    }
+}
+
+/// What is shaded where it wins must not win over what was left far below the background, though the scale of the picture between is its own: whatever the
+/// number of pictures before, the picture of a wall beyond the far plane shows nothing.
+TEST(Coherence, APictureThatIsShadedWhereItWinsFindsItsTilesEmptied)
+{
+    Camera camera = plainCamera(64, 48);
+    camera.far    = 200;
+    const auto wallAt = [&camera](double z, double size) {
+        const Corners wall[] = {{pointAt(camera, -9, -9, z), pointAt(camera, size, -9, z), pointAt(camera, -9, size, z)}};
+        return std::make_shared<const PreparedScene>(sceneOf(wall));
+    };
+    const auto before = wallAt(190, 200), aside = wallAt(190, 12), beyond = wallAt(300, 200);
+    for (int pictures = 1; pictures < 60; ++pictures) {
+        Stack stack;
+        for (int i = 0; i < pictures; ++i) stack.draw(requestFor(before, camera, findPreset("zbuffer")->pipeline));
+        stack.expectSame(requestFor(aside, camera, findPreset("zbuffer")->pipeline), std::to_string(pictures) + " pictures");
+        DrawRequest shaded = requestFor(beyond, camera, findPreset("zbuffer-late")->pipeline);
+        shaded.shade       = true;
+        stack.expectSame(shaded, std::to_string(pictures) + " pictures, then shaded");
     }
 }
 
