@@ -91,6 +91,14 @@ public:
     {
         drawnTiles(x, y, std::span(&farthest, 1), told);
     }
+    /// The same, and nobody is told.
+    void drawnTile(int x, int y, float farthest)
+    {
+        const int column = x >> kTileLevel, line = (y - m_firstRow) >> kTileLevel;
+        m_levels[0].farthest.at(column, line) = farthest;
+        m_levels[0].stale.at(column, line)    = 0;
+        markStaleFrom(kTileLevel + 1, column, line);
+    }
     /// The same of as many tiles side by side as there are depths; the first holds (x, y).
     template <class Told>
     void drawnTiles(int x, int y, std::span<const float> farthest, const Told& told);
@@ -99,6 +107,8 @@ public:
     {
         return isBehind(nearest, m_levels[0].farthest.at(x >> kTileLevel, (y - m_firstRow) >> kTileLevel));
     }
+    /// What is stored of the tile that holds (x, y) and, behind it, of those to its right, as it stands.
+    const float* storedTiles(int x, int y) const { return &m_levels[0].farthest.at(x >> kTileLevel, (y - m_firstRow) >> kTileLevel); }
     /// False if a rule is broken: what is wrong then is wrong with pixels that are read.
     bool takesTiles() const { return m_fault == Fault::None; }
     /// The same as touched(), and every cell is brought up to date: after each tile its ancestors, as far as they change.

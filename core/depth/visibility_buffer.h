@@ -83,12 +83,15 @@ public:
             for (int x = 0; x < m_tiles.width(); ++x)
                 if (m_tiles.at(x, y) == Tile::Plane) openTile(x, y, store);
     }
-    /// First column of the tile that holds column x.
+    /// First column of the tiles that hold column x, first line of those that hold line y.
     static int leftOfTile(int x) { return x / kTileWidth * kTileWidth; }
+    static int topOfTile(int y) { return y / kTileLines * kTileLines; }
     int tileColumns() const { return m_tiles.width(); }
     int tileRows() const { return m_tiles.height(); }
     /// False if nothing was drawn to the tile of the pixel, which is background then.
     bool isOpen(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) >= Tile::Drawn; }
+    /// True if pixels of its tile may be drawn to.
+    bool isDrawn(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) == Tile::Drawn; }
     /// What the tile of the pixel is kept as; nullptr if it is kept as pixels.
     const TilePlane* planeAt(int x, int y) const
     {

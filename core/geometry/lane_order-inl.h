@@ -45,6 +45,16 @@ HWY_INLINE hn::Vec<D> keptFirst(D d, hn::Mask<D> kept)
 #endif
 }
 
+/// Bit i is true of lane i, of which there are 16 at most.
+template <class D>
+HWY_INLINE std::uint32_t bitsOf(D d, hn::Mask<D> mask)
+{
+    static_assert(hn::MaxLanes(d) <= 16);
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(d, mask, bits.data());
+    return bits[0] | static_cast<std::uint32_t>(bits[1]) << 8;
+}
+
 /// first, first + 1, ... Highway 1.0.3 puts such a vector together in memory, lane by lane, unless `first` is a constant.
 template <class D>
 HWY_INLINE hn::Vec<D> countFrom(D d, hn::TFromD<D> first)

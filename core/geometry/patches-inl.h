@@ -24,6 +24,7 @@
 #include <hwy/highway.h>
 
 #include "core/geometry/batches.h"
+#include "core/geometry/lane_order-inl.h"
 #include "core/geometry/pixel_box.h"
 #include "core/geometry/placed_view.h"
 
@@ -31,15 +32,6 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Bit i is true of lane i.
-template <class D>
-HWY_INLINE PatchBits bitsOf(D d, hn::Mask<D> mask)
-{
-    std::array<std::uint8_t, 8> bits{};
-    hn::StoreMaskBits(d, mask, bits.data());
-    return static_cast<PatchBits>(bits[0] | bits[1] << 8);
-}
 
 /// Calls each(block, patches before it) for the blocks of the batch.
 template <class Each>

@@ -5,8 +5,7 @@
 // Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when something is drawn to
 //            it, and those along the pyramid's, which are judged side by side. A tile wholly on the outer side of one edge is
 //            skipped, and one that is covered whole may be kept as a plane (tile_plane-inl.h)
-// Parts      what a triangle has of a tile of the pyramid. At full speed, where only keys are stored, all pixels of the tile are tested, by the
-//            edges that cross it (part-inl.h)
+// Full speed where only keys are stored, and nobody listens, large-inl.h finds all of a triangle's tiles first
 // Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped (at full speed; whoever listens
 //            sees its pixels lose), and one whose pixels are all gone over tells its farthest depth, which was in registers anyway
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
@@ -33,29 +32,12 @@
 #include "core/geometry/lane_order-inl.h"
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/edge_walk-inl.h"
-#include "core/scan/part-inl.h"
+#include "core/scan/large-inl.h"
 #include "core/scan/tile_plane-inl.h"
 #include "core/scan/windows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
-
-/// The half-planes of a triangle, counted from the pixel (x0, y0).
-struct Edges {
-    std::array<HalfPlane, 3> planes;
-    int                      x0, y0;
-
-    bool areOutside(const PixelBox& pixels) const
-    {
-        return zscope::areOutside(planes, pixels.x0 - x0, pixels.y0 - y0, pixels.x1 - 1 - x0, pixels.y1 - 1 - y0);
-    }
-    bool areInside(const PixelBox& pixels) const
-    {
-        return zscope::areInside(planes, pixels.x0 - x0, pixels.y0 - y0, pixels.x1 - 1 - x0, pixels.y1 - 1 - y0);
-    }
-    /// The k-th, counted from another pixel.
-    HalfPlane from(std::size_t k, int x, int y) const { return {planes[k].at(x - x0, y - y0), planes[k].perPixel, planes[k].perLine}; }
-};
 
 struct HalfSpace {
     /// `upkeep` (TileUpkeep) is asked whether the pyramid's tiles hide the triangle and told what becomes of them. Opens what is drawn to.
@@ -106,50 +88,25 @@ private:
     static constexpr std::size_t kParts = VisibilityBuffer::kTileWidth / kTile;
     using Depths = std::array<float, kParts>;
 
-    /// What edges say of the parts of a box that lie in tiles of the pyramid side by side: bit i is the i-th of a tile of the visibility
-    /// buffer, from the left.
-    struct Parts {
-        std::uint32_t                reached = 0;  // not wholly on the outer side of an edge
-        std::array<std::uint32_t, 3> inside{};     // wholly on the inner side of the k-th
-
-        std::array<bool, 3> within(unsigned part) const
-        {
-            const auto isInside = [this, part](std::size_t k) { return (inside[k] >> part & 1) != 0; };
-            return {isInside(0), isInside(1), isInside(2)};
-        }
-    };
-
-    static std::uint32_t bitsOf(hn::Mask<F64> mask)
+    /// Which parts of a box in one tile of the visibility buffer are not wholly on the outer side of an edge: bit i is the i-th tile of the
+    /// pyramid in there, from the left.
+    static std::uint32_t partsReached(const PixelBox& box, const Edges& edges)
     {
-        std::array<std::uint8_t, 8> bits{};
-        hn::StoreMaskBits(F64(), mask, bits.data());
-        return bits[0];
-    }
-
-    /// `isInside`: all of the box is on the inner side of all edges.
-    static Parts judgeParts(const PixelBox& box, bool isInside, const Edges& edges)
-    {
-        const F64 d64;
-        Parts     parts;
-        const int tileLeft = VisibilityBuffer::leftOfTile(box.x0) - edges.x0;
+        const F64     d64;
+        std::uint32_t all = 0;
+        const int     tileLeft = VisibilityBuffer::leftOfTile(box.x0) - edges.x0;
         for (std::size_t i = 0; i < kParts; i += hn::Lanes(d64)) {
             const auto left  = countFrom(d64, static_cast<double>(i)) * hn::Set(d64, kTile) + hn::Set(d64, tileLeft);
             const auto first = hn::Max(left, hn::Set(d64, box.x0 - edges.x0)), last = hn::Min(left + hn::Set(d64, kTile - 1), hn::Set(d64, box.x1 - 1 - edges.x0));
             auto       reached = first <= last;
-            for (std::size_t k = 0; k < 3; ++k) {
-                if (isInside) {
-                    parts.inside[k] = ~0u;
-                    continue;
-                }
-                const HalfPlane& plane = edges.planes[k];
-                const auto       slope = hn::Set(d64, plane.perPixel), atFirst = first * slope, atLast = last * slope;
-                const double     above = plane.at(0, box.y0 - edges.y0), below = plane.at(0, box.y1 - 1 - edges.y0);
-                reached = hn::And(reached, hn::Max(atFirst, atLast) + hn::Set(d64, std::max(above, below)) >= hn::Zero(d64));
-                parts.inside[k] |= bitsOf(hn::Min(atFirst, atLast) + hn::Set(d64, std::min(above, below)) >= hn::Zero(d64)) << i;
+            for (const HalfPlane& plane : edges.planes) {
+                const auto   slope = hn::Set(d64, plane.perPixel);
+                const double line  = std::max(plane.at(0, box.y0 - edges.y0), plane.at(0, box.y1 - 1 - edges.y0));
+                reached            = hn::And(reached, hn::Max(first * slope, last * slope) + hn::Set(d64, line) >= hn::Zero(d64));
             }
-            parts.reached |= bitsOf(reached) << i;
+            all |= bitsOf(d64, reached) << i;
         }
-        return parts;
+        return all;
     }
 
     /// The nearest depth that the triangle could store in each of those parts.
@@ -186,50 +143,51 @@ private:
                 return;
             }
         }
+        const auto fillTiles = [&](const PixelBox& pixels, const Edges& edges) {
+            forEachTile(pixels, [&](const PixelBox& here) { fillStoredTile(here, triangle, edges, test, fragments, upkeep, visible, rules, probe); });
+        };
+        const auto fill = [&](const PixelBox& pixels, const Edges& edges) {
+            if constexpr (takesParts<Fragments, Rules, Probe>())
+                LargeTriangle<kKeep, kNormal, Upkeep>(triangle, edges, upkeep, visible).draw(pixels, [&](const PixelBox& border) { fillTiles(border, edges); });
+            else
+                fillTiles(pixels, edges);
+        };
+        if (!triangle.wide) return fill(box, fromBox);
+        forEachTile(box, [&](const PixelBox& here) {
+            const int left = VisibilityBuffer::leftOfTile(here.x0), top = VisibilityBuffer::topOfTile(here.y0);
+            fill(here, {wideHalfPlanesOf(triangle, left, top), left, top});
+        });
+    }
+
+    /// Calls each(PixelBox) with what the box has of every tile of the visibility buffer.
+    template <class Each>
+    static void forEachTile(const PixelBox& box, const Each& each)
+    {
         constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
-        for (int top = box.y0 / kLines * kLines; top < box.y1; top += kLines) {
-            for (int left = box.x0 / kWidth * kWidth; left < box.x1; left += kWidth) {
-                const PixelBox here{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kWidth, box.x1), std::min(top + kLines, box.y1)};
-                const Edges    edges = triangle.wide ? Edges{wideHalfPlanesOf(triangle, left, top), left, top} : fromBox;
-                if (edges.areOutside(here)) continue;
-                const bool isInside = edges.areInside(here);
-                if constexpr (keepsPlanes<kKeep, Fragments, Rules, Probe>())
-                    if (upkeep.takesPlanes && isKeptAsPlane(here, isInside, triangle, upkeep, visible)) continue;
-                fillStoredTile(here, isInside, triangle, edges, test, fragments, upkeep, visible, rules, probe);
-            }
-        }
+        for (int top = VisibilityBuffer::topOfTile(box.y0); top < box.y1; top += kLines)
+            for (int left = VisibilityBuffer::leftOfTile(box.x0); left < box.x1; left += kWidth)
+                each(PixelBox{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kWidth, box.x1), std::min(top + kLines, box.y1)});
     }
 
     /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
     template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules, class Probe>
-    static void fillStoredTile(const PixelBox& stored, bool isInside, const ScreenTriangle& triangle, const Edges& edges,
+    static void fillStoredTile(const PixelBox& stored, const ScreenTriangle& triangle, const Edges& edges,
                                const DepthTest<kKeep, Rules, kNormal>& test, const Fragments& fragments, const Upkeep& upkeep,
                                VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
-        const Parts parts   = judgeParts(stored, isInside, edges);
-        const auto  nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
-        const int   top     = stored.y0 / kTile * kTile;
-        bool        isOpen  = false;
-        for (std::uint32_t reached = parts.reached; reached != 0; reached &= reached - 1) {
+        if (edges.areOutside(stored)) return;
+        if constexpr (keepsPlanes<kKeep, Fragments, Rules, Probe>())
+            if (upkeep.takesPlanes && isKeptAsPlane(stored, edges.areInside(stored), triangle, upkeep, visible)) return;
+        const auto nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
+        bool       isOpen  = false;
+        for (std::uint32_t reached = partsReached(stored, edges); reached != 0; reached &= reached - 1) {
             const auto part = static_cast<unsigned>(std::countr_zero(reached));
             const int  left = VisibilityBuffer::leftOfTile(stored.x0) + static_cast<int>(part) * kTile;
             if (upkeep.isKept() && upkeep.hides(left, stored.y0, nearest[part])) continue;
             const PixelBox here{std::max(left, stored.x0), stored.y0, std::min(left + kTile, stored.x1), stored.y1};
             if (!isOpen) openTiles(visible, here);
             isOpen = true;
-            if constexpr (takesParts<Fragments, Rules, Probe>()) {
-                if (left + kTile <= visible.width() && top + kTile <= visible.height()) {
-                    // What an edge has inside, is known of pixels in the triangle's box only.
-                    const bool isFull = here.x1 - here.x0 == kTile && here.y1 - here.y0 == kTile;
-                    const auto least  = fillPart<kKeep, kNormal>(triangle, edges, isFull ? parts.within(part) : std::array<bool, 3>{}, left, top, visible);
-                    if (upkeep.isKept())
-                        upkeep.drawnTile(left, top, farthestOf(least, visible));
-                    else
-                        upkeep.touched(here);
-                    continue;
-                }
-            }
             // Who goes over all of a tile sees what it holds, and need not look again.
             const bool sees = upkeep.isKept() && here.y1 - here.y0 == kTile && left + kTile <= visible.width();
             const int  from = sees ? left : here.x0 & -laneCount(), end = sees ? left + kTile : here.x1;
@@ -258,26 +216,6 @@ private:
         return kKeep == Keep::Nearest && Rules::kExact && !Probe::listens && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned;
     }
 
-    /// False if the part of the triangle's box in one tile of the visibility buffer has to be drawn.
-    template <class Upkeep>
-    static bool isKeptAsPlane(const PixelBox& here, bool isInside, const ScreenTriangle& triangle, const Upkeep& upkeep, VisibilityBuffer& visible)
-    {
-        const PlaneAnswer answer = offerPlane(visible, here, isInside, {triangle.depth, triangle.rank()}, upkeep.isKept());
-        if (answer != PlaneAnswer::Kept) return answer == PlaneAnswer::Hidden;
-        if (upkeep.isKept()) {
-            const auto farthest = depthsAlong<kTile, false>(triangle.depth, here);
-            upkeep.drawnTiles(here.x0, here.y0, std::span(farthest).first(static_cast<std::size_t>((here.x1 - here.x0 + kTile - 1) / kTile)));
-        } else {
-            upkeep.touched(here);
-        }
-        return true;
-    }
-
-    HWY_INLINE static float farthestOf(Keys least, const VisibilityBuffer& visible)
-    {
-        return depthOf(std::max(hn::GetLane(hn::MinOfLanes(I64(), least)), visible.background()));
-    }
-
     template <class Each>
     static void forEachPixelByWindows(const PixelBox& box, const Each& each)
     {
@@ -293,16 +231,6 @@ private:
     {
         if constexpr (!Rules::kExact) return rules.stored(plane.nearest);
         return nearestOver(plane, box);
-    }
-
-    /// All pixels of the part that begins at (x, y). `within`: which edges have all of them on their inner side. Returns as testPart().
-    template <Keep kKeep, bool kNormal>
-    static Keys fillPart(const ScreenTriangle& triangle, const Edges& edges, const std::array<bool, 3>& within, int x, int y, VisibilityBuffer& visible)
-    {
-        const int crossing = 3 - within[0] - within[1] - within[2];
-        if (crossing == 0) return testPart<kKeep, kNormal, 0>(triangle, {}, x, y, visible);
-        if (crossing == 1) return testPart<kKeep, kNormal, 1>(triangle, {edges.from(!within[0] ? 0 : !within[1] ? 1 : 2, x, y)}, x, y, visible);
-        return testPart<kKeep, kNormal, 3>(triangle, {edges.from(0, x, y), edges.from(1, x, y), edges.from(2, x, y)}, x, y, visible);
     }
 
     /// Lines [y, end) of the column of pixels x, x + 1, ... Returns the least key that each of its columns holds then, in lines that

@@ -62,7 +62,7 @@ inline void storePlanes(VisibilityBuffer& visible, int first, int end)
 /// The depths at the pixel of each part of a box that is nearest or farthest, as nearestOver() and farthestOver() have them. The box lies
 /// in one tile; parts are cut along multiples of kSide, and those that the box does not meet mean nothing.
 template <int kSide, bool kNearest>
-auto depthsAlong(const DepthPlane& plane, const PixelBox& box)
+HWY_INLINE auto depthsAlong(const DepthPlane& plane, const PixelBox& box)
 {
     HWY_ALIGN std::array<float, VisibilityBuffer::kTileWidth / kSide> depths;
     const F64    d64;

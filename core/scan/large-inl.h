@@ -1,0 +1,281 @@
+// Large triangles at full speed: first which tiles of the pyramid they have pixels of, then those tiles, one kind after the other.
+//
+// Find       what the edges say of the tiles of the pyramid in one tile of the visibility buffer is found side by side; what is outside of one edge is
+//            not listed. Neither here nor in what follows does a branch ask what nobody can foretell: whatever is found is written to the end of a list,
+//            which then grows by it or does not
+// Hidden     a tile of the pyramid whose stored depth hides the triangle is left out, where stale cells wait for a query
+// Kinds      by the edges that cross a tile: none, one of the three, or more. Tiles of a kind are tested one after the other (part-inl.h)
+// Pyramid    a tile's farthest depth was in registers when it was tested, and is told when all of a kind have been
+// Planes     a tile of the visibility buffer that is covered whole may be kept as a plane (tile_plane-inl.h)
+// Promise    the same pixels as EdgeWalk. Edge values are integers below 2^53, so float64 lanes hold them exactly
+// Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
+#if defined(ZSCOPE_LARGE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_LARGE_INL_H
+#undef ZSCOPE_LARGE_INL_H
+#else
+#define ZSCOPE_LARGE_INL_H
+#endif
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "core/depth/pyramid.h"
+#include "core/geometry/half_plane.h"
+#include "core/geometry/lane_order-inl.h"
+#include "core/scan/part-inl.h"
+#include "core/scan/tile_plane-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+/// The half-planes of a triangle, counted from the pixel (x0, y0).
+struct Edges {
+    std::array<HalfPlane, 3> planes;
+    int                      x0, y0;
+
+    bool areOutside(const PixelBox& pixels) const
+    {
+        return zscope::areOutside(planes, pixels.x0 - x0, pixels.y0 - y0, pixels.x1 - 1 - x0, pixels.y1 - 1 - y0);
+    }
+    bool areInside(const PixelBox& pixels) const
+    {
+        return zscope::areInside(planes, pixels.x0 - x0, pixels.y0 - y0, pixels.x1 - 1 - x0, pixels.y1 - 1 - y0);
+    }
+    /// The k-th, counted from another pixel.
+    HalfPlane from(std::size_t k, int x, int y) const { return {planes[k].at(x - x0, y - y0), planes[k].perPixel, planes[k].perLine}; }
+};
+
+/// True if the part of the triangle's box in one tile of the visibility buffer needs not be drawn, because planes say all there is to say.
+template <class Upkeep>
+bool isKeptAsPlane(const PixelBox& here, bool isInside, const ScreenTriangle& triangle, const Upkeep& upkeep, VisibilityBuffer& visible)
+{
+    constexpr int     kSide  = PartPasses::kSide;
+    const PlaneAnswer answer = offerPlane(visible, here, isInside, {triangle.depth, triangle.rank()}, upkeep.isKept());
+    if (answer != PlaneAnswer::Kept) return answer == PlaneAnswer::Hidden;
+    if (upkeep.isKept()) {
+        const auto farthest = depthsAlong<kSide, false>(triangle.depth, here);
+        upkeep.drawnTiles(here.x0, here.y0, std::span(farthest).first(static_cast<std::size_t>((here.x1 - here.x0 + kSide - 1) / kSide)));
+    } else {
+        upkeep.touched(here);
+    }
+    return true;
+}
+
+/// The farthest depth of a tile of the pyramid that holds these least keys, lane by lane.
+HWY_INLINE float farthestOf(Keys least, const VisibilityBuffer& visible)
+{
+    return depthOf(std::max(hn::GetLane(hn::MinOfLanes(I64(), least)), visible.background()));
+}
+
+/// A triangle whose fragments store nothing but keys, by exact rules, with nobody who listens. `kNormal` as in DepthTest; `Upkeep`: TileUpkeep.
+template <Keep kKeep, bool kNormal, class Upkeep>
+class LargeTriangle {
+    static constexpr int         kSide  = PartPasses::kSide;  // of a part: what lies in one tile of the pyramid
+    static constexpr int         kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
+    static constexpr std::size_t kParts = kWidth / kSide, kVectors = (kParts + hn::MaxLanes(F64()) - 1) / hn::MaxLanes(F64());
+    static constexpr std::uint32_t kAllParts = (1u << kParts) - 1;
+    static_assert(kSide == kLines && kParts == 8, "a line of parts is a byte of bits");
+
+public:
+    LargeTriangle(const ScreenTriangle& triangle, const Edges& edges, const Upkeep& upkeep, VisibilityBuffer& visible)
+        : m_triangle(triangle), m_edges(edges), m_upkeep(upkeep), m_visible(visible)
+    {
+    }
+
+    /// Draws what the triangle has of `box`, which lies in its own. Tiles of the visibility buffer that reach beyond the picture are left to
+    /// drawBorder(pixels of the box in the tile).
+    template <class Border>
+    void draw(const PixelBox& box, const Border& drawBorder)
+    {
+        findRanges();
+        for (int top = VisibilityBuffer::topOfTile(box.y0); top < box.y1; top += kLines) {
+            const int y0 = std::max(top, box.y0), y1 = std::min(top + kLines, box.y1);
+            const std::array<EdgeOverLine, 3> over{overLine(0, top, y0, y1), overLine(1, top, y0, y1), overLine(2, top, y0, y1)};
+            for (int left = VisibilityBuffer::leftOfTile(box.x0); left < box.x1; left += kWidth) {
+                const int x0 = std::max(left, box.x0), x1 = std::min(left + kWidth, box.x1);
+                if (left + kWidth > m_visible.width() || top + kLines > m_visible.height()) [[unlikely]]
+                    drawBorder(PixelBox{x0, y0, x1, y1});
+                else
+                    find(left, top, over, partsBetween(x0 - left, x1 - 1 - left));
+                if (m_tileCount == kRoom) drawTiles(box);
+            }
+        }
+        drawTiles(box);
+        drawParts();
+    }
+
+private:
+    /// What an edge says of a line of tiles: its value at the first of the pixels that lie in column 0, and what that grows by, in the same column, to
+    /// where it is largest in the lines of the box, and least in all lines.
+    struct EdgeOverLine {
+        double first, toMost, toLeast;
+    };
+    /// Parts of a tile of the visibility buffer, bit by bit from the left.
+    struct Found {
+        std::int32_t                 left, top;
+        std::uint32_t                reached;  // not wholly on the outer side of an edge
+        std::array<std::uint32_t, 3> inside;   // wholly on the inner side of the k-th
+    };
+    /// The kinds: no edge crosses a part; the first, second or third alone does (1 to 3); more do.
+    static constexpr std::size_t kNone = 0, kMore = 4, kKinds = 5;
+    static constexpr std::size_t kRoom = 64;  // tiles in the list, and parts of a kind before they are drawn
+
+    using Vectors = std::array<Vec64, kVectors>;
+
+    /// Those that hold the pixels [right, lastRight] of a line, counted from the left of the tile.
+    static std::uint32_t partsBetween(int right, int lastRight)
+    {
+        return (2u << (static_cast<unsigned>(lastRight) / kSide)) - (1u << (static_cast<unsigned>(right) / kSide));
+    }
+
+    /// From the first pixel of a tile to where an edge is largest and least in each of its parts, in the same line.
+    void findRanges()
+    {
+        const F64 d64;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double step = m_edges.planes[k].perPixel, far = step * (kSide - 1);
+            for (std::size_t i = 0; i < kVectors; ++i) {
+                const auto first = countFrom(d64, static_cast<double>(i * hn::Lanes(d64))) * hn::Set(d64, step * kSide);
+                m_most[k][i]     = first + hn::Set(d64, std::max(far, 0.0));
+                m_least[k][i]    = first + hn::Set(d64, std::min(far, 0.0));
+            }
+        }
+    }
+
+    EdgeOverLine overLine(std::size_t k, int top, int y0, int y1) const
+    {
+        const HalfPlane& plane = m_edges.planes[k];
+        const double     far   = plane.perLine * (kLines - 1);
+        return {plane.at(0, top - m_edges.y0), std::max(plane.perLine * (y0 - top), plane.perLine * (y1 - 1 - top)), std::min(far, 0.0)};
+    }
+
+    /// `inBox`: the parts of the tile at (left, top) that the box meets.
+    HWY_INLINE void find(int left, int top, const std::array<EdgeOverLine, 3>& over, std::uint32_t inBox)
+    {
+        const F64 d64;
+        Found&    found = m_tiles[m_tileCount];
+        found           = {left, top, inBox, {}};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double  first = over[k].first + m_edges.planes[k].perPixel * (left - m_edges.x0);
+            const auto    most = hn::Set(d64, first + over[k].toMost), least = hn::Set(d64, first + over[k].toLeast);
+            std::uint32_t reached = 0;
+            for (std::size_t i = 0; i < kVectors; ++i) {
+                reached |= bitsOf(d64, m_most[k][i] + most >= hn::Zero(d64)) << i * hn::Lanes(d64);
+                found.inside[k] |= bitsOf(d64, m_least[k][i] + least >= hn::Zero(d64)) << i * hn::Lanes(d64);
+            }
+            found.reached &= reached;
+        }
+        m_tileCount += found.reached != 0;
+    }
+
+    /// The parts of the tile that `here` lies in where the triangle could win over what the pyramid holds, as it stands.
+    std::uint32_t unhidden(const PixelBox& here) const
+    {
+        const auto    nearest = depthsAlong<kSide, true>(m_triangle.depth, here);
+        const float*  stored  = m_upkeep.pyramid->storedTiles(VisibilityBuffer::leftOfTile(here.x0), here.y0);
+        const F32     f32;
+        std::uint32_t hidden = 0;
+        for (std::size_t i = 0; i < kParts; i += hn::Lanes(f32))
+            hidden |= bitsOf(f32, hn::Load(f32, nearest.data() + i) < hn::LoadU(f32, stored + i)) << i;
+        return ~hidden;
+    }
+
+    /// Keeps planes, opens tiles and lists parts of what was found. Parts are drawn when a list is full.
+    void drawTiles(const PixelBox& box)
+    {
+        for (std::size_t i = 0; i < m_tileCount; ++i) {
+            const auto& [left, top, reached, inside] = m_tiles[i];
+            const PixelBox      tile{left, top, left + kWidth, top + kLines};
+            const PixelBox      here{std::max(left, box.x0), std::max(top, box.y0), std::min(tile.x1, box.x1), std::min(tile.y1, box.y1)};
+            const std::uint32_t none = inside[0] & inside[1] & inside[2];
+            if constexpr (kKeep == Keep::Nearest) {
+                if (m_upkeep.takesPlanes && (none == kAllParts || m_visible.planeAt(left, top)) &&
+                    isKeptAsPlane(here, none == kAllParts, m_triangle, m_upkeep, m_visible))
+                    continue;
+            }
+            const std::uint32_t drawn = m_upkeep.isKept() ? reached & unhidden(here) : reached;
+            if (!m_visible.isDrawn(left, top)) {
+                if (drawn == 0) continue;
+                openTiles(m_visible, tile);
+            }
+            const auto one = [&](std::size_t a, std::size_t b, std::size_t crossing) { return inside[a] & inside[b] & ~inside[crossing]; };
+            const std::array<std::uint32_t, 3> ones{one(1, 2, 0), one(0, 2, 1), one(0, 1, 2)};
+            list(kNone, drawn & none, left, top);
+            for (std::size_t k = 0; k < 3; ++k) list(1 + k, drawn & ones[k], left, top);
+            list(kMore, drawn & ~(none | ones[0] | ones[1] | ones[2]), left, top);
+            if (std::ranges::max(m_counts) > kRoom) drawParts();
+        }
+        m_tileCount = 0;
+    }
+
+    HWY_INLINE void list(std::size_t kind, std::uint32_t parts, int left, int top)
+    {
+        std::size_t& count = m_counts[kind];
+        const hn::Rebind<std::uint8_t, I32> u8;
+        for (std::size_t i = 0; i < kParts; i += hn::Lanes(I32())) {
+            const auto right = hn::PromoteTo(I32(), hn::LoadU(u8, kSetBits[parts].data() + i));
+            hn::StoreU(hn::ShiftLeft<Pyramid::kTileLevel>(right) + hn::Set(I32(), left), I32(), m_lefts[kind].data() + count + i);
+            hn::StoreU(hn::Set(I32(), top), I32(), m_tops[kind].data() + count + i);
+        }
+        count += static_cast<std::size_t>(std::popcount(parts));
+    }
+
+    /// What the lists hold, which are empty then.
+    void drawParts()
+    {
+        drawKind<kNone>();
+        drawKind<1>();
+        drawKind<2>();
+        drawKind<3>();
+        drawKind<kMore>();
+    }
+
+    template <std::size_t kKind>
+    void drawKind()
+    {
+        constexpr std::size_t kLaneKeys = hn::MaxLanes(I64());
+        HWY_ALIGN std::array<PixelKey, (kRoom + kParts) * kLaneKeys> leasts;
+        const std::size_t count = std::exchange(m_counts[kKind], 0);
+        for (std::size_t i = 0; i < count; ++i) hn::Store(test<kKind>(m_lefts[kKind][i], m_tops[kKind][i]), I64(), leasts.data() + i * kLaneKeys);
+        if (m_upkeep.isKept()) {
+            for (std::size_t i = 0; i < count; ++i)
+                m_upkeep.pyramid->drawnTile(m_lefts[kKind][i], m_tops[kKind][i], farthestOf(hn::Load(I64(), leasts.data() + i * kLaneKeys), m_visible));
+        } else if (m_upkeep.pyramid) {
+            for (std::size_t i = 0; i < count; ++i)
+                m_upkeep.touched({m_lefts[kKind][i], m_tops[kKind][i], m_lefts[kKind][i] + kSide, m_tops[kKind][i] + kSide});
+        }
+    }
+
+    template <std::size_t kKind>
+    HWY_INLINE Keys test(int x, int y) const
+    {
+        if constexpr (kKind == kNone)
+            return testPart<kKeep, kNormal, 0>(m_triangle, {}, x, y, m_visible);
+        else if constexpr (kKind == kMore)
+            return testPart<kKeep, kNormal, 3>(m_triangle, {m_edges.from(0, x, y), m_edges.from(1, x, y), m_edges.from(2, x, y)}, x, y, m_visible);
+        else
+            return testPart<kKeep, kNormal, 1>(m_triangle, {m_edges.from(kKind - 1, x, y)}, x, y, m_visible);
+    }
+
+    const ScreenTriangle& m_triangle;
+    const Edges&          m_edges;
+    const Upkeep&         m_upkeep;
+    VisibilityBuffer&     m_visible;
+
+    std::array<Vectors, 3>       m_most, m_least;
+    std::array<Found, kRoom> m_tiles;
+    std::size_t                  m_tileCount = 0;
+
+    using Column = std::array<std::int32_t, kRoom + 2 * kParts>;
+    std::array<Column, kKinds>      m_lefts, m_tops;
+    std::array<std::size_t, kKinds> m_counts{};
+};
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_LARGE_INL_H
