@@ -188,7 +188,9 @@ private:
     void drawTiles(const PixelBox& box)
     {
         for (std::size_t i = 0; i < m_tileCount; ++i) {
-            const auto& [left, top, reached, inside] = m_tiles[i];
+            const Found&        found = m_tiles[i];
+            const auto&         inside = found.inside;
+            const int           left = found.left, top = found.top;
             const PixelBox      tile{left, top, left + kWidth, top + kLines};
             const PixelBox      here{std::max(left, box.x0), std::max(top, box.y0), std::min(tile.x1, box.x1), std::min(tile.y1, box.y1)};
             const std::uint32_t none = inside[0] & inside[1] & inside[2];
@@ -197,7 +199,7 @@ private:
                     isKeptAsPlane(here, none == kAllParts, m_triangle, m_upkeep, m_visible))
                     continue;
             }
-            const std::uint32_t drawn = m_upkeep.isKept() ? reached & unhidden(here) : reached;
+            const std::uint32_t drawn = m_upkeep.isKept() ? found.reached & unhidden(here) : found.reached;
             if (!m_visible.isDrawn(left, top)) {
                 if (drawn == 0) continue;
                 openTiles(m_visible, tile);
