@@ -91,7 +91,7 @@ public:
     {
         drawnTiles(x, y, std::span(&farthest, 1), told);
     }
-    /// The same, and nobody is told.
+    /// The same, and nobody is told. The cells above are stale then, whether the depth changed or not: that costs less than to ask.
     void drawnTile(int x, int y, float farthest)
     {
         const int column = x >> kTileLevel, line = (y - m_firstRow) >> kTileLevel;
