@@ -14,24 +14,17 @@ class TriangleCover {
 public:
     /// `notOwned` as of the rules: what an edge value is lowered by where the edge does not own its points.
     TriangleCover(const ScreenTriangle& triangle, double notOwned)
-        : m_planes(halfPlanesOf(triangle, notOwned)), m_x0(triangle.box.x0), m_y0(triangle.box.y0), m_wide(triangle.wide)
+        : m_edges{halfPlanesOf(triangle, notOwned), triangle.box.x0, triangle.box.y0}, m_wide(triangle.wide)
     {
     }
 
     /// `pixels` is not empty and inside the triangle's box.
-    bool overlaps(const PixelBox& pixels) const
-    {
-        return m_wide || !areOutside(m_planes, pixels.x0 - m_x0, pixels.y0 - m_y0, pixels.x1 - 1 - m_x0, pixels.y1 - 1 - m_y0);
-    }
-    bool covers(int x, int y) const
-    {
-        return m_wide || !areOutside(m_planes, x - m_x0, y - m_y0, x - m_x0, y - m_y0);
-    }
+    bool overlaps(const PixelBox& pixels) const { return m_wide || !m_edges.areOutside(pixels); }
+    bool covers(int x, int y) const { return overlaps({x, y, x + 1, y + 1}); }
 
 private:
-    std::array<HalfPlane, 3> m_planes;
-    int                      m_x0, m_y0;
-    bool                     m_wide;
+    HalfPlanes m_edges;
+    bool       m_wide;
 };
 
 /// The shape that is its box.

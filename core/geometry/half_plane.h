@@ -20,7 +20,7 @@ namespace zscope {
 struct HalfPlane {
     double origin, perPixel, perLine;
 
-    double at(int right, int down) const { return origin + right * perPixel + down * perLine; }
+    [[gnu::always_inline]] double at(int right, int down) const { return origin + right * perPixel + down * perLine; }
 };
 
 /// Always inlined, so that each instruction set gets it in its own instructions.
@@ -60,21 +60,30 @@ inline std::array<HalfPlane, 3> wideHalfPlanesOf(const ScreenTriangle& t, int x,
     return {halfPlane(0, 1), halfPlane(1, 2), halfPlane(2, 0)};
 }
 
-/// True if some edge has all of the pixels [right, lastRight] x [down, lastDown] on its outer side, judged at the innermost of
-/// their corners.
-[[gnu::always_inline]] inline bool areOutside(const std::array<HalfPlane, 3>& planes, int right, int down, int lastRight, int lastDown)
-{
-    for (const HalfPlane& plane : planes)
-        if (plane.at(plane.perPixel > 0 ? lastRight : right, plane.perLine > 0 ? lastDown : down) < 0) return true;
-    return false;
-}
+/// The half-planes of a triangle, counted from the pixel (x0, y0). All of it inlined, as above.
+struct HalfPlanes {
+    std::array<HalfPlane, 3> planes;
+    int                      x0, y0;
 
-/// True if all edges have all of those pixels on their inner side.
-[[gnu::always_inline]] inline bool areInside(const std::array<HalfPlane, 3>& planes, int right, int down, int lastRight, int lastDown)
-{
-    for (const HalfPlane& plane : planes)
-        if (plane.at(plane.perPixel > 0 ? right : lastRight, plane.perLine > 0 ? down : lastDown) < 0) return false;
-    return true;
-}
+    /// True if some edge has all of the pixels on its outer side, judged at the innermost of their corners.
+    [[gnu::always_inline]] bool areOutside(const PixelBox& pixels) const
+    {
+        for (const HalfPlane& plane : planes)
+            if (plane.at((plane.perPixel > 0 ? pixels.x1 - 1 : pixels.x0) - x0, (plane.perLine > 0 ? pixels.y1 - 1 : pixels.y0) - y0) < 0) return true;
+        return false;
+    }
+    /// True if all edges have all of the pixels on their inner side.
+    [[gnu::always_inline]] bool areInside(const PixelBox& pixels) const
+    {
+        for (const HalfPlane& plane : planes)
+            if (plane.at((plane.perPixel > 0 ? pixels.x0 : pixels.x1 - 1) - x0, (plane.perLine > 0 ? pixels.y0 : pixels.y1 - 1) - y0) < 0) return false;
+        return true;
+    }
+    /// The k-th, counted from another pixel.
+    [[gnu::always_inline]] HalfPlane from(std::size_t k, int x, int y) const
+    {
+        return {planes[k].at(x - x0, y - y0), planes[k].perPixel, planes[k].perLine};
+    }
+};
 
 }  // namespace zscope

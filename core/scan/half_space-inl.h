@@ -63,7 +63,7 @@ struct HalfSpace {
         }
         static_assert(kTile % hn::MaxLanes(F64()) == 0, "columns must not reach over the border of a tile");
         const PixelBox&               box = triangle.box;
-        const Edges                   edges{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
+        const HalfPlanes              edges{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
         const DepthTest<kKeep, Rules> test(triangle.depth, triangle.rank(), visible.empty(), rules);
 
         for (int top = tiles.tileAt(box.x0, box.y0).y0; top < box.y1; top += kTile) {
@@ -90,7 +90,7 @@ private:
 
     /// Which parts of a box in one tile of the visibility buffer are not wholly on the outer side of an edge: bit i is the i-th tile of the
     /// pyramid in there, from the left.
-    static std::uint32_t partsReached(const PixelBox& box, const Edges& edges)
+    static std::uint32_t partsReached(const PixelBox& box, const HalfPlanes& edges)
     {
         const F64     d64;
         std::uint32_t all = 0;
@@ -131,7 +131,7 @@ private:
             upkeep.touched(box);
             return;
         }
-        const Edges fromBox{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
+        const HalfPlanes fromBox{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
         const DepthTest<kKeep, Rules, kNormal> test(triangle.depth, triangle.rank(), visible.empty(), rules);
         if constexpr (kLanes == 1) {  // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
             if (isCompact(triangle)) {
@@ -143,10 +143,10 @@ private:
                 return;
             }
         }
-        const auto fillTiles = [&](const PixelBox& pixels, const Edges& edges) {
+        const auto fillTiles = [&](const PixelBox& pixels, const HalfPlanes& edges) {
             forEachTile(pixels, [&](const PixelBox& here) { fillStoredTile(here, triangle, edges, test, fragments, upkeep, visible, rules, probe); });
         };
-        const auto fill = [&](const PixelBox& pixels, const Edges& edges) {
+        const auto fill = [&](const PixelBox& pixels, const HalfPlanes& edges) {
             if constexpr (takesParts<Fragments, Rules, Probe>())
                 LargeTriangle<kKeep, kNormal, Upkeep>(triangle, edges, upkeep, visible).draw(pixels, [&](const PixelBox& border) { fillTiles(border, edges); });
             else
@@ -171,7 +171,7 @@ private:
 
     /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
     template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules, class Probe>
-    static void fillStoredTile(const PixelBox& stored, const ScreenTriangle& triangle, const Edges& edges,
+    static void fillStoredTile(const PixelBox& stored, const ScreenTriangle& triangle, const HalfPlanes& edges,
                                const DepthTest<kKeep, Rules, kNormal>& test, const Fragments& fragments, const Upkeep& upkeep,
                                VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
@@ -236,7 +236,7 @@ private:
     /// Lines [y, end) of the column of pixels x, x + 1, ... Returns the least key that each of its columns holds then, in lines that
     /// the triangle misses only if the caller `sees` all.
     template <Keep kKeep, bool kNormal, class Fragments, class Rules, class Probe>
-    static Keys fillTile(const ScreenTriangle& triangle, const Edges& edges, const DepthTest<kKeep, Rules, kNormal>& test, Vec64 column, int x,
+    static Keys fillTile(const ScreenTriangle& triangle, const HalfPlanes& edges, const DepthTest<kKeep, Rules, kNormal>& test, Vec64 column, int x,
                          int y, int end, bool sees, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         const F64  d64;

@@ -20,7 +20,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <span>
 #include <utility>
 
 #include "core/depth/pyramid.h"
@@ -32,45 +31,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// The half-planes of a triangle, counted from the pixel (x0, y0).
-struct Edges {
-    std::array<HalfPlane, 3> planes;
-    int                      x0, y0;
-
-    bool areOutside(const PixelBox& pixels) const
-    {
-        return zscope::areOutside(planes, pixels.x0 - x0, pixels.y0 - y0, pixels.x1 - 1 - x0, pixels.y1 - 1 - y0);
-    }
-    bool areInside(const PixelBox& pixels) const
-    {
-        return zscope::areInside(planes, pixels.x0 - x0, pixels.y0 - y0, pixels.x1 - 1 - x0, pixels.y1 - 1 - y0);
-    }
-    /// The k-th, counted from another pixel.
-    HalfPlane from(std::size_t k, int x, int y) const { return {planes[k].at(x - x0, y - y0), planes[k].perPixel, planes[k].perLine}; }
-};
-
-/// True if the part of the triangle's box in one tile of the visibility buffer needs not be drawn, because planes say all there is to say.
-template <class Upkeep>
-bool isKeptAsPlane(const PixelBox& here, bool isInside, const ScreenTriangle& triangle, const Upkeep& upkeep, VisibilityBuffer& visible)
-{
-    constexpr int     kSide  = PartPasses::kSide;
-    const PlaneAnswer answer = offerPlane(visible, here, isInside, {triangle.depth, triangle.rank()}, upkeep.isKept());
-    if (answer != PlaneAnswer::Kept) return answer == PlaneAnswer::Hidden;
-    if (upkeep.isKept()) {
-        const auto farthest = depthsAlong<kSide, false>(triangle.depth, here);
-        upkeep.drawnTiles(here.x0, here.y0, std::span(farthest).first(static_cast<std::size_t>((here.x1 - here.x0 + kSide - 1) / kSide)));
-    } else {
-        upkeep.touched(here);
-    }
-    return true;
-}
-
-/// The farthest depth of a tile of the pyramid that holds these least keys, lane by lane.
-HWY_INLINE float farthestOf(Keys least, const VisibilityBuffer& visible)
-{
-    return depthOf(std::max(hn::GetLane(hn::MinOfLanes(I64(), least)), visible.background()));
-}
-
 /// A triangle whose fragments store nothing but keys, by exact rules, with nobody who listens. `kNormal` as in DepthTest; `Upkeep`: TileUpkeep.
 template <Keep kKeep, bool kNormal, class Upkeep>
 class LargeTriangle {
@@ -81,7 +41,7 @@ class LargeTriangle {
     static_assert(kSide == kLines && kParts == 8, "a line of parts is a byte of bits");
 
 public:
-    LargeTriangle(const ScreenTriangle& triangle, const Edges& edges, const Upkeep& upkeep, VisibilityBuffer& visible)
+    LargeTriangle(const ScreenTriangle& triangle, const HalfPlanes& edges, const Upkeep& upkeep, VisibilityBuffer& visible)
         : m_triangle(triangle), m_edges(edges), m_upkeep(upkeep), m_visible(visible)
     {
     }
@@ -264,7 +224,7 @@ private:
     }
 
     const ScreenTriangle& m_triangle;
-    const Edges&          m_edges;
+    const HalfPlanes&     m_edges;
     const Upkeep&         m_upkeep;
     VisibilityBuffer&     m_visible;
 

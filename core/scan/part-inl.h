@@ -98,6 +98,12 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<HalfPlane, kCross
     return fartherOf<kNormal>(least, otherLeast);
 }
 
+/// The farthest depth of a tile of the pyramid that holds these least keys, lane by lane.
+HWY_INLINE float farthestOf(Keys least, const VisibilityBuffer& visible)
+{
+    return depthOf(std::max(hn::GetLane(hn::MinOfLanes(I64(), least)), visible.background()));
+}
+
 }  // namespace zscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

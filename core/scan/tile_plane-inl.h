@@ -14,9 +14,11 @@
 #endif
 
 #include <array>
+#include <span>
 
 #include <hwy/cache_control.h>
 
+#include "core/depth/pyramid.h"
 #include "core/geometry/lane_order-inl.h"
 #include "core/scan/depth_test-inl.h"
 
@@ -100,6 +102,22 @@ inline PlaneAnswer offerPlane(VisibilityBuffer& visible, const PixelBox& here, b
     if (!(offered.depth.farthest > visible.empty())) return PlaneAnswer::Asked;  // some of it may lie beyond the far plane
     visible.setPlane(here.x0, here.y0, offered);
     return PlaneAnswer::Kept;
+}
+
+/// True if the part of the triangle's box in one tile of the visibility buffer needs not be drawn, because planes say all there is to say.
+template <class Upkeep>
+bool isKeptAsPlane(const PixelBox& here, bool isInside, const ScreenTriangle& triangle, const Upkeep& upkeep, VisibilityBuffer& visible)
+{
+    constexpr int     kSide  = 1 << Pyramid::kTileLevel;
+    const PlaneAnswer answer = offerPlane(visible, here, isInside, {triangle.depth, triangle.rank()}, upkeep.isKept());
+    if (answer != PlaneAnswer::Kept) return answer == PlaneAnswer::Hidden;
+    if (upkeep.isKept()) {
+        const auto farthest = depthsAlong<kSide, false>(triangle.depth, here);
+        upkeep.drawnTiles(here.x0, here.y0, std::span(farthest).first(static_cast<std::size_t>((here.x1 - here.x0 + kSide - 1) / kSide)));
+    } else {
+        upkeep.touched(here);
+    }
+    return true;
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -1,0 +1,85 @@
+// Large triangles, which are drawn by lists of tiles: edges that pass exactly through the pixels in the corners of tiles, more tiles of one kind
+// than a list holds, all kinds in one triangle, and what lies exactly as deep as the pyramid says give the reference's picture.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/scene/generators/random.h"
+#include "tests/agreement/agreement_support.h"
+#include "tests/agreement/soups.h"
+
+namespace zscope::tests {
+namespace {
+
+/// What is special about corners.
+enum class Corner {
+    AtTiles,   // on the first or last pixel centres of tiles, or a subpixel beside them
+    Anywhere,  // up to a third of the picture beyond it
+    Needles,   // two of three nearly in one place, across the picture
+    FarOut,    // beyond the guard band
+};
+
+class LargeTriangles : public testing::TestWithParam<Corner> {
+protected:
+    static constexpr int kTile = 8;
+
+    /// A corner on the screen, in pixels.
+    static std::array<double, 2> cornerAt(Corner kind, Random& random, const Camera& camera)
+    {
+        const double width = camera.width, height = camera.height;
+        if (kind == Corner::AtTiles) {
+            const auto along = [&random](int pixels) {
+                const double first = kTile * static_cast<double>(random.below(static_cast<std::uint64_t>(pixels / kTile + 2)));
+                const double pixel = random.below(2) == 0 ? first : first - 1;
+                return pixel + 0.5 + (static_cast<double>(random.below(3)) - 1) / 256;
+            };
+            const double x = along(camera.width);
+            return {x, along(camera.height)};
+        }
+        const double reach = kind == Corner::FarOut ? 0x1p21 : 0.33;
+        const double x     = random.between(-reach * width, (1 + reach) * width);
+        return {x, random.between(-reach * height, (1 + reach) * height)};
+    }
+
+    static std::shared_ptr<const PreparedScene> triangles(Corner kind, Random& random, const Camera& camera, int count)
+    {
+        std::vector<Corners> all;
+        const bool           isLevel = random.below(2) == 0;  // depths that tie, all over a tile
+        while (static_cast<int>(all.size()) < count) {
+            const double         z = 2 + static_cast<double>(random.below(3));
+            Corners              corners;
+            std::array<double, 2> last{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                auto at = cornerAt(kind, random, camera);
+                if (kind == Corner::Needles && k == 2) at = {last[0] + random.between(-9, 9), last[1] + random.between(-9, 9)};
+                corners[k] = pointAt(camera, at[0], at[1], isLevel ? z : random.between(1.5, 5));
+                last       = at;
+            }
+            all.push_back(corners);
+        }
+        return std::make_shared<const PreparedScene>(sceneOf(all));
+    }
+};
+
+TEST_P(LargeTriangles, EveryPresetDrawsWhatTheReferenceDraws)
+{
+    Random        random(5 + static_cast<std::uint64_t>(GetParam()));
+    std::uint64_t covered = 0;
+    for (const auto& [width, height] : {std::pair{512, 256}, {640, 203}, {193, 256}}) {
+        const Camera camera = plainCamera(width, height);
+        for (std::uint64_t i = 0; i < shareOf(8); ++i) {
+            const auto scene = triangles(GetParam(), random, camera, i % 2 == 0 ? 3 : 24);
+            const auto what  = "scene " + std::to_string(i) + " in " + std::to_string(width) + " x " + std::to_string(height);
+            covered += expectAgreement(scene, camera, FaceCulling::None, what, {.threads = {1, 2}});
+        }
+    }
+    EXPECT_GT(covered, shareOf(8) * (GetParam() == Corner::Needles ? 3'000 : 60'000));
+}
+
+INSTANTIATE_TEST_SUITE_P(Corners, LargeTriangles, testing::Values(Corner::AtTiles, Corner::Anywhere, Corner::Needles, Corner::FarOut));
+
+}  // namespace
+}  // namespace zscope::tests
