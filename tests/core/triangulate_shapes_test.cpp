@@ -216,24 +216,18 @@ TEST(Fan, IsWhatAConvexPolygonWithRepeatedAndFlatCornersGets)
     }
 }
 
-TEST(Fan, OfAHundredThousandCornersTakesLinearTime)
+/// Nothing here is timed: looking at all corners for each of a million would take hours, and the test would never end.
+TEST(Fan, OfAMillionCornersIsFoundAtAll)
 {
-    const auto make = [](int corners) {
-        std::vector<dvec3> positions;
-        for (int i = 0; i < corners; ++i) {
-            const double angle = 2 * std::numbers::pi * i / corners;
-            positions.push_back({1e6 * std::cos(angle), 1e6 * std::sin(angle), 0});
-        }
-        return positions;
-    };
-    const auto small = make(25'000), large = make(100'000);
-    double     smallTime = 1e9, largeTime = 1e9;
-    for (int repeat = 0; repeat < 5; ++repeat) {
-        smallTime = std::min(smallTime, millisecondsOf([&] { EXPECT_EQ(cut(small).how, PolygonSplit::Fan); }));
-        largeTime = std::min(largeTime, millisecondsOf([&] { EXPECT_EQ(cut(large).how, PolygonSplit::Fan); }));
+    constexpr int      kCorners = 1'000'000;
+    std::vector<dvec3> positions;
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kCorners;
+        positions.push_back({1e6 * std::cos(angle), 1e6 * std::sin(angle), 0});
     }
-    EXPECT_LT(largeTime, 9 * smallTime + 5) << "four times the corners";
-    EXPECT_LT(largeTime, 1000);
+    const Cut result = cut(positions);
+    EXPECT_EQ(result.how, PolygonSplit::Fan);
+    EXPECT_EQ(result.triangles.size(), positions.size() - 2);
 }
 
 /// Outlines of about `corners` corners that make a search among all of them slow.
