@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,8 +50,8 @@ protected:
         std::vector<Corners> all;
         const bool           isLevel = random.below(2) == 0;  // depths that tie, all over a tile
         while (static_cast<int>(all.size()) < count) {
-            const double         z = 2 + static_cast<double>(random.below(3));
-            Corners              corners;
+            const double          z = 2 + static_cast<double>(random.below(3));
+            Corners               corners;
             std::array<double, 2> last{};
             for (std::size_t k = 0; k < 3; ++k) {
                 auto at = cornerAt(kind, random, camera);

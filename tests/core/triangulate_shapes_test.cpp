@@ -216,7 +216,7 @@ TEST(Fan, IsWhatAConvexPolygonWithRepeatedAndFlatCornersGets)
     }
 }
 
-/// Nothing here is timed: looking at all corners for each of a million would take hours, and the test would never end.
+/// Nothing here is timed: looking at all corners for each of a million would take hours, and CTest ends a test long before.
 TEST(Fan, OfAMillionCornersIsFoundAtAll)
 {
     constexpr int      kCorners = 1'000'000;
