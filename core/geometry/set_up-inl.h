@@ -2,7 +2,7 @@
 //
 // Sieve      in int32 lanes, from snapped corners: turn, box, and whether any pixel centre lies in it. Most triangles end here.
 //            What is left is written densely, so that the lanes that follow have work
-// Edges      in int32 lanes: exact, because the sides of compact triangles are short. Then float32
+// Edges      in int32 lanes: exact, because the sides of compact triangles are short
 // Planes     in float64 lanes, in the order of depthPlane() (core/geometry/screen_triangle.h), nothing fused
 // One by one triangles with a long side, and all of them where rules are chosen at run time (corners need not be whole then)
 // Hidden     if somebody knows which boxes of pixels can show nothing of the batch any more, the sieve drops what lies in one
@@ -26,6 +26,7 @@
 #include <hwy/highway.h>
 
 #include "core/geometry/corner_rows-inl.h"
+#include "core/geometry/edge_steps-inl.h"
 #include "core/geometry/lane_order-inl.h"
 #include "core/geometry/set_up.h"
 
@@ -78,7 +79,6 @@ public:
 
 private:
     using D    = hn::ScalableTag<std::int32_t>;
-    using DF   = hn::RebindToFloat<D>;
     using V    = hn::Vec<D>;
     using M    = hn::Mask<D>;
     using F64  = hn::ScalableTag<double>;
@@ -235,14 +235,9 @@ private:
             const auto        dx = x[next] - x[k], dy = y[next] - y[k];
             const auto        owns = hn::Or(dy < hn::Zero(D()), hn::And(dy == hn::Zero(D()), dx > hn::Zero(D())));
             const auto        edge = dx * (py - y[k]) - dy * (px - x[k]) - hn::IfThenElse(owns, hn::Zero(D()), all(1));
-            keepAsFloat(hn::Or(hn::ShiftRight<7>(edge), all(1)), m_out.origin[k], i);
-            keepAsFloat(hn::ShiftLeft<1>(hn::Zero(D()) - dy), m_out.perPixel[k], i);
-            keepAsFloat(hn::ShiftLeft<1>(dx), m_out.perLine[k], i);
+            hn::StoreU(hn::ShiftRight<8>(edge), D(), m_out.origin[k].data() + i);
+            hn::StoreU(stepsOf(hn::Zero(D()) - dy, dx), D(), m_out.steps[k].data() + i);
         }
-    }
-    static void keepAsFloat(V value, TriangleList::Column<float>& column, std::size_t i)
-    {
-        hn::StoreU(hn::ConvertTo(DF(), value), DF(), column.data() + i);
     }
 
     void findPlanes(std::size_t i)

@@ -1,10 +1,9 @@
 // The screen triangles of one batch, structure of arrays, so that lanes write and read several of them side by side.
 //
 // Columns    one array per number of a triangle, entry i of each is triangle i; corners are turned as in ScreenTriangle
-// Compact    triangles whose sides are below kCompactSide and whose corners are whole numbers carry their edges too, in float32, which
-//            holds them exactly: an edge value at a pixel centre is 256 times an integer plus what it is at the first pixel.
-//            Divided by 256 and rounded down it keeps its sign. Twice that and one is kept: an odd integer below 2^24, so that
-//            it is 1 or more inside, and -1 or less outside: its sign says which
+// Compact    triangles whose sides are below kCompactSide and whose corners are whole numbers carry their edges too, as integers: an edge
+//            value at a pixel centre is 256 times an integer plus what it is at the first pixel. Divided by 256 and rounded down it
+//            keeps its sign, which says on which side the pixel lies, and grows from pixel to pixel by less than kCompactSide
 // Room       fixed: a batch's triangles, each of which the near plane may cut in two. Whole vectors may be stored from the entry
 //            after the last
 // Cost       putting one ScreenTriangle together reads twenty columns: for whoever takes triangles one by one
@@ -61,7 +60,7 @@ struct TriangleList {
     // Of compact triangles.
     alignas(64) Column<std::int32_t> top;                               // first line of their windows
     alignas(64) Column<std::uint32_t> notRank;                          // complement of the rank, id + 1: what pixels hold of it
-    alignas(64) std::array<Column<float>, 3> origin, perPixel, perLine;  // edges, as above, counted from pixel (x0, top)
+    alignas(64) std::array<Column<std::int32_t>, 3> origin, steps;      // edges, as above: at pixel (x0, top); edge_steps-inl.h
     // Corners as they were given: positions in the batch. All entries are, from the first on: the lanes of a vector that lie beyond the last
     // triangle look their corners up like the others.
     alignas(64) std::array<Column<std::int32_t>, 3> vertex{};

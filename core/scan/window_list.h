@@ -20,7 +20,7 @@ struct WindowList {
     std::size_t                         count = 0;
     AlignedVector<std::uint32_t>        owners;            // which triangle's
     AlignedVector<std::uint32_t>        places;            // its first pixel: x + 65536 y; when it is worked off, that pixel's place among the keys
-    std::array<AlignedVector<float>, 3> edges;             // the owner's there, as TriangleList counts them
+    std::array<AlignedVector<std::int32_t>, 3> edges;      // the owner's there, as TriangleList counts them
     AlignedVector<std::uint32_t>        columns;           // the first pixel's, when it is worked off
     AlignedVector<double>               centreY;           // likewise
 
@@ -34,8 +34,7 @@ struct WindowList {
 
         Column<std::uint32_t>        owners, places;         // as of a window at the corner (x0, top) of its box
         Column<std::int32_t>         width, height;          // of its box, in pixels
-        std::array<Column<float>, 3> first;                  // edges at that corner
-        std::array<Column<float>, 3> perPixel, below;        // from there to the next pixel, to kWindowSide lines below
+        std::array<Column<std::int32_t>, 3> edges, steps;    // at that corner; core/geometry/edge_steps-inl.h
         std::size_t                  count = 0;
     };
     Some some;
@@ -67,7 +66,7 @@ struct WindowList {
 
     std::size_t bytes() const
     {
-        return owners.capacity() * (3 * sizeof(std::uint32_t) + 3 * sizeof(float) + sizeof(double)) + centres.capacity() * sizeof(double);
+        return owners.capacity() * (3 * sizeof(std::uint32_t) + 3 * sizeof(std::int32_t) + sizeof(double)) + centres.capacity() * sizeof(double);
     }
 };
 

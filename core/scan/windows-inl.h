@@ -4,7 +4,7 @@
 //            side, and what is covered is offered sample by sample
 // Window     kWindowSide x kWindowSide pixels. A line of them begins at the left of its triangle's box, or after the columns of its lines that
 //            hold nothing of the triangle, so that most small triangles have one or two
-// Edges      float32, exact (core/geometry/triangle_list.h)
+// Edges      int32, exact (core/geometry/triangle_list.h)
 // Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is monotone, so
 //            they may be applied after it
 // List       triangles of one batch, because a loop over one triangle's few windows is mispredicted at every triangle
@@ -21,10 +21,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #include <hwy/cache_control.h>
 
+#include "core/geometry/edge_steps-inl.h"
 #include "core/geometry/lane_order-inl.h"
 #include "core/geometry/triangle_list.h"
 #include "core/scan/depth_test-inl.h"
@@ -41,12 +41,12 @@ class WindowFinder {
     using D  = hn::ScalableTag<std::int32_t>;
     using DF = hn::RebindToFloat<D>;
     using DU = hn::RebindToUnsigned<D>;
-    using VF = hn::Vec<DF>;
+    using V  = hn::Vec<D>;
 
-    /// Values of the three edges of a triangle at the first pixel of a window, or differences of such.
-    using Edges = std::array<VF, 3>;
+    /// Of the three edges of a triangle: values at the first pixel of a window, steps (edge_steps-inl.h), or what they grow by.
+    using Edges = std::array<V, 3>;
 
-    static hn::Vec<D> all(std::int32_t value) { return hn::Set(D(), value); }
+    static V all(std::int32_t value) { return hn::Set(D(), value); }
     template <class T>
     static hn::Vec<hn::Rebind<T, D>> load(const TriangleList::Column<T>& column, std::size_t i)
     {
@@ -97,28 +97,23 @@ private:
         const auto hasFew  = hn::And(hn::AndNot(hasMore, mask), hn::Max(width, height) > all(kTinySide));
         if (hn::AllFalse(D(), hn::Or(hasFew, hn::And(hasMore, mask)))) return;
 
-        Edges first, perPixel, below;  // below: from a window to the one under it
-        Reach reach;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto perLine = load(m_triangles.perLine[k], i);
-            first[k]           = load(m_triangles.origin[k], i);
-            perPixel[k]        = load(m_triangles.perPixel[k], i);
-            below[k]           = perLine * hn::Set(DF(), kWindowSide);
-            reach.set(k, perPixel[k], perLine);
-        }
+        const auto  edges = [i](const auto& columns) HWY_ATTR { return Edges{load(columns[0], i), load(columns[1], i), load(columns[2], i)}; };
+        const Edges first = edges(m_triangles.origin), steps = edges(m_triangles.steps);
+        const Reach reach(steps);
         m_list.reserve(4 * hn::Lanes(D()));
         const auto owners = countFrom(DU(), static_cast<std::uint32_t>(i));
         const auto place  = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
         const auto addLine = [&](const Edges& line, hn::Mask<D> exists, int down) HWY_ATTR {
             const auto hasTwo = hn::And(exists, isWide);
-            const Line of     = withoutEmptyColumns(line, perPixel, reach, hasTwo, place + hn::Set(DU(), static_cast<std::uint32_t>(down << 16)));
+            const Line of     = withoutEmptyColumns(line, steps, reach, hasTwo, place + hn::Set(DU(), static_cast<std::uint32_t>(down << 16)));
             judge(of.edges, reach, exists, owners, of.place);
             if (!hn::AllFalse(D(), hasTwo))
-                judge(toRight(of.edges, perPixel), reach, hn::And(hasTwo, width > of.skipped + all(kWindowSide)), owners, of.place + hn::Set(DU(), kWindowSide));
+                judge(after(of.edges, steps, kWindowSide, 0), reach, hn::And(hasTwo, width > of.skipped + all(kWindowSide)), owners,
+                      of.place + hn::Set(DU(), kWindowSide));
         };
         addLine(first, hasFew, 0);
         const auto high = hn::And(hasFew, isHigh);
-        if (!hn::AllFalse(D(), high)) addLine(plus(first, below), high, kWindowSide);
+        if (!hn::AllFalse(D(), high)) addLine(after(first, steps, 0, kWindowSide), high, kWindowSide);
         const auto many = hn::And(mask, hasMany);
         hn::StoreU(hn::TableLookupLanes(owners, hn::IndicesFromVec(DU(), keptFirst(D(), many))), DU(), m_list.many.data() + m_list.manyCount);
         m_list.manyCount += hn::CountTrue(D(), many);
@@ -129,7 +124,7 @@ private:
         const std::size_t    count = to.count;
         const auto keep = [&](auto d, auto values, auto& column) HWY_ATTR { hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, order)), d, column.data() + count); };
         keep(DU(), owners, to.owners), keep(DU(), place, to.places), keep(D(), width, to.width), keep(D(), height, to.height);
-        for (std::size_t k = 0; k < 3; ++k) keep(DF(), first[k], to.first[k]), keep(DF(), perPixel[k], to.perPixel[k]), keep(DF(), below[k], to.below[k]);
+        for (std::size_t k = 0; k < 3; ++k) keep(D(), first[k], to.edges[k]), keep(D(), steps[k], to.steps[k]);
         to.count = count + hn::CountTrue(D(), some);
     }
 
@@ -142,18 +137,17 @@ private:
         const auto owners = hn::LoadU(DU(), from.owners.data() + m), places = hn::LoadU(DU(), from.places.data() + m);
         const auto width = hn::LoadU(D(), from.width.data() + m), height = hn::LoadU(D(), from.height.data() + m);
         const auto edges = [m](const auto& columns) HWY_ATTR {
-            return Edges{hn::LoadU(DF(), columns[0].data() + m), hn::LoadU(DF(), columns[1].data() + m), hn::LoadU(DF(), columns[2].data() + m)};
+            return Edges{hn::LoadU(D(), columns[0].data() + m), hn::LoadU(D(), columns[1].data() + m), hn::LoadU(D(), columns[2].data() + m)};
         };
-        const Edges perPixel = edges(from.perPixel), below = edges(from.below);
-        Reach       reach;
-        for (std::size_t k = 0; k < 3; ++k) reach.set(k, perPixel[k], below[k] * hn::Set(DF(), 1.0f / kWindowSide));
-        Edges line = edges(from.first);
+        const Edges steps = edges(from.steps), across = growths(steps, kWindowSide, 0), below = growths(steps, 0, kWindowSide);
+        const Reach reach(steps);
+        Edges       line = edges(from.edges);
         for (int down = 0; down < WindowList::Some::kMost * kWindowSide; down += kWindowSide, line = plus(line, below)) {
             const auto hasLine = hn::And(isThere, height > all(down));
             if (hn::AllFalse(D(), hasLine)) break;
-            const Line of   = withoutEmptyColumns(line, perPixel, reach, hasLine, places + hn::Set(DU(), static_cast<std::uint32_t>(down << 16)));
+            const Line of   = withoutEmptyColumns(line, steps, reach, hasLine, places + hn::Set(DU(), static_cast<std::uint32_t>(down << 16)));
             Edges      here = of.edges;
-            for (int right = 0; right < WindowList::Some::kMost * kWindowSide; right += kWindowSide, here = toRight(here, perPixel)) {
+            for (int right = 0; right < WindowList::Some::kMost * kWindowSide; right += kWindowSide, here = plus(here, across)) {
                 const auto exists = hn::And(hasLine, width > of.skipped + all(right));
                 if (hn::AllFalse(D(), exists)) break;
                 judge(here, reach, exists, owners, of.place + hn::Set(DU(), static_cast<std::uint32_t>(right)));
@@ -165,10 +159,11 @@ private:
     struct Reach {
         Edges inColumn, inWindow;  // of the pixels of its column, of its window
 
-        void set(std::size_t k, VF perPixel, VF perLine)
+        explicit Reach(const Edges& steps)
         {
-            inColumn[k] = hn::Max(perLine, hn::Zero(DF())) * hn::Set(DF(), kWindowSide - 1);
-            inWindow[k] = hn::Max(perPixel, hn::Zero(DF())) * hn::Set(DF(), kWindowSide - 1) + inColumn[k];
+            const Edges inwards{upwards(steps[0]), upwards(steps[1]), upwards(steps[2])};
+            inColumn = growths(inwards, 0, kWindowSide - 1);
+            inWindow = growths(inwards, kWindowSide - 1, kWindowSide - 1);
         }
     };
 
@@ -180,36 +175,38 @@ private:
     };
 
     /// A triangle's box is wider than what it has of most lines of windows: those of `asked` begin after columns that hold nothing of it.
-    static Line withoutEmptyColumns(const Edges& atBox, const Edges& perPixel, const Reach& reach, hn::Mask<D> asked, hn::Vec<DU> place)
+    static Line withoutEmptyColumns(const Edges& atBox, const Edges& steps, const Reach& reach, hn::Mask<D> asked, hn::Vec<DU> place)
     {
         Line line{hn::Zero(D()), place, atBox};
         // One lane: in the order that HalfSpace shows, who goes by windows from the corner of the box.
         if (hn::MaxLanes(D()) == 1 || hn::AllFalse(D(), asked)) return line;
-        Edges inColumn = plus(atBox, reach.inColumn);
+        const Edges perPixel = growths(steps, 1, 0);
+        Edges       inColumn = plus(atBox, reach.inColumn);
         for (int column = 0; column < kWindowSide - 1; ++column, inColumn = plus(inColumn, perPixel)) {
-            asked        = hn::And(asked, hn::RebindMask(D(), least(inColumn) < hn::Zero(DF())));
+            asked        = hn::And(asked, isOutside(inColumn));
             line.skipped = line.skipped + hn::IfThenElseZero(asked, all(1));
         }
-        const auto right = hn::ConvertTo(DF(), line.skipped);
-        for (std::size_t k = 0; k < 3; ++k) line.edges[k] = hn::MulAdd(right, perPixel[k], atBox[k]);
+        for (std::size_t k = 0; k < 3; ++k) line.edges[k] = atBox[k] + growth(steps[k], line.skipped);
         line.place = place + hn::BitCast(DU(), line.skipped);
         return line;
     }
 
-    static Edges toRight(const Edges& edges, const Edges& perPixel)
+    static Edges growths(const Edges& steps, int pixels, int lines)
     {
-        const auto side = hn::Set(DF(), kWindowSide);
-        return {hn::MulAdd(side, perPixel[0], edges[0]), hn::MulAdd(side, perPixel[1], edges[1]), hn::MulAdd(side, perPixel[2], edges[2])};
+        return {growth(steps[0], pixels, lines), growth(steps[1], pixels, lines), growth(steps[2], pixels, lines)};
     }
+    /// The values so many pixels to the right and lines down.
+    static Edges after(const Edges& edges, const Edges& steps, int pixels, int lines) { return plus(edges, growths(steps, pixels, lines)); }
 
     /// Appends the windows that exist and are not wholly outside of an edge.
     void judge(const Edges& edges, const Reach& reach, hn::Mask<D> exists, hn::Vec<DU> owners, hn::Vec<DU> places)
     {
-        append(hn::And(exists, hn::RebindMask(D(), least(plus(edges, reach.inWindow)) >= hn::Zero(DF()))), owners, places, edges);
+        append(hn::AndNot(isOutside(plus(edges, reach.inWindow)), exists), owners, places, edges);
     }
 
     static Edges plus(const Edges& a, const Edges& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-    static VF    least(const Edges& edges) { return hn::Min(hn::Min(edges[0], edges[1]), edges[2]); }
+    /// Whether one of them is negative.
+    static hn::Mask<D> isOutside(const Edges& edges) { return hn::Or3(edges[0], edges[1], edges[2]) < hn::Zero(D()); }
 
     /// The windows of one triangle, line of windows after line of windows.
     void addMany(std::size_t t)
@@ -221,24 +218,18 @@ private:
 
         const auto owner = hn::Set(DU(), static_cast<std::uint32_t>(t));
         const auto place = hn::Set(DU(), static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16)));
-        Edges      start, across, below;
-        Reach      reach;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto set = [t](const TriangleList::Column<float>& column) HWY_ATTR { return hn::Set(DF(), column[t]); };
-            across[k] = set(m_triangles.perPixel[k]);
-            below[k]  = set(m_triangles.perLine[k]);
-            start[k]  = set(m_triangles.origin[k]);
-            reach.set(k, across[k], below[k]);
-        }
+        const auto  set   = [t](const auto& of) HWY_ATTR { return Edges{all(of[0][t]), all(of[1][t]), all(of[2][t])}; };
+        const Edges start = set(m_triangles.origin), steps = set(m_triangles.steps);
+        const Reach reach(steps);
         const auto side = hn::Set(DF(), kWindowSide), perLine = hn::Set(DF(), static_cast<float>(columns)), perColumn = hn::Set(DF(), 1 / static_cast<float>(columns));
         for (int first = 0; first < count; first += step) {
             const auto  at    = countFrom(DF(), static_cast<float>(first));
             const auto  line  = hn::Floor((at + hn::Set(DF(), 0.5f)) * perColumn);
             const auto  right = (at - line * perLine) * side, down = line * side;
-            const auto  edge  = [&](std::size_t k) HWY_ATTR { return hn::MulAdd(right, across[k], hn::MulAdd(down, below[k], start[k])); };
-            const Edges edges{edge(0), edge(1), edge(2)};
-            const auto  here     = place + hn::BitCast(DU(), hn::ConvertTo(D(), hn::MulAdd(down, hn::Set(DF(), 65536), right)));
-            judge(edges, reach, hn::RebindMask(D(), at < hn::Set(DF(), static_cast<float>(count))), owner, here);
+            const auto  way   = hn::ConvertTo(D(), hn::MulAdd(down, hn::Set(DF(), 65536), right));
+            const auto  edge  = [&](std::size_t k) HWY_ATTR { return start[k] + growth(steps[k], way); };
+            judge({edge(0), edge(1), edge(2)}, reach, hn::RebindMask(D(), at < hn::Set(DF(), static_cast<float>(count))), owner,
+                  place + hn::BitCast(DU(), way));
         }
     }
 
@@ -251,10 +242,10 @@ private:
         const std::size_t           at       = m_list.count;
         std::uint32_t* const        toOwners = m_list.owners.data() + at;
         std::uint32_t* const        toPlaces = m_list.places.data() + at;
-        const std::array<float*, 3> toEdges{m_list.edges[0].data() + at, m_list.edges[1].data() + at, m_list.edges[2].data() + at};
+        const std::array<std::int32_t*, 3> toEdges{m_list.edges[0].data() + at, m_list.edges[1].data() + at, m_list.edges[2].data() + at};
         put(DU(), owners, toOwners);
         put(DU(), places, toPlaces);
-        for (std::size_t k = 0; k < 3; ++k) put(DF(), edges[k], toEdges[k]);
+        for (std::size_t k = 0; k < 3; ++k) put(D(), edges[k], toEdges[k]);
         m_list.count = at + hn::CountTrue(D(), kept);
     }
 
@@ -265,7 +256,13 @@ private:
 inline constexpr int kPassColumns = std::min(kPassPixels, kWindowSide);
 inline constexpr int kPassLines   = kPassPixels / kPassColumns;
 
-inline constexpr PassLanes<float, kWindowSide> kPassLanes32;
+/// The way from the first pixel of a window to those of the first pass.
+HWY_ALIGN inline constexpr auto kWaysInPass = [] {
+    constexpr PassLanes<std::int32_t, kWindowSide> kAt;
+    std::array<std::int32_t, kPassPixels> all{};
+    for (std::size_t lane = 0; lane < all.size(); ++lane) all[lane] = pixelsAndLines(kAt.right[lane], kAt.down[lane]);
+    return all;
+}();
 
 /// Depths are found two columns of a pass at a time, line by line, so that both vectors of float64 share their lines: how far down each lane is.
 HWY_ALIGN inline constexpr auto kDownOfPairs = [] {
@@ -315,10 +312,10 @@ HWY_INLINE void offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff
 
 /// One entry of a WindowList; centres in pixels.
 struct Window {
-    std::size_t          owner;
-    std::array<float, 3> edges;
-    const double*        centresX;  // of its columns, the left one first
-    double               centreY;   // of its first line
+    std::size_t                 owner;
+    std::array<std::int32_t, 3> edges;
+    const double*               centresX;  // of its columns, the left one first
+    double                      centreY;   // of its first line
 
     // Its first pixel.
     int x() const { return static_cast<int>(*centresX); }
@@ -342,29 +339,25 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
 {
     const F64    d64;
     const Pass32 f32;
+    const hn::RebindToSigned<Pass32> i32;
 
     const std::size_t t = window.owner;
     const auto a = hn::Set(d64, triangles.a[t]), b = hn::Set(d64, triangles.b[t]), c = hn::Set(d64, triangles.c[t]);
     const auto farthest = hn::Set(f32, triangles.farthest[t]), nearest = hn::Set(f32, triangles.nearest[t]);
     const auto above = hn::Set(d64, window.centreY);
 
-    const auto perPixel = [&](std::size_t k) HWY_ATTR { return hn::Set(f32, triangles.perPixel[k][t]); };
-    const auto perLine  = [&](std::size_t k) HWY_ATTR { return hn::Set(f32, triangles.perLine[k][t]); };
-    // At the pixels of each pass. Those of the first are computed, the others reached from there: whole numbers, exact on any way.
-    const auto toRight = hn::Load(f32, kPassLanes32.right.data()), toDown = hn::Load(f32, kPassLanes32.down.data());
-    const auto edgeOf  = [&](std::size_t k) HWY_ATTR {
-        return hn::MulAdd(toDown, perLine(k), hn::MulAdd(toRight, perPixel(k), hn::Set(f32, window.edges[k])));
-    };
+    // At the pixels of each pass. Those of the first are computed, the others reached from there.
+    const auto steps  = [&](std::size_t k) HWY_ATTR { return hn::Set(i32, triangles.steps[k][t]); };
+    const auto edgeOf = [&](std::size_t k) HWY_ATTR { return growth(steps(k), hn::Load(i32, kWaysInPass.data())) + hn::Set(i32, window.edges[k]); };
     constexpr int kColumns = kWindowSide / kPassColumns, kPasses = kWindowSide / kPassLines * kColumns;
-    std::array<hn::Vec<Pass32>, kPasses> signs;  // negative outside
-    std::array<hn::Vec<Pass32>, 3>       edges{edgeOf(0), edgeOf(1), edgeOf(2)};
+    using Values = hn::Vec<hn::RebindToSigned<Pass32>>;
+    std::array<Values, kPasses> signs;  // negative outside
+    std::array<Values, 3>       edges{edgeOf(0), edgeOf(1), edgeOf(2)};
     for (int pass = 0; pass < kPasses; ++pass) {
         const int column = pass % kColumns * kPassColumns;
         if (pass > 0 && column == 0)
-            for (std::size_t k = 0; k < 3; ++k) edges[k] = hn::MulAdd(hn::Set(f32, kPassLines), perLine(k), edges[k]);
-        const auto edge = [&](std::size_t k) HWY_ATTR {
-            return column == 0 ? edges[k] : hn::MulAdd(hn::Set(f32, static_cast<float>(column)), perPixel(k), edges[k]);
-        };
+            for (std::size_t k = 0; k < 3; ++k) edges[k] = edges[k] + growth(steps(k), 0, kPassLines);
+        const auto edge = [&](std::size_t k) HWY_ATTR { return column == 0 ? edges[k] : edges[k] + growth(steps(k), column, 0); };
         signs[static_cast<std::size_t>(pass)] = hn::Or3(edge(0), edge(1), edge(2));
     }
 
@@ -373,7 +366,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
         for (int column = 0; column < kWindowSide; column += kPassColumns, ++pass) {
             const auto sign = signs[static_cast<std::size_t>(pass)];
             if constexpr (kLanes == 1)
-                if (std::signbit(hn::GetLane(sign)) || window.x() + column >= width) continue;
+                if (hn::GetLane(sign) < 0 || window.x() + column >= width) continue;
 
             const auto depth = [&](int half) HWY_ATTR { return hn::DemoteTo(F32(), a * pairOf(window.centresX + column + 2 * half) + start); };
             PixelKey* const row = first + line * stride + column;
@@ -388,7 +381,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
             const auto z     = hn::Min(hn::Max(fromColumns(together(depth(1), depth(0))), farthest), nearest);
-            const auto upper = hn::OrAnd(z, sign, hn::Set(f32, -0.0f));  // outside: the sign of an edge
+            const auto upper = hn::OrAnd(z, hn::BitCast(f32, sign), hn::Set(f32, -0.0f));  // outside: the sign of an edge
             const auto keys  = keysOf(upper, lowerHalves<kKeep>(triangles.notRank[t]));
             offerKeys<kKeep, kNormal>(keys[0], empty, row, stride);
             offerKeys<kKeep, kNormal>(keys[1], empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide, stride);
@@ -473,14 +466,12 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
             const auto line = lineOf(down, 0), otherLine = lineOf(down, kOtherHalf);
             for (int right = 0; right < kTinySide; ++right) {
                 const auto edge = [&](std::size_t k) HWY_ATTR {
-                    auto value = hn::LoadU(f32, triangles.origin[k].data() + i);
-                    if (right > 0) value = value + hn::LoadU(f32, triangles.perPixel[k].data() + i);
-                    if (down > 0) value = value + hn::LoadU(f32, triangles.perLine[k].data() + i);
-                    return value;
+                    const auto atFirst = load(triangles.origin[k]);
+                    return right + down == 0 ? atFirst : atFirst + growth(load(triangles.steps[k]), right, down);
                 };
-                const auto inside  = hn::RebindMask(i32, hn::Min(hn::Min(edge(0), edge(1)), edge(2)) >= hn::Zero(f32));
+                const auto outside = hn::Or3(edge(0), edge(1), edge(2)) < hn::Zero(i32);
                 const auto exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
-                const auto covered = hn::And(hn::And(inside, exists), isDrawn);
+                const auto covered = hn::And(hn::AndNot(outside, exists), isDrawn);
                 const auto& column = columns[static_cast<std::size_t>(right)];
                 const auto z     = hn::Min(hn::Max(together(hn::DemoteTo(half, column[1] + otherLine), hn::DemoteTo(half, column[0] + line)), farthest), nearest);
                 const auto here  = place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
@@ -528,7 +519,7 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
     // The list's own addresses, which a stored key could change for all the compiler knows.
     const std::uint32_t* const owners = list.owners.data();
     const std::uint32_t* const places = list.places.data();
-    const std::array<const float*, 3> edges{list.edges[0].data(), list.edges[1].data(), list.edges[2].data()};
+    const std::array<const std::int32_t*, 3> edges{list.edges[0].data(), list.edges[1].data(), list.edges[2].data()};
     const std::uint32_t* const columns = list.columns.data();
     const double* const        centres = list.centres.data();
     const double* const        centreY = list.centreY.data();
