@@ -1,7 +1,8 @@
-// The nearer and the farther of two keys, lane by lane.
+// The nearer of two keys and the farther of two depths, lane by lane.
 //
 // Idea       the bits of two positive float64 numbers compare as the numbers do. Not every processor knows the larger of two integers of 64
 //            bits, but each knows the larger of two such numbers
+// Farther    who looks for a farthest depth need not know whose it is: the upper halves say it, integers of 32 bits
 // Normal     keys of depths above 0 are the bits of normal numbers above 0. Those of depths below 0 are the bits of no number: where a buffer
 //            may hold such, as that of background where there is no far plane, integers are compared
 // Source     core/depth/pixel_key.h; IEEE 754-2019, 5.10
@@ -13,6 +14,7 @@
 #endif
 
 #include <bit>
+#include <cstdint>
 #include <limits>
 
 #include <hwy/highway.h>
@@ -47,12 +49,17 @@ HWY_INLINE Keys nearerOf(Keys a, Keys b)
     if constexpr (kNormal) return hn::BitCast(hn::DFromV<Keys>(), hn::Max(asNumbers(a), asNumbers(b)));
     return hn::Max(a, b);
 }
-/// `kNormal`: both are.
-template <bool kNormal, class Keys>
+/// Keys with the farther of both depths; whose they are means nothing.
+template <class Keys>
 HWY_INLINE Keys fartherOf(Keys a, Keys b)
 {
-    if constexpr (kNormal) return hn::BitCast(hn::DFromV<Keys>(), hn::Min(asNumbers(a), asNumbers(b)));
+#if HWY_TARGET == HWY_SCALAR
     return hn::Min(a, b);
+#else
+    const hn::DFromV<Keys>                               keys;
+    const hn::Repartition<std::int32_t, decltype(keys)> halves;
+    return hn::BitCast(keys, hn::Min(hn::BitCast(halves, a), hn::BitCast(halves, b)));
+#endif
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -1,6 +1,6 @@
-// The least key of a tile of the pyramid, in lanes: column by column, then across.
+// The farthest depth in a tile of the pyramid, in lanes: column by column, then across.
 //
-// Promise    the least of all, in any number of lanes: a minimum does not ask for an order
+// Promise    the farthest of all, in any number of lanes: a minimum does not ask for an order
 #if defined(ZSCOPE_LEAST_KEY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_LEAST_KEY_INL_H
 #undef ZSCOPE_LEAST_KEY_INL_H
@@ -16,9 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// A LeastKey (core/depth/pyramid.h). `kNormal`: so are all keys (key_order-inl.h).
-template <bool kNormal>
-PixelKey leastKeyOfTile(const PixelKey* first, std::ptrdiff_t stride, int lines)
+/// A LeastKey (core/depth/pyramid.h).
+inline PixelKey leastKeyOfTile(const PixelKey* first, std::ptrdiff_t stride, int lines)
 {
     namespace hn = hwy::HWY_NAMESPACE;
     const hn::ScalableTag<PixelKey> keys;
@@ -26,7 +25,7 @@ PixelKey leastKeyOfTile(const PixelKey* first, std::ptrdiff_t stride, int lines)
     static_assert(kTile % hn::MaxLanes(hn::ScalableTag<PixelKey>()) == 0);
     auto least = hn::Set(keys, kNearestKey);
     for (int y = 0; y < lines; ++y, first += stride)
-        for (std::size_t x = 0; x < kTile; x += hn::Lanes(keys)) least = fartherOf<kNormal>(least, hn::LoadU(keys, first + x));
+        for (std::size_t x = 0; x < kTile; x += hn::Lanes(keys)) least = fartherOf(least, hn::LoadU(keys, first + x));
     return hn::GetLane(hn::MinOfLanes(keys, least));
 }
 

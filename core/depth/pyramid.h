@@ -67,7 +67,7 @@ struct TileAnswer {
     bool  hidden   = false;
 };
 
-/// The least of the keys in `lines` lines of a tile's width each, `stride` keys from one to the next.
+/// A key with the farthest depth of those in `lines` lines of a tile's width each, `stride` keys from one to the next; whose it is means nothing.
 using LeastKey = PixelKey (*)(const PixelKey* first, std::ptrdiff_t stride, int lines);
 
 class Pyramid {

@@ -317,8 +317,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                             : pipeline.depth == DepthMoment::Late ? ShadingMoment::BeforeTest
                                                                   : ShadingMoment::AfterTest;
 
-    const bool isNormal = kComparesAsFloats && Rules::kExact && areNormal(stripe.visible.empty());
-    scratch.pyramid.readTilesBy(isNormal ? leastKeyOfTile<kComparesAsFloats> : leastKeyOfTile<false>);
+    scratch.pyramid.readTilesBy(leastKeyOfTile);
     probe(StageStarted{Stage::Clear});
     beginPicture<Rules, Probe>(stripe);
     if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);

@@ -79,11 +79,6 @@ struct HalfPlanes {
             if (plane.at((plane.perPixel > 0 ? pixels.x0 : pixels.x1 - 1) - x0, (plane.perLine > 0 ? pixels.y0 : pixels.y1 - 1) - y0) < 0) return false;
         return true;
     }
-    /// The k-th, counted from another pixel.
-    [[gnu::always_inline]] HalfPlane from(std::size_t k, int x, int y) const
-    {
-        return {planes[k].at(x - x0, y - y0), planes[k].perPixel, planes[k].perLine};
-    }
 };
 
 }  // namespace zscope

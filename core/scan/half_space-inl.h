@@ -193,7 +193,7 @@ private:
             const int  from = sees ? left : here.x0 & -laneCount(), end = sees ? left + kTile : here.x1;
             auto       least = hn::Set(I64(), kNearestKey);
             for (int x = from; x < end; x += laneCount())
-                least = fartherOf<kNormal>(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0, here.y1, sees, fragments,
+                least = fartherOf(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0, here.y1, sees, fragments,
                                                            visible, rules, probe));
             if (sees)
                 upkeep.drawnTile(left, here.y0, farthestOf(least, visible));
@@ -233,8 +233,8 @@ private:
         return nearestOver(plane, box);
     }
 
-    /// Lines [y, end) of the column of pixels x, x + 1, ... Returns the least key that each of its columns holds then, in lines that
-    /// the triangle misses only if the caller `sees` all.
+    /// Lines [y, end) of the column of pixels x, x + 1, ... Returns keys with the farthest depth that each of its columns holds then, in lines
+    /// that the triangle misses only if the caller `sees` all.
     template <Keep kKeep, bool kNormal, class Fragments, class Rules, class Probe>
     static Keys fillTile(const ScreenTriangle& triangle, const HalfPlanes& edges, const DepthTest<kKeep, Rules, kNormal>& test, Vec64 column, int x,
                          int y, int end, bool sees, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
@@ -255,9 +255,9 @@ private:
         for (; y < end; ++y, row += stride, lines.toNext()) {
             const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
             if (!hn::AllFalse(d64, inside))
-                least = fartherOf<kNormal>(least, test.offer(column, lines.here(), inside, row, x, y, fragments, probe));
+                least = fartherOf(least, test.offer(column, lines.here(), inside, row, x, y, fragments, probe));
             else if (sees)
-                least = fartherOf<kNormal>(least, hn::LoadU(I64(), row));
+                least = fartherOf(least, hn::LoadU(I64(), row));
             e0 = e0 + down0;
             e1 = e1 + down1;
             e2 = e2 + down2;

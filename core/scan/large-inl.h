@@ -5,6 +5,7 @@
 //            which then grows by it or does not
 // Hidden     a tile of the pyramid whose stored depth hides the triangle is left out, where stale cells wait for a query
 // Kinds      by the edges that cross a tile: none, one of the three, or more. Tiles of a kind are tested one after the other (part-inl.h)
+// Wide       of triangles beyond the guard band only those that no edge crosses
 // Pyramid    a tile's farthest depth was in registers when it was tested, and is told when all of a kind have been
 // Planes     a tile of the visibility buffer that is covered whole may be kept as a plane (tile_plane-inl.h)
 // Promise    the same pixels as EdgeWalk. Edge values are integers below 2^53, so float64 lanes hold them exactly
@@ -42,14 +43,14 @@ class LargeTriangle {
 
 public:
     LargeTriangle(const ScreenTriangle& triangle, const HalfPlanes& edges, const Upkeep& upkeep, VisibilityBuffer& visible)
-        : m_triangle(triangle), m_edges(edges), m_upkeep(upkeep), m_visible(visible)
+        : m_triangle(triangle), m_edges(edges), m_partEdges{partEdge(0), partEdge(1), partEdge(2)}, m_upkeep(upkeep), m_visible(visible)
     {
     }
 
-    /// Draws what the triangle has of `box`, which lies in its own. Tiles of the visibility buffer that reach beyond the picture are left to
-    /// drawBorder(pixels of the box in the tile).
-    template <class Border>
-    void draw(const PixelBox& box, const Border& drawBorder)
+    /// Draws what the triangle has of `box`, which lies in its own. drawOther(pixels of the box) is left with what lies in tiles of the visibility buffer
+    /// that reach beyond the picture, and with what an edge crosses of a wide triangle.
+    template <class Other>
+    void draw(const PixelBox& box, const Other& drawOther)
     {
         findRanges();
         for (int top = VisibilityBuffer::topOfTile(box.y0); top < box.y1; top += kLines) {
@@ -58,13 +59,13 @@ public:
             for (int left = VisibilityBuffer::leftOfTile(box.x0); left < box.x1; left += kWidth) {
                 const int x0 = std::max(left, box.x0), x1 = std::min(left + kWidth, box.x1);
                 if (left + kWidth > m_visible.width() || top + kLines > m_visible.height()) [[unlikely]]
-                    drawBorder(PixelBox{x0, y0, x1, y1});
+                    drawOther(PixelBox{x0, y0, x1, y1});
                 else
                     find(left, top, over, partsBetween(x0 - left, x1 - 1 - left));
-                if (m_tileCount == kRoom) drawTiles(box);
+                if (m_tileCount == kRoom) drawTiles(box, drawOther);
             }
         }
-        drawTiles(box);
+        drawTiles(box, drawOther);
         drawParts();
     }
 
@@ -145,7 +146,8 @@ private:
     }
 
     /// Keeps planes, opens tiles and lists parts of what was found. Parts are drawn when a list is full.
-    void drawTiles(const PixelBox& box)
+    template <class Other>
+    void drawTiles(const PixelBox& box, const Other& drawOther)
     {
         for (std::size_t i = 0; i < m_tileCount; ++i) {
             const Found&        found = m_tiles[i];
@@ -164,11 +166,18 @@ private:
                 if (drawn == 0) continue;
                 openTiles(m_visible, tile);
             }
-            const auto one = [&](std::size_t a, std::size_t b, std::size_t crossing) { return inside[a] & inside[b] & ~inside[crossing]; };
-            const std::array<std::uint32_t, 3> ones{one(1, 2, 0), one(0, 2, 1), one(0, 1, 2)};
             list(kNone, drawn & none, left, top);
-            for (std::size_t k = 0; k < 3; ++k) list(1 + k, drawn & ones[k], left, top);
-            list(kMore, drawn & ~(none | ones[0] | ones[1] | ones[2]), left, top);
+            if (m_triangle.wide) [[unlikely]] {
+                for (std::uint32_t rest = drawn & ~none; rest != 0; rest &= rest - 1) {
+                    const int x = left + std::countr_zero(rest) * kSide;
+                    drawOther(PixelBox{std::max(x, here.x0), here.y0, std::min(x + kSide, here.x1), here.y1});
+                }
+            } else {
+                const auto one = [&](std::size_t a, std::size_t b, std::size_t crossing) { return inside[a] & inside[b] & ~inside[crossing]; };
+                const std::array<std::uint32_t, 3> ones{one(1, 2, 0), one(0, 2, 1), one(0, 1, 2)};
+                for (std::size_t k = 0; k < 3; ++k) list(1 + k, drawn & ones[k], left, top);
+                list(kMore, drawn & ~(none | ones[0] | ones[1] | ones[2]), left, top);
+            }
             if (std::ranges::max(m_counts) > kRoom) drawParts();
         }
         m_tileCount = 0;
@@ -218,15 +227,18 @@ private:
         if constexpr (kKind == kNone)
             return testPart<kKeep, kNormal, 0>(m_triangle, {}, x, y, m_visible);
         else if constexpr (kKind == kMore)
-            return testPart<kKeep, kNormal, 3>(m_triangle, {m_edges.from(0, x, y), m_edges.from(1, x, y), m_edges.from(2, x, y)}, x, y, m_visible);
+            return testPart<kKeep, kNormal, 3>(m_triangle, {&m_partEdges[0], &m_partEdges[1], &m_partEdges[2]}, x, y, m_visible);
         else
-            return testPart<kKeep, kNormal, 1>(m_triangle, {m_edges.from(kKind - 1, x, y)}, x, y, m_visible);
+            return testPart<kKeep, kNormal, 1>(m_triangle, {&m_partEdges[kKind - 1]}, x, y, m_visible);
     }
 
-    const ScreenTriangle& m_triangle;
-    const HalfPlanes&     m_edges;
-    const Upkeep&         m_upkeep;
-    VisibilityBuffer&     m_visible;
+    PartEdge partEdge(std::size_t k) const { return {m_edges.planes[k], m_edges.x0, m_edges.y0}; }
+
+    const ScreenTriangle&   m_triangle;
+    const HalfPlanes&       m_edges;
+    std::array<PartEdge, 3> m_partEdges;  // not of a wide triangle
+    const Upkeep&           m_upkeep;
+    VisibilityBuffer&       m_visible;
 
     std::array<Vectors, 3>       m_most, m_least;
     std::array<Found, kRoom> m_tiles;

@@ -1,7 +1,7 @@
 // A large triangle in one tile of the pyramid: all pixels of the tile, in passes and without a branch.
 //
-// Edges      only those that cross the tile: the others have all of it on their inner side. Values are integers below 2^53, in float64; the sign
-//            says which side, and is all that is looked at
+// Edges      only those that cross the tile: the others have all of it on their inner side. Values divided by 256 and rounded down, which keeps
+//            their sign (core/geometry/triangle_list.h), so that int32 holds what they change within a tile; the sign is all that is looked at
 // Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is monotone, so they may
 //            be applied after it
 // Promise    the same pixels as EdgeWalk, of the whole tile: beyond a triangle's box there is nothing inside of all three edges
@@ -15,9 +15,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "core/depth/pyramid.h"
 #include "core/geometry/half_plane.h"
+#include "core/geometry/projection.h"
 #include "core/scan/pass_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,10 +43,57 @@ struct PartPasses {
     static Vec64 down() { return hn::Load(F64(), kLanesAt.down.data()); }
 };
 
+/// An edge of a triangle inside the guard band, in the tiles of the pyramid.
+class PartEdge {
+    using D = hn::RebindToSigned<Pass32>;
+
+public:
+    static constexpr std::size_t kAcross = PartPasses::kVectors / 2;  // passes side by side
+
+    using V      = hn::Vec<D>;
+    using Values = std::array<V, kAcross>;
+
+    /// `plane` is counted from the pixel (x0, y0).
+    PartEdge(const HalfPlane& plane, int x0, int y0) : m_perPixel(whole(plane.perPixel)), m_perLine(whole(plane.perLine))
+    {
+        m_origin = whole(plane.origin) - m_perPixel * x0 - m_perLine * y0;
+        const auto perPixel = hn::Set(D(), static_cast<std::int32_t>(m_perPixel)), perLine = hn::Set(D(), static_cast<std::int32_t>(m_perLine));
+        for (std::size_t i = 0; i < kAcross; ++i) {
+            const auto right = hn::Load(D(), kAt.right.data()) + hn::Set(D(), static_cast<int>(i) * PartPasses::kColumns);
+            m_grown[i]       = right * perPixel + hn::Load(D(), kAt.down.data()) * perLine;
+        }
+    }
+
+    /// At the pixels of the first passes of the tile at (x, y), some of which lie on the inner side.
+    HWY_INLINE Values at(int x, int y) const
+    {
+        // What is so far inside stays there all over the tile.
+        const auto first = hn::Set(D(), static_cast<std::int32_t>(std::min(m_origin + m_perPixel * x + m_perLine * y, kFarInside)));
+        Values     values;
+        for (std::size_t i = 0; i < kAcross; ++i) values[i] = first + m_grown[i];
+        return values;
+    }
+    /// From there to the next passes below.
+    HWY_INLINE V perPass() const { return hn::Set(D(), PartPasses::kLines * static_cast<std::int32_t>(m_perLine)); }
+
+private:
+    // From one pixel of a tile to another: up to 7 columns and 7 lines.
+    static constexpr std::int64_t kMostPerStep = 2 * static_cast<std::int64_t>(kGuardBand), kMostInTile = 2 * (PartPasses::kSide - 1) * kMostPerStep;
+    static constexpr std::int64_t kFarInside = 2 * kMostInTile;
+    static_assert(kFarInside + kMostInTile <= std::numeric_limits<std::int32_t>::max());
+
+    static constexpr PassLanes<std::int32_t, PartPasses::kSide> kAt{};
+
+    static std::int64_t whole(double value) { return static_cast<std::int64_t>(std::floor(value / kSubpixels)); }
+
+    std::int64_t m_perPixel, m_perLine, m_origin;
+    Values       m_grown;  // from the first pixel of a tile to those of its first passes
+};
+
 /// Tests the tile that begins at (x, y), which lies in the picture, and stores what is won. `crossing` are the edges with pixels of the tile on
-/// their outer side, counted from (x, y); `kNormal` as in DepthTest. Returns the least keys that the tile holds then, lane by lane.
+/// their outer side; `kNormal` as in DepthTest. Returns keys with the farthest depths that the tile holds then, lane by lane.
 template <Keep kKeep, bool kNormal, std::size_t kCrossing>
-Keys testPart(const ScreenTriangle& triangle, const std::array<HalfPlane, kCrossing>& crossing, int x, int y, VisibilityBuffer& visible)
+Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, kCrossing>& crossing, int x, int y, VisibilityBuffer& visible)
 {
     using Passes = PartPasses;
     const F64         d64;
@@ -51,13 +102,9 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<HalfPlane, kCross
 
     std::array<Vec64, Passes::kVectors> columns;  // a * (i + 0.5)
     for (std::size_t i = 0; i < Passes::kVectors; ++i) columns[i] = hn::Set(d64, depth.a) * (Passes::right(i) + hn::Set(d64, x + 0.5));
-    std::array<std::array<Vec64, Passes::kVectors>, kCrossing> edges;
-    for (std::size_t k = 0; k < kCrossing; ++k) {
-        const HalfPlane& plane = crossing[k];
-        const auto       first = hn::Set(d64, plane.origin + 0.0);  // a zero is inside, and so has to be the positive one
-        for (std::size_t i = 0; i < Passes::kVectors; ++i)
-            edges[k][i] = first + (Passes::right(i) * hn::Set(d64, plane.perPixel) + Passes::down() * hn::Set(d64, plane.perLine));
-    }
+    std::array<PartEdge::Values, kCrossing> edges;
+    std::array<PartEdge::V, kCrossing>      perPass;
+    for (std::size_t k = 0; k < kCrossing; ++k) edges[k] = crossing[k]->at(x, y), perPass[k] = crossing[k]->perPass();
 
     const auto farthest = hn::Set(f32, depth.farthest), nearest = hn::Set(f32, depth.nearest);
     const auto b = hn::Set(d64, depth.b), c = hn::Set(d64, depth.c);
@@ -75,15 +122,14 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<HalfPlane, kCross
             const auto found  = together(hn::DemoteTo(F32(), columns[i + 1] + start), hn::DemoteTo(F32(), columns[i] + start));
             auto       uppers = hn::Min(hn::Max(found, farthest), nearest);
             if constexpr (kCrossing > 0) {
-                const auto outside = [&](std::size_t half) HWY_ATTR {
+                const auto outside = [&edges](std::size_t pass) HWY_ATTR {
                     if constexpr (kCrossing == 1)
-                        return edges[0][half];
+                        return edges[0][pass];
                     else
-                        return hn::Or3(edges[0][half], edges[1][half], edges[2][half]);
+                        return hn::Or3(edges[0][pass], edges[1][pass], edges[2][pass]);
                 };
-                uppers = hn::OrAnd(uppers, signsOf(outside(i + 1), outside(i)), hn::Set(f32, -0.0f));
-                for (std::size_t k = 0; k < kCrossing; ++k)
-                    for (std::size_t half = i; half < i + 2; ++half) edges[k][half] = edges[k][half] + hn::Set(d64, Passes::kLines * crossing[k].perLine);
+                uppers = hn::OrAnd(uppers, hn::BitCast(f32, outside(i / 2)), hn::Set(f32, -0.0f));
+                for (std::size_t k = 0; k < kCrossing; ++k) edges[k][i / 2] = edges[k][i / 2] + perPass[k];
             }
             PixelKey* const here  = row + static_cast<int>(i / 2) * Passes::kColumns;
             PixelKey* const other = here + kLanes / Passes::kSide * stride + kLanes % Passes::kSide;
@@ -92,13 +138,13 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<HalfPlane, kCross
             const auto      otherKept = keptOf<kKeep, kNormal>(keys[1], hn::LoadU(I64(), other), empty);
             hn::StoreU(kept, I64(), here);
             hn::StoreU(otherKept, I64(), other);
-            least = fartherOf<kNormal>(least, kept), otherLeast = fartherOf<kNormal>(otherLeast, otherKept);
+            least = fartherOf(least, kept), otherLeast = fartherOf(otherLeast, otherKept);
         }
     }
-    return fartherOf<kNormal>(least, otherLeast);
+    return fartherOf(least, otherLeast);
 }
 
-/// The farthest depth of a tile of the pyramid that holds these least keys, lane by lane.
+/// The farthest depth of a tile of the pyramid of which these keys are the farthest, lane by lane.
 HWY_INLINE float farthestOf(Keys least, const VisibilityBuffer& visible)
 {
     return depthOf(std::max(hn::GetLane(hn::MinOfLanes(I64(), least)), visible.background()));

@@ -26,8 +26,6 @@ using Pass32                    = F32;
 constexpr int pixelOfLane(int) { return 0; }
 /// One vector of float32 from two that stand for one of float64 each: the lower one, where there is room for no more.
 inline hn::Vec<Pass32> together(hn::Vec<F32>, hn::Vec<F32> lower) { return lower; }
-/// One vector of signs from two; what else it holds means nothing.
-inline hn::Vec<Pass32> signsOf(Vec64, Vec64 lower) { return hn::DemoteTo(F32(), lower); }
 /// Keys from their halves, bit for bit: first those of the lower half of the pass.
 inline std::array<Keys, 2> keysOf(hn::Vec<Pass32> uppers, hn::Vec<Pass32> lowers)
 {
@@ -39,10 +37,6 @@ inline std::array<Keys, 2> keysOf(hn::Vec<Pass32> uppers, hn::Vec<Pass32> lowers
 #else
 using Pass32 = hn::Twice<F32>;
 inline hn::Vec<Pass32> together(hn::Vec<F32> upper, hn::Vec<F32> lower) { return hn::Combine(Pass32(), upper, lower); }
-inline hn::Vec<Pass32> signsOf(Vec64 upper, Vec64 lower)
-{
-    return hn::ConcatOdd(Pass32(), hn::BitCast(Pass32(), upper), hn::BitCast(Pass32(), lower));
-}
 HWY_INLINE std::array<Keys, 2> keysOf(hn::Vec<Pass32> uppers, hn::Vec<Pass32> lowers)
 {
     return {hn::BitCast(I64(), hn::InterleaveLower(Pass32(), lowers, uppers)), hn::BitCast(I64(), hn::InterleaveUpper(Pass32(), lowers, uppers))};
