@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,7 +21,8 @@ enum class Corner {
     AtTiles,   // on the first or last pixel centres of tiles, or a subpixel beside them
     Anywhere,  // up to a third of the picture beyond it
     Needles,   // two of three nearly in one place, across the picture
-    FarOut,    // beyond the guard band
+    Far,       // half of them up to 60,000 pixels away, just inside the guard band
+    FarOut,    // half of them beyond it, up to 2^27 pixels away, where tiles are still asked
 };
 
 class LargeTriangles : public testing::TestWithParam<Corner> {
@@ -40,9 +42,16 @@ protected:
             const double x = along(camera.width);
             return {x, along(camera.height)};
         }
-        const double reach = kind == Corner::FarOut ? 0x1p21 : 0.33;
-        const double x     = random.between(-reach * width, (1 + reach) * width);
-        return {x, random.between(-reach * height, (1 + reach) * height)};
+        if ((kind == Corner::Far || kind == Corner::FarOut) && random.below(2) == 0) {
+            const auto along = [&random, kind] {
+                const double away = kind == Corner::Far ? random.between(100, 60'000) : std::exp2(random.between(10, 27));
+                return random.below(2) == 0 ? away : -away;
+            };
+            const double x = along();
+            return {x, along()};
+        }
+        const double x = random.between(-0.33 * width, 1.33 * width);
+        return {x, random.between(-0.33 * height, 1.33 * height)};
     }
 
     static std::shared_ptr<const PreparedScene> triangles(Corner kind, Random& random, const Camera& camera, int count)
@@ -80,7 +89,7 @@ TEST_P(LargeTriangles, EveryPresetDrawsWhatTheReferenceDraws)
     EXPECT_GT(covered, shareOf(8) * (GetParam() == Corner::Needles ? 3'000 : 60'000));
 }
 
-INSTANTIATE_TEST_SUITE_P(Corners, LargeTriangles, testing::Values(Corner::AtTiles, Corner::Anywhere, Corner::Needles, Corner::FarOut));
+INSTANTIATE_TEST_SUITE_P(Corners, LargeTriangles, testing::Values(Corner::AtTiles, Corner::Anywhere, Corner::Needles, Corner::Far, Corner::FarOut));
 
 }  // namespace
 }  // namespace zscope::tests
