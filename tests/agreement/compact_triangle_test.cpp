@@ -74,7 +74,7 @@ TEST_P(CompactTriangles, EveryPresetDrawsWhatTheReferenceDraws)
         const Camera camera = plainCamera(width, height);
         for (std::uint64_t i = 0; i < shareOf(8); ++i) {
             const int  many  = GetParam() == Shape::Tiny ? 2'000 : 150;
-            const auto scene = triangles(GetParam(), random, camera, i % 2 == 0 ? 5 : many);
+            const auto scene = triangles(GetParam(), random, camera, i % 2 == 0 ? many : 5);
             const auto what  = "scene " + std::to_string(i) + " in " + std::to_string(width) + " x " + std::to_string(height);
             covered += expectAgreement(scene, camera, FaceCulling::None, what, {.threads = {1, 2}});
         }
