@@ -83,6 +83,11 @@ public:
             for (int x = 0; x < m_tiles.width(); ++x)
                 if (m_tiles.at(x, y) == Tile::Plane) openTile(x, y, store);
     }
+    /// At most so many tiles are met by a box.
+    static std::size_t tilesIn(const PixelBox& box)
+    {
+        return static_cast<std::size_t>(((box.x1 - box.x0) / kTileWidth + 2) * ((box.y1 - box.y0) / kTileLines + 2));
+    }
     /// First column of the tiles that hold column x, first line of those that hold line y.
     static int leftOfTile(int x) { return x / kTileWidth * kTileWidth; }
     static int topOfTile(int y) { return y / kTileLines * kTileLines; }

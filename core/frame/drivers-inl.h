@@ -95,7 +95,7 @@ private:
                 return all;
             }
         }
-        for (std::size_t i = 0; i < triangles.count; ++i) {
+        for (const std::uint32_t i : triangles.inTurn(true)) {
             if constexpr (Probe::listens)
                 if (stripe.progress.cancelled()) return all;  // each may take long then
             if (asksInTurn && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
@@ -124,33 +124,40 @@ private:
                (occlusion.afterDrawing != AfterDrawing::Nothing && occlusion.afterDrawing != AfterDrawing::MarkStale);
     }
 
-    /// `asks`: compact triangles before any is drawn, the others, which may hide each other, in turn.
+    /// First those that stand alone: they may hide each other and the others, which are drawn together.
     template <Keep kKeep, class FragmentsOf>
     void drawTogether(TriangleList& triangles, bool asks, const FragmentsOf& fragmentsOf, DrawnTriangles& all) const
     {
-        const auto isCompact = [&](std::size_t i) { return triangles.is(TriangleList::kCompact, i); };
-        for (std::size_t i = 0; asks && i < triangles.count; ++i)
-            if (isCompact(i) && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
-        if (const PixelBox& reach = triangles.compactReach; !reach.isEmpty()) {
-            openTiles(stripe.visible, reach);
-            markStale(triangles, reach);
-        }
-        WindowFinder finder(triangles, windows);
-        finder.add(0, triangles.count, [&](std::size_t i) {
-            if (asks && !isCompact(i)) dropIfHidden(triangles, i, all);
+        for (const std::uint32_t i : triangles.inTurn(false)) {
+            if (asks && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
             if (!triangles.isHidden(i)) draw<kKeep>(triangles[i], fragmentsOf);
-        });
+        }
+        if (triangles.compactReach.isEmpty()) return;
+        for (std::size_t i = 0; asks && i < triangles.count; ++i)
+            if (!triangles.isAlone(i) && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
+        openCompact(triangles);
+        WindowFinder(triangles, windows).add(0, triangles.count);
         testTiny<kKeep>(triangles, 0, triangles.count, samples, stripe.visible, probe);
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);
     }
 
-    /// What compact triangles may change: all of their reach, where it has fewer tiles than there are triangles.
-    void markStale(const TriangleList& triangles, const PixelBox& reach) const
+    /// Opens what compact triangles may be drawn to, and lets the pyramid know: all of their reach where it has no more tiles than there are
+    /// triangles, else what each of them meets.
+    void openCompact(const TriangleList& triangles) const
     {
-        if (occlusion.afterDrawing != AfterDrawing::MarkStale) return;
-        if (Pyramid::tilesIn(reach) <= triangles.count) return occlusion.pyramid->touched(reach);
-        for (std::size_t i = 0; i < triangles.count; ++i)
-            if (triangles.is(TriangleList::kCompact, i) && !triangles.isHidden(i)) occlusion.pyramid->touched(triangles.box(i));
+        const PixelBox& reach     = triangles.compactReach;
+        const bool      marks     = occlusion.afterDrawing == AfterDrawing::MarkStale;
+        const bool      opensAll  = VisibilityBuffer::tilesIn(reach) <= triangles.count;
+        const bool      marksAll  = marks && Pyramid::tilesIn(reach) <= triangles.count;
+        const bool      marksEach = marks && !marksAll;
+        if (opensAll) openTiles(stripe.visible, reach);
+        if (marksAll) occlusion.pyramid->touched(reach);
+        if (opensAll && !marksEach) return;
+        for (std::size_t i = 0; i < triangles.count; ++i) {
+            if (triangles.isAlone(i) || triangles.isHidden(i)) continue;
+            if (!opensAll) openTiles(stripe.visible, triangles.box(i));
+            if (marksEach) occlusion.pyramid->touched(triangles.box(i));
+        }
     }
 
     /// False if the triangle is none of those that are drawn by windows.
@@ -158,11 +165,8 @@ private:
     bool drawByWindows(const TriangleList& triangles, std::size_t i) const
     {
         if constexpr (!drawsWindows<Fragments>()) return false;
-        if (pass.tiles) return false;
-        bool         isDrawn = true;
-        WindowFinder finder(triangles, windows);
-        finder.add(i, i + 1, [&](std::size_t) { isDrawn = false; });
-        if (!isDrawn) return false;
+        if (pass.tiles || triangles.isAlone(i)) return false;
+        WindowFinder(triangles, windows).add(i, i + 1);
         openTiles(stripe.visible, triangles.box(i));
         testTiny<kKeep>(triangles, i, i + 1, samples, stripe.visible, probe);
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);

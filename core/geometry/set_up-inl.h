@@ -212,7 +212,10 @@ private:
     void markPatterned(std::uint32_t t, M kept, std::size_t at)
     {
         forEach(kept, [&](std::uint32_t lane) {
-            if (m_place.mesh.isPatterned(t + lane)) m_out.kind[at] |= TriangleList::kPatterned;
+            if (m_place.mesh.isPatterned(t + lane)) {
+                m_out.kind[at] |= TriangleList::kPatterned;
+                m_out.listAlone(at);
+            }
             ++at;
         });
     }

@@ -4,6 +4,7 @@
 // Compact    triangles whose sides are below kCompactSide and whose corners are whole numbers carry their edges too, as integers: an edge
 //            value at a pixel centre is 256 times an integer plus what it is at the first pixel. Divided by 256 and rounded down it
 //            keeps its sign, which says on which side the pixel lies, and grows from pixel to pixel by less than kCompactSide
+// Alone      triangles that are not compact, or patterned, are listed: they are drawn one after another, the others may be drawn together
 // Room       fixed: a batch's triangles, each of which the near plane may cut in two. Whole vectors may be stored from the entry
 //            after the last
 // Cost       putting one ScreenTriangle together reads twenty columns: for whoever takes triangles one by one
@@ -14,7 +15,8 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
-#include <vector>
+#include <numeric>
+#include <span>
 
 #include "core/geometry/batches.h"
 #include "core/geometry/screen_triangle.h"
@@ -47,7 +49,8 @@ struct TriangleList {
     using Column = std::array<T, kCapacity + kBatchPadding>;
 
     std::size_t count = 0;
-    PixelBox    compactReach;  // the boxes of all that are compact; empty if none is
+    bool        startsNearest = false;  // whatever is drawn one after another: the nearest first
+    PixelBox    compactReach;           // the boxes of all that are compact; empty if none is
 
     alignas(64) std::array<Column<std::int32_t>, 3> sx, sy;  // snapped corners of compact triangles
     alignas(64) std::array<Column<double>, 3> x, y;          // of the others
@@ -66,7 +69,7 @@ struct TriangleList {
     alignas(64) std::array<Column<std::int32_t>, 3> vertex{};
 
     bool isEmpty() const { return count == 0; }
-    void clear() { count = 0, compactReach = {}; }
+    void clear() { count = 0, m_inTurn = 0, startsNearest = false, compactReach = {}; }
 
     /// There must be room. Always inlined, so that each instruction set gets it in its own instructions.
     [[gnu::always_inline]] void add(const ScreenTriangle& t)
@@ -87,7 +90,27 @@ struct TriangleList {
         x1[count]       = t.box.x1;
         y1[count]       = t.box.y1;
         kind[count]     = (t.front ? kFront : 0) | (t.wide ? kWide : 0) | (t.patterned ? kPatterned : 0);
+        listAlone(count);
         ++count;
+    }
+
+    /// A triangle that is not compact, or patterned.
+    void listAlone(std::size_t i) { m_order[m_inTurn++] = static_cast<std::uint32_t>(i); }
+    bool isAlone(std::size_t i) const { return (kind[i] & (kPatterned | kCompact)) != kCompact; }
+    /// Those that stand alone, or all, in the order in which they are to be drawn one after another. Call once.
+    std::span<const std::uint32_t> inTurn(bool all)
+    {
+        if (all) {
+            std::iota(m_order.begin(), m_order.begin() + static_cast<std::ptrdiff_t>(count), 0u);
+            m_inTurn = count;
+        }
+        const auto listed = std::span(m_order).first(m_inTurn);
+        // One that is hidden saves more pixels than its place costs. The parts of a clipped triangle stay together, because all of them reach the near plane.
+        if (startsNearest)
+            std::ranges::sort(listed, [this](std::uint32_t i, std::uint32_t k) {
+                return nearest[i] != nearest[k] ? nearest[i] > nearest[k] : id[i] != id[k] ? id[i] < id[k] : i < k;
+            });
+        return listed;
     }
 
     /// True if their boxes have kLarge pixels or more on average.
@@ -104,17 +127,6 @@ struct TriangleList {
         for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::int64_t{x1[i] - x0[i]} * (y1[i] - y0[i]));
         return largest >= kLarge;
     }
-    /// `scratch` is used to put them together. Afterwards none is compact.
-    template <class IsBefore>
-    void sort(std::vector<ScreenTriangle>& scratch, const IsBefore& isBefore)
-    {
-        scratch.clear();
-        for (std::size_t i = 0; i < count; ++i) scratch.push_back((*this)[i]);
-        std::ranges::sort(scratch, isBefore);
-        clear();
-        for (const ScreenTriangle& triangle : scratch) add(triangle);
-    }
-
     PixelBox box(std::size_t i) const { return {x0[i], y0[i], x1[i], y1[i]}; }
     bool     is(Kind what, std::size_t i) const { return (kind[i] & what) != 0; }
     double   cornerX(std::size_t k, std::size_t i) const { return is(kCompact, i) ? sx[k][i] : x[k][i]; }
@@ -133,6 +145,10 @@ struct TriangleList {
                 .front     = is(kFront, i),
                 .patterned = is(kPatterned, i)};
     }
+
+private:
+    std::size_t                          m_inTurn = 0;
+    std::array<std::uint32_t, kCapacity> m_order;  // m_inTurn of them: which are drawn one after another
 };
 
 }  // namespace zscope

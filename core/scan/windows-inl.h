@@ -56,18 +56,13 @@ class WindowFinder {
 public:
     WindowFinder(const TriangleList& triangles, WindowList& list) : m_triangles(triangles), m_list(list) { list.clear(); }
 
-    /// The windows of the triangles [first, end) that are drawn by windows; calls others(i) for the rest, but for tiny and hidden ones.
-    template <class Others>
-    void add(std::size_t first, std::size_t end, const Others& others)
+    /// The windows of the triangles [first, end), but of those that stand alone, are hidden or tiny.
+    void add(std::size_t first, std::size_t end)
     {
         for (std::size_t i = first; i < end; i += hn::Lanes(D())) {
-            const auto isThere  = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - i));
-            const auto kind     = load(m_triangles.kind, i);
-            const auto special  = hn::And(kind, all(TriangleList::kPatterned | TriangleList::kCompact)) != all(TriangleList::kCompact);
-            const auto isDrawn  = hn::AndNot(hn::TestBit(kind, all(TriangleList::kHidden)), isThere);
-            const auto byWindows = hn::AndNot(special, isDrawn);
-            addWindows(i, byWindows);
-            forEach(hn::And(special, isDrawn), i, others);
+            const auto isThere = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - i));
+            const auto kind    = hn::And(load(m_triangles.kind, i), all(TriangleList::kPatterned | TriangleList::kCompact | TriangleList::kHidden));
+            addWindows(i, hn::And(isThere, kind == all(TriangleList::kCompact)));
         }
         // Not where they are found: which lanes they stand in, nobody could predict.
         for (std::size_t m = 0; m < m_list.some.count; m += hn::Lanes(D())) addSome(m);
@@ -75,16 +70,6 @@ public:
     }
 
 private:
-    template <class Each>
-    static void forEach(hn::Mask<D> mask, std::size_t first, const Each& each)
-    {
-        if (hn::AllFalse(D(), mask)) return;
-        HWY_ALIGN std::array<std::int32_t, hn::MaxLanes(D())> lanes;
-        hn::Store(hn::IfThenElseZero(mask, all(1)), D(), lanes.data());
-        for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
-            if (lanes[lane] != 0) each(first + lane);
-    }
-
     /// The windows of those of the triangles i, i + 1, ... that `mask` names, if there are up to two by two of them: they are judged for all
     /// triangles side by side. Triangles with more are put aside, for addSome() and addMany().
     void addWindows(std::size_t i, hn::Mask<D> mask)

@@ -157,7 +157,7 @@ private:
             if (m_probe.leavesOut(Checkpoint::Batch)) continue;
             const BatchPlace place{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]};
             if (!setUp(placed, place, all)) continue;
-            if (m_scratch.triangles.areLarge()) m_scratch.triangles.sort(m_scratch.sorted, isNearer);
+            m_scratch.triangles.startsNearest = m_scratch.triangles.areLarge();
             all.add(m_consume(m_scratch.triangles));
         }
         return all;
@@ -194,13 +194,6 @@ private:
             return std::pair(sign * a.distance, a.batch) < std::pair(sign * b.distance, b.batch);
         });
         return waiting;
-    }
-
-    /// The order of large triangles: one that is hidden saves more pixels than its place costs. The parts of a clipped triangle
-    /// stay together, because all of them reach the near plane.
-    static bool isNearer(const ScreenTriangle& a, const ScreenTriangle& b)
-    {
-        return a.depth.nearest != b.depth.nearest ? a.depth.nearest > b.depth.nearest : a.id < b.id;
     }
 
     /// The last node that was asked about on the way down.

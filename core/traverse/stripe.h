@@ -55,7 +55,6 @@ struct WaitingBatch {
 struct StripeScratch {
     ScreenVertices   vertices;
     TriangleList     triangles;                           // of the batch at hand
-    std::vector<ScreenTriangle> sorted;                   // likewise, to put them in another order
     WindowList       windows;                             // likewise, of compact triangles
     SampleList       samples;                             // likewise, of tiny ones
     EdgeTable        edges;                               // sweep methods only, like the next two
@@ -72,7 +71,7 @@ struct StripeScratch {
 
     std::size_t bytes() const
     {
-        return sizeof(*this) + sorted.capacity() * sizeof(ScreenTriangle) + windows.bytes() + samples.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
+        return sizeof(*this) + windows.bytes() + samples.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
                instances.capacity() * sizeof(WaitingInstance) + batches.capacity() * sizeof(WaitingBatch) + pyramid.bytes() +
                blend.bytes() + memory.bytes();
     }
