@@ -34,12 +34,13 @@ public:
     Grid() = default;
     Grid(int width, int height, T value = {}) { reset(width, height, value); }
 
-    void reset(int width, int height, T value = {})
+    /// `room`: so many values behind the last may be read, too.
+    void reset(int width, int height, T value = {}, std::size_t room = 0)
     {
         assert(width >= 0 && height >= 0);
         m_width  = width;
         m_height = height;
-        m_values.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value);
+        m_values.assign(count() + room, value);
     }
 
     int                width() const { return m_width; }
@@ -48,15 +49,17 @@ public:
     const T&           at(int x, int y) const { return view().at(x, y); }
     GridView<T>        view() { return {m_values.data(), m_width, m_height, static_cast<std::size_t>(m_width)}; }
     GridView<const T>  view() const { return {m_values.data(), m_width, m_height, static_cast<std::size_t>(m_width)}; }
-    std::span<T>       values() { return m_values; }
-    std::span<const T> values() const { return m_values; }
+    std::span<T>       values() { return std::span(m_values).first(count()); }
+    std::span<const T> values() const { return std::span(m_values).first(count()); }
 
     friend bool operator==(const Grid&, const Grid&) = default;
 
 private:
+    std::size_t count() const { return static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height); }
+
     int            m_width  = 0;
     int            m_height = 0;
-    std::vector<T> m_values;  // m_width * m_height of them
+    std::vector<T> m_values;  // m_width * m_height of them, and room
 };
 
 }  // namespace zscope

@@ -79,14 +79,6 @@ struct TileUpkeep {
     }
 };
 
-/// Asks by the rules.
-template <class Shape, class Rules, class Probe>
-PyramidQuery askPyramid(Pyramid& pyramid, const PixelBox& box, double nearest, const Shape& shape, const Rules& rules, const Probe& probe)
-{
-    if (rules.asksOneLevel()) return pyramid.askOneLevel(box, rules.stored(nearest), tellingOfCells(probe));
-    return pyramid.ask(box, rules.stored(nearest), shape, tellingOfCells(probe));
-}
-
 /// Lets the pyramid know that a triangle's pixels have been drawn.
 template <class Rules, class Probe>
 void keepTrue(const Occlusion& occlusion, const ScreenTriangle& triangle, const Rules& rules, const Probe& probe)

@@ -11,10 +11,13 @@ namespace {
 
 int halved(int size) { return (size + 1) / 2; }
 
+constexpr std::size_t kRoom = 16;  // floats that lanes may read behind the last
+
 }  // namespace
 
-void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault, bool masked)
+void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault, PyramidKind kind)
 {
+    m_kind     = kind;
     m_fault    = fault;
     m_visible  = &visible;
     m_firstRow = firstRow;
@@ -28,15 +31,19 @@ void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, F
     std::size_t count = 0;
     for (;; width = halved(width), height = halved(height)) {
         if (m_levels.size() == count) m_levels.emplace_back();
-        m_levels[count].farthest.reset(width, height, visible.empty());
+        m_levels[count].farthest.reset(width, height, visible.empty(), kRoom);
         m_levels[count].stale.reset(width, height, 0);
         ++count;
-        if (width <= 1 && height <= 1) break;
+        if (isWide() || (width <= 1 && height <= 1)) break;
     }
     m_levels.resize(count);
-    m_isMasked    = masked;
-    m_readsPixels = !masked && fault == Fault::None;
-    if (masked) m_layers.reset(m_levels[0].farthest.width(), m_levels[0].farthest.height());
+    if (isWide()) {
+        assert(fault == Fault::None);
+        const auto blocks = [](int tiles) { return (tiles + (1 << (kBlockLevel - kTileLevel)) - 1) >> (kBlockLevel - kTileLevel); };
+        m_blocks.reset(blocks(width), blocks(height), visible.empty(), kRoom);
+    }
+    m_readsPixels = kind != PyramidKind::Masked && fault == Fault::None;
+    if (kind == PyramidKind::Masked) m_layers.reset(m_levels[0].farthest.width(), m_levels[0].farthest.height());
 }
 
 PyramidQuery Pyramid::ask(const PixelBox& box, float nearest) { return ask(box, nearest, WholeBox{}, Untold{}); }
@@ -135,12 +142,16 @@ GridView<const float> Pyramid::stored(int level) const
 
 template void         Pyramid::push(const PixelBox& box, const Untold& told);
 template void         Pyramid::pushFrom(const PixelBox& box, PushOrder order, const Untold& told);
+template bool         Pyramid::showsAtOnce(const PixelBox& box, float nearest, const WholeBox& shape) const;
+template bool         Pyramid::showsAtOnce(const PixelBox& box, float nearest, const TriangleCover& shape) const;
+template bool         Pyramid::tileHides(int x, int y, const PixelBox& box, float nearest, const WholeBox& shape);
+template bool         Pyramid::tileHides(int x, int y, const PixelBox& box, float nearest, const TriangleCover& shape);
 template bool         Pyramid::cellsHide(PyramidQuery& query, const WholeBox& shape, const Untold& told);
 template bool         Pyramid::cellsHide(PyramidQuery& query, const TriangleCover& shape, const Untold& told);
 
 std::size_t Pyramid::bytes() const
 {
-    std::size_t total = m_layers.bytes() + m_changed.capacity() * sizeof(m_changed[0]);
+    std::size_t total = m_layers.bytes() + m_blocks.values().size_bytes() + m_changed.capacity() * sizeof(m_changed[0]);
     for (const Level& level : m_levels) total += level.farthest.values().size_bytes() + level.stale.values().size_bytes();
     return total;
 }

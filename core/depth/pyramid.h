@@ -11,7 +11,9 @@
 //            stale cell is recomputed when a query meets it and neither its old value nor those pixels could answer. A tile all of
 //            whose pixels were seen by who drew takes its value from there (drawnTile()). Or push(): the tiles are
 //            recomputed at once, and from each of them its ancestors, up to the first that does not change. Or, if the
-//            pyramid was reset as masked, cover(): tiles know two depths and a mask, and no pixel is ever read
+//            pyramid is masked, cover(): tiles know two depths and a mask, and no pixel is ever read
+// Wide       a pyramid of two levels, tiles and blocks of 8 x 8 tiles: lanes read a line of tiles at once (wide_pyramid-inl.h). Only tiles become
+//            stale; what is stored of a block is whatever it was when a question last looked
 // Promise    a cell is never nearer than the true farthest depth of its pixels: depths only grow, so an old value is
 //            too far at worst. hides() may say no of a hidden box, never yes of one that could win a pixel
 // Frozen     complete() brings every cell up to date and ends the upkeep: from then on the cells alone answer, whatever
@@ -67,6 +69,12 @@ struct TileAnswer {
     bool  hidden   = false;
 };
 
+enum class PyramidKind {
+    Deep,
+    Masked,  // the same levels; takes cover()
+    Wide,    // for methods at full speed that ask, tell by touched() and drawnTile(), and break no rule
+};
+
 /// A key with the farthest depth of those in `lines` lines of a tile's width each, `stride` keys from one to the next; whose it is means nothing.
 using LeastKey = PixelKey (*)(const PixelKey* first, std::ptrdiff_t stride, int lines);
 
@@ -76,9 +84,11 @@ public:
     /// So few pixels of a stale tile are read rather than all of it brought up to date.
     static constexpr int kFewPixels = 16;
 
+    static constexpr int kBlockLevel = 6;  // of wide ones only: blocks of 64 x 64 pixels
+
     /// Begins a frame: the region has just been cleared, so every cell is empty and none is stale.
     /// `fault`: which rule of the pyramid is broken on purpose, if any; the promise above is gone then.
-    void reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault = Fault::None, bool masked = false);
+    void reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault = Fault::None, PyramidKind kind = PyramidKind::Deep);
 
     /// From now on whole tiles are read so, side by side, and not pixel by pixel: whoever draws knows how wide the lanes are.
     void readTilesBy(LeastKey leastKey) { m_leastKey = leastKey; }
@@ -138,6 +148,19 @@ public:
     /// covers. told(CellWrite) is called right after each cell that is written on the way. Defined in pyramid_told.h.
     template <class Shape, class Told>
     PyramidQuery ask(const PixelBox& box, float nearest, const Shape& shape, const Told& told);
+
+    // Of wide ones, for who asks them.
+    bool isWide() const { return m_kind == PyramidKind::Wide; }
+    int  firstRow() const { return m_firstRow; }
+    GridView<const float> tiles() const { return m_levels[0].farthest.view(); }
+    /// A block may hold any depth that none of its pixels is beyond. 15 floats behind the last of a grid may be read.
+    GridView<float> blocks() { return m_blocks.view(); }
+    /// True if one of a few pixels of the box and of the shape shows that something at depth `nearest` could be seen.
+    template <class Shape>
+    bool showsAtOnce(const PixelBox& box, float nearest, const Shape& shape) const;
+    /// True if nothing at that depth could be seen in the pixels that the box has of a tile, whose stored depth does not say so.
+    template <class Shape>
+    bool tileHides(int x, int y, const PixelBox& box, float nearest, const Shape& shape);
 
     /// A cruder answer from one level: no descent, and only the cells under the corners of the box, which may be too few.
     template <class Told>
@@ -216,12 +239,17 @@ private:
     std::vector<std::array<int, 2>> m_changed;      // tiles that the triangle at hand has changed
     int                     m_cellsRead = 0;  // by the query at hand
     Fault                   m_fault     = Fault::None;
-    bool                    m_isMasked  = false;
+    PyramidKind             m_kind      = PyramidKind::Deep;
     MaskedLayers            m_layers;  // of the tiles, if masked
+    Grid<float>             m_blocks;  // if wide
 };
 
 extern template void         Pyramid::push(const PixelBox& box, const Untold& told);
 extern template void         Pyramid::pushFrom(const PixelBox& box, PushOrder order, const Untold& told);
+extern template bool         Pyramid::showsAtOnce(const PixelBox& box, float nearest, const WholeBox& shape) const;
+extern template bool         Pyramid::showsAtOnce(const PixelBox& box, float nearest, const TriangleCover& shape) const;
+extern template bool         Pyramid::tileHides(int x, int y, const PixelBox& box, float nearest, const WholeBox& shape);
+extern template bool         Pyramid::tileHides(int x, int y, const PixelBox& box, float nearest, const TriangleCover& shape);
 extern template bool         Pyramid::cellsHide(PyramidQuery& query, const WholeBox& shape, const Untold& told);
 extern template bool         Pyramid::cellsHide(PyramidQuery& query, const TriangleCover& shape, const Untold& told);
 

@@ -116,7 +116,7 @@ bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float near
 
     // Undecided: something in the cell is as far or farther. Is it inside the shape?
     if (level == kTileLevel && m_isComplete) return false;  // its pixels are another frame's now
-    if (level == kTileLevel && m_isMasked) return false;  // its pixels are nobody's to read
+    if (level == kTileLevel && m_kind == PyramidKind::Masked) return false;  // its pixels are nobody's to read
     if (level == kTileLevel) return pixelsHide(within, nearest, shape);
     const int below = level - 1;
     const int x0 = std::max(2 * x, box.x0 >> below), x1 = std::min(2 * x + 1, (box.x1 - 1) >> below);
@@ -126,6 +126,23 @@ bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float near
             if (shape.overlaps(pixelsOf(below, childX, childY, box)) && !cellHides(below, childX, childY, box, nearest, shape, told))
                 return false;
     return true;
+}
+
+template <class Shape>
+bool Pyramid::showsAtOnce(const PixelBox& box, float nearest, const Shape& shape) const
+{
+    return shows<true>(box, nearest, shape);
+}
+
+template <class Shape>
+bool Pyramid::tileHides(int x, int y, const PixelBox& box, float nearest, const Shape& shape)
+{
+    const PixelBox within = pixelsOf(kTileLevel, x, y, box);
+    if (!shape.overlaps(within)) return true;
+    const int pixels = (within.x1 - within.x0) * (within.y1 - within.y0);
+    if (pixels > kFewPixels && m_levels[0].stale.at(x, y) && nearest < refresh(kTileLevel, x, y, Untold{})) return true;
+    if (std::is_same_v<Shape, WholeBox> && pixels == 1 << 2 * kTileLevel) return false;  // one of them is as far as what is stored now
+    return pixelsHide(within, nearest, shape);
 }
 
 template <class Shape>

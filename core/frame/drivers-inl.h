@@ -12,6 +12,7 @@
 
 #include <type_traits>
 
+#include "core/cull/ask_pyramid-inl.h"
 #include "core/cull/occlusion.h"
 #include "core/depth/least_key-inl.h"
 #include "core/frame/frame_events.h"
@@ -310,6 +311,14 @@ inline bool asksPixels(const Pipeline& pipeline, ShadingMoment shading)
            pipeline.coherence != Coherence::LastPyramid && shading == ShadingMoment::Never;
 }
 
+/// At full speed lanes read many tiles at once, and whoever asks pixels asks no other levels.
+template <class Rules, class Probe>
+PyramidKind pyramidKind(const Pipeline& pipeline, bool asksPixels)
+{
+    if (pipeline.upkeep == Upkeep::Masked) return PyramidKind::Masked;
+    return Rules::kExact && !Probe::listens && pipeline.fault == Fault::None && asksPixels ? PyramidKind::Wide : PyramidKind::Deep;
+}
+
 template <class Scan, class Rules, class Probe>
 void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
                 const Probe& probe)
@@ -325,10 +334,11 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     probe(StageStarted{Stage::Clear});
     beginPicture<Rules, Probe>(stripe);
     if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
-    const bool asksLast  = pipeline.coherence == Coherence::LastPyramid;
-    const bool continues = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
+    const bool asksLast    = pipeline.coherence == Coherence::LastPyramid;
+    const bool looksItself = asksPixels(pipeline, shading) && std::is_same_v<Scan, HalfSpace>;
+    const bool continues   = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
     if ((hasPyramid || hasTiles) && !continues)
-        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault, pipeline.upkeep == Upkeep::Masked);
+        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault, pyramidKind<Rules, Probe>(pipeline, looksItself));
     clock.lap(Stage::Clear);
     probe(StageFinished{Stage::Clear});
 
@@ -350,7 +360,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                               .asksNodes     = asksNodes(pipeline.cull),
                               .asksTriangles = asksTriangles(pipeline.cull),
                               .asksByShape   = pipeline.query == TriangleQuery::Triangle,
-                              .asksPixels    = asksPixels(pipeline, shading) && std::is_same_v<Scan, HalfSpace>,
+                              .asksPixels    = looksItself,
                               .afterDrawing  = asksLast ? AfterDrawing::Nothing : afterDrawing(pipeline)};
     const Pass      pass{.keep    = hasPrepass ? Keep::Equal : Keep::Nearest,
                          .shading = shading,

@@ -34,6 +34,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/cull/ask_pyramid-inl.h"
 #include "core/cull/cull_events.h"
 #include "core/cull/dense_questions.h"
 #include "core/cull/node_reach.h"

@@ -1,0 +1,28 @@
+// A question to the pyramid, by the rules: of a wide one in lanes, of the others cell by cell.
+#if defined(ZSCOPE_ASK_PYRAMID_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZSCOPE_ASK_PYRAMID_INL_H
+#undef ZSCOPE_ASK_PYRAMID_INL_H
+#else
+#define ZSCOPE_ASK_PYRAMID_INL_H
+#endif
+
+#include "core/cull/occlusion.h"
+#include "core/depth/wide_pyramid-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+/// Of a wide pyramid the answer says nothing but whether the box, or the shape inside it, is hidden.
+template <class Shape, class Rules, class Probe>
+PyramidQuery askPyramid(Pyramid& pyramid, const PixelBox& box, double nearest, const Shape& shape, const Rules& rules, const Probe& probe)
+{
+    if constexpr (Rules::kExact && !Probe::listens)
+        if (pyramid.isWide()) return {.box = box, .hidden = WidePyramid(pyramid).hides(box, rules.stored(nearest), shape)};
+    if (rules.asksOneLevel()) return pyramid.askOneLevel(box, rules.stored(nearest), tellingOfCells(probe));
+    return pyramid.ask(box, rules.stored(nearest), shape, tellingOfCells(probe));
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // ZSCOPE_ASK_PYRAMID_INL_H
