@@ -11,7 +11,7 @@
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
 //            is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no pixel
 //            writes to it
-// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits; those beyond kWidestByTiles are handed to
+// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits (at full speed only where that matters); those beyond kWidestByTiles are handed to
 //            EdgeWalk, which finds the same pixels
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #if defined(ZSCOPE_HALF_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -143,20 +143,17 @@ private:
                 return;
             }
         }
-        const auto fillTiles = [&](const PixelBox& pixels, const HalfPlanes& edges) {
-            forEachTile(pixels, [&](const PixelBox& here) { fillStoredTile(here, triangle, edges, test, fragments, upkeep, visible, rules, probe); });
+        const auto fillTiles = [&](const PixelBox& pixels) {
+            forEachTile(pixels, [&](const PixelBox& here) {
+                const int        left = VisibilityBuffer::leftOfTile(here.x0), top = VisibilityBuffer::topOfTile(here.y0);
+                const HalfPlanes edges = triangle.wide ? HalfPlanes{wideHalfPlanesOf(triangle, left, top), left, top} : fromBox;
+                fillStoredTile(here, triangle, edges, test, fragments, upkeep, visible, rules, probe);
+            });
         };
-        const auto fill = [&](const PixelBox& pixels, const HalfPlanes& edges) {
-            if constexpr (takesParts<Fragments, Rules, Probe>())
-                LargeTriangle<kKeep, kNormal, Upkeep>(triangle, edges, upkeep, visible).draw(pixels, [&](const PixelBox& border) { fillTiles(border, edges); });
-            else
-                fillTiles(pixels, edges);
-        };
-        if (!triangle.wide) return fill(box, fromBox);
-        forEachTile(box, [&](const PixelBox& here) {
-            const int left = VisibilityBuffer::leftOfTile(here.x0), top = VisibilityBuffer::topOfTile(here.y0);
-            fill(here, {wideHalfPlanesOf(triangle, left, top), left, top});
-        });
+        if constexpr (takesParts<Fragments, Rules, Probe>())
+            LargeTriangle<kKeep, kNormal, Upkeep>(triangle, fromBox, upkeep, visible).draw(fillTiles);
+        else
+            fillTiles(box);
     }
 
     /// Calls each(PixelBox) with what the box has of every tile of the visibility buffer.

@@ -1,11 +1,12 @@
 // Large triangles at full speed: first which tiles of the pyramid they have pixels of, then those tiles, one kind after the other.
 //
-// Find       what the edges say of the tiles of the pyramid in one tile of the visibility buffer is found side by side; what is outside of one edge is
-//            not listed. Neither here nor in what follows does a branch ask what nobody can foretell: whatever is found is written to the end of a list,
-//            which then grows by it or does not
+// Find       what the edges say of a line of tiles of the visibility buffer is found side by side; then, of those that an edge crosses, what they say of
+//            the tiles of the pyramid in there. What is outside of one edge is not listed. From there on no branch asks what nobody can
+//            foretell: whatever is found is written to the end of a list, which then grows by it or does not
 // Hidden     a tile of the pyramid whose stored depth hides the triangle is left out, where stale cells wait for a query
 // Kinds      by the edges that cross a tile: none, one of the three, or more. Tiles of a kind are tested one after the other (part-inl.h)
-// Wide       of triangles beyond the guard band only those that no edge crosses
+// Wide       of triangles beyond the guard band float64 says what is so far from an edge that no rounding matters; 128 bits find the edges of other
+//            tiles anew, of which only those of the pyramid's that no edge crosses are drawn here
 // Pyramid    a tile's farthest depth was in registers when it was tested, and is told when all of a kind have been
 // Planes     a tile of the visibility buffer that is covered whole may be kept as a plane (tile_plane-inl.h)
 // Promise    the same pixels as EdgeWalk. Edge values are integers below 2^53, so float64 lanes hold them exactly
@@ -42,38 +43,55 @@ class LargeTriangle {
     static_assert(kSide == kLines && kParts == 8, "a line of parts is a byte of bits");
 
 public:
+    /// `edges` of a wide triangle are rounded.
     LargeTriangle(const ScreenTriangle& triangle, const HalfPlanes& edges, const Upkeep& upkeep, VisibilityBuffer& visible)
         : m_triangle(triangle), m_edges(edges), m_partEdges{partEdge(0), partEdge(1), partEdge(2)}, m_upkeep(upkeep), m_visible(visible)
     {
     }
 
-    /// Draws what the triangle has of `box`, which lies in its own. drawOther(pixels of the box) is left with what lies in tiles of the visibility buffer
-    /// that reach beyond the picture, and with what an edge crosses of a wide triangle.
+    /// drawOther(pixels of the box) is left with what lies in tiles of the visibility buffer that reach beyond the picture, and with what an edge
+    /// crosses of a wide triangle.
     template <class Other>
-    void draw(const PixelBox& box, const Other& drawOther)
+    void draw(const Other& drawOther)
     {
+        const PixelBox& box = m_triangle.box;
         findRanges();
+        const int columns = (box.x1 - VisibilityBuffer::leftOfTile(box.x0) + kWidth - 1) / kWidth;
         for (int top = VisibilityBuffer::topOfTile(box.y0); top < box.y1; top += kLines) {
-            const int y0 = std::max(top, box.y0), y1 = std::min(top + kLines, box.y1);
-            const std::array<EdgeOverLine, 3> over{overLine(0, top, y0, y1), overLine(1, top, y0, y1), overLine(2, top, y0, y1)};
-            for (int left = VisibilityBuffer::leftOfTile(box.x0); left < box.x1; left += kWidth) {
-                const int x0 = std::max(left, box.x0), x1 = std::min(left + kWidth, box.x1);
-                if (left + kWidth > m_visible.width() || top + kLines > m_visible.height()) [[unlikely]]
-                    drawOther(PixelBox{x0, y0, x1, y1});
-                else
-                    find(left, top, over, partsBetween(x0 - left, x1 - 1 - left));
-                if (m_tileCount == kRoom) drawTiles(box, drawOther);
+            const int         y0 = std::max(top, box.y0), y1 = std::min(top + kLines, box.y1);
+            const LineOfTiles line{VisibilityBuffer::leftOfTile(box.x0), top, {overLine(0, top, y0, y1), overLine(1, top, y0, y1), overLine(2, top, y0, y1)}};
+            for (int first = 0; first < columns; first += static_cast<int>(hn::Lanes(F64()))) {
+                const Tiles tiles = tilesOf(line, first, columns);
+                for (std::uint32_t rest = tiles.reached; rest != 0; rest &= rest - 1) {
+                    const int left = line.left + (first + std::countr_zero(rest)) * kWidth;
+                    const int x0 = std::max(left, box.x0), x1 = std::min(left + kWidth, box.x1);
+                    if (left + kWidth > m_visible.width() || top + kLines > m_visible.height()) [[unlikely]]
+                        drawOther(PixelBox{x0, y0, x1, y1});
+                    else if (rest & -rest & tiles.inside)
+                        m_tiles[m_tileCount++] = {left, top, partsBetween(x0 - left, x1 - 1 - left), {kAllParts, kAllParts, kAllParts}};
+                    else
+                        find(left, top, line, partsBetween(x0 - left, x1 - 1 - left));
+                    if (m_tileCount == kRoom) drawTiles(drawOther);
+                }
             }
         }
-        drawTiles(box, drawOther);
+        drawTiles(drawOther);
         drawParts();
     }
 
 private:
-    /// What an edge says of a line of tiles: its value at the first of the pixels that lie in column 0, and what that grows by, in the same column, to
+    /// What an edge says of a line of tiles: its value at the first pixel of the first tile, and what that grows by, in the same column, to
     /// where it is largest in the lines of the box, and least in all lines.
     struct EdgeOverLine {
         double first, toMost, toLeast;
+    };
+    struct LineOfTiles {
+        int                         left, top;
+        std::array<EdgeOverLine, 3> edges;
+    };
+    /// Tiles side by side, bit by bit from the left: not wholly on the outer side of an edge, and wholly on the inner side of all, as far as that is certain.
+    struct Tiles {
+        std::uint32_t reached, inside;
     };
     /// Parts of a tile of the visibility buffer, bit by bit from the left.
     struct Found {
@@ -84,6 +102,8 @@ private:
     /// The kinds: no edge crosses a part; the first, second or third alone does (1 to 3); more do.
     static constexpr std::size_t kNone = 0, kMore = 4, kKinds = 5;
     static constexpr std::size_t kRoom = 64;  // tiles in the list, and parts of a kind before they are drawn
+    /// Edge values of wide triangles stay below 2^76, and so what float64 makes of them is wrong by much less than this.
+    static constexpr double kWideMargin = 0x1p40;
 
     using Vectors = std::array<Vec64, kVectors>;
 
@@ -110,26 +130,50 @@ private:
     EdgeOverLine overLine(std::size_t k, int top, int y0, int y1) const
     {
         const HalfPlane& plane = m_edges.planes[k];
-        const double     far   = plane.perLine * (kLines - 1);
-        return {plane.at(0, top - m_edges.y0), std::max(plane.perLine * (y0 - top), plane.perLine * (y1 - 1 - top)), std::min(far, 0.0)};
+        return {plane.at(VisibilityBuffer::leftOfTile(m_triangle.box.x0) - m_edges.x0, top - m_edges.y0),
+                std::max(plane.perLine * (y0 - top), plane.perLine * (y1 - 1 - top)), std::min(plane.perLine * (kLines - 1), 0.0)};
+    }
+
+    /// Those of the line from the `first` on, as many as there are lanes.
+    HWY_INLINE Tiles tilesOf(const LineOfTiles& line, int first, int columns) const
+    {
+        const F64    d64;
+        const double margin = m_triangle.wide ? kWideMargin : 0;
+        const auto   right  = countFrom(d64, first) * hn::Set(d64, kWidth);
+        auto         reached = countFrom(d64, first) < hn::Set(d64, columns), inside = reached;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const EdgeOverLine& edge = line.edges[k];
+            const double        step = m_edges.planes[k].perPixel, across = step * (kWidth - 1);
+            const auto          here = hn::Set(d64, edge.first) + hn::Set(d64, step) * right;
+            reached = hn::And(reached, here + hn::Set(d64, edge.toMost + std::max(across, 0.0)) >= hn::Set(d64, -margin));
+            inside  = hn::And(inside, here + hn::Set(d64, edge.toLeast + std::min(across, 0.0)) >= hn::Set(d64, margin));
+        }
+        return {bitsOf(d64, reached), bitsOf(d64, inside)};
     }
 
     /// `inBox`: the parts of the tile at (left, top) that the box meets.
-    HWY_INLINE void find(int left, int top, const std::array<EdgeOverLine, 3>& over, std::uint32_t inBox)
+    HWY_INLINE void find(int left, int top, const LineOfTiles& line, std::uint32_t inBox)
     {
-        const F64 d64;
-        Found&    found = m_tiles[m_tileCount];
-        found           = {left, top, inBox, {}};
+        const F64             d64;
+        Found                 found{left, top, inBox, {}};
+        std::array<double, 3> firsts;
+        if (m_triangle.wide) [[unlikely]] {
+            const auto planes = wideHalfPlanesOf(m_triangle, left, top);
+            for (std::size_t k = 0; k < 3; ++k) firsts[k] = planes[k].origin;
+        } else {
+            for (std::size_t k = 0; k < 3; ++k) firsts[k] = line.edges[k].first + m_edges.planes[k].perPixel * (left - line.left);
+        }
         for (std::size_t k = 0; k < 3; ++k) {
-            const double  first = over[k].first + m_edges.planes[k].perPixel * (left - m_edges.x0);
-            const auto    most = hn::Set(d64, first + over[k].toMost), least = hn::Set(d64, first + over[k].toLeast);
-            std::uint32_t reached = 0;
+            const auto    most = hn::Set(d64, firsts[k] + line.edges[k].toMost), least = hn::Set(d64, firsts[k] + line.edges[k].toLeast);
+            std::uint32_t reached = 0, inside = 0;
             for (std::size_t i = 0; i < kVectors; ++i) {
                 reached |= bitsOf(d64, m_most[k][i] + most >= hn::Zero(d64)) << i * hn::Lanes(d64);
-                found.inside[k] |= bitsOf(d64, m_least[k][i] + least >= hn::Zero(d64)) << i * hn::Lanes(d64);
+                inside |= bitsOf(d64, m_least[k][i] + least >= hn::Zero(d64)) << i * hn::Lanes(d64);
             }
             found.reached &= reached;
+            found.inside[k] = inside;
         }
+        m_tiles[m_tileCount] = found;
         m_tileCount += found.reached != 0;
     }
 
@@ -147,8 +191,9 @@ private:
 
     /// Keeps planes, opens tiles and lists parts of what was found. Parts are drawn when a list is full.
     template <class Other>
-    void drawTiles(const PixelBox& box, const Other& drawOther)
+    void drawTiles(const Other& drawOther)
     {
+        const PixelBox& box = m_triangle.box;
         for (std::size_t i = 0; i < m_tileCount; ++i) {
             const Found&        found = m_tiles[i];
             const auto&         inside = found.inside;
@@ -167,7 +212,9 @@ private:
                 openTiles(m_visible, tile);
             }
             list(kNone, drawn & none, left, top);
-            if (m_triangle.wide) [[unlikely]] {
+            if (none == kAllParts) {
+                // Nothing else is left.
+            } else if (m_triangle.wide) [[unlikely]] {
                 for (std::uint32_t rest = drawn & ~none; rest != 0; rest &= rest - 1) {
                     const int x = left + std::countr_zero(rest) * kSide;
                     drawOther(PixelBox{std::max(x, here.x0), here.y0, std::min(x + kSide, here.x1), here.y1});
@@ -232,7 +279,7 @@ private:
             return testPart<kKeep, kNormal, 1>(m_triangle, {&m_partEdges[kKind - 1]}, x, y, m_visible);
     }
 
-    PartEdge partEdge(std::size_t k) const { return {m_edges.planes[k], m_edges.x0, m_edges.y0}; }
+    PartEdge partEdge(std::size_t k) const { return m_triangle.wide ? PartEdge({}, 0, 0) : PartEdge(m_edges.planes[k], m_edges.x0, m_edges.y0); }
 
     const ScreenTriangle&   m_triangle;
     const HalfPlanes&       m_edges;
