@@ -1629,6 +1629,10 @@
         <translation>打开一个场景来查看它的边。</translation>
     </message>
     <message>
+        <source>No edge is active on this line. Press Right to go on.</source>
+        <translation>这条扫描线上没有活动边。按右方向键继续。</translation>
+    </message>
+    <message>
         <source>No edge is active here. Press Right to go on, or choose the grain “line”.</source>
         <translation>此处没有活动边。按右方向键继续，或选择粒度“扫描线”。</translation>
     </message>
@@ -2181,6 +2185,10 @@
     <message>
         <source>Open a scene to see its hierarchy.</source>
         <translation>打开一个场景来查看它的层次结构。</translation>
+    </message>
+    <message>
+        <source>The nodes appear here as the visit comes to know them. Press Right to go on.</source>
+        <translation>结点在遍历到时显示在这里。按右方向键继续。</translation>
     </message>
     <message>
         <source>The nodes appear here as the visit comes to know them. Press Right to go on, or choose the grain “node”.</source>

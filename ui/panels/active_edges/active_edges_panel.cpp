@@ -142,7 +142,8 @@ void ActiveEdgesPanel::showRows(const Snapshot& shown, Changes what)
     else if (!sweep)
         m_hint->setText(shown.scene ? tr("The edges appear when the edge table has been built.") : tr("Open a scene to see its edges."));
     else if (shown.showsStep)
-        m_hint->setText(tr("No edge is active here. Press Right to go on, or choose the grain “line”."));
+        m_hint->setText(shown.grain == Grain::Line ? tr("No edge is active on this line. Press Right to go on.")
+                                                   : tr("No edge is active here. Press Right to go on, or choose the grain “line”."));
     else
         m_hint->setText(tr("The picture is finished and no edge is active. Press Left to step back, or drag the timeline."));
 }

@@ -121,8 +121,9 @@ void HierarchyPanel::showNodes(const Snapshot& shown)
     m_filling = false;
     m_treeOrHint->setCurrentIndex(m_model->isEmpty() ? 1 : 0);
     if (m_model->isEmpty()) {
-        m_hint->setText(!shown.scene ? tr("Open a scene to see its hierarchy.")
-                                     : tr("The nodes appear here as the visit comes to know them. Press Right to go on, or choose the grain “node”."));
+        m_hint->setText(!shown.scene                 ? tr("Open a scene to see its hierarchy.")
+                        : shown.grain == Grain::Node ? tr("The nodes appear here as the visit comes to know them. Press Right to go on.")
+                                                     : tr("The nodes appear here as the visit comes to know them. Press Right to go on, or choose the grain “node”."));
         emit summaryChanged({});
         return;
     }
