@@ -7,6 +7,8 @@
 //            planes, so the eye is taken into the tree's own space. What straddles the planes has no exact place between
 //            the octants: it comes before the first octant whose box is farther from the eye. BVH: the nearer box first.
 //            Instances and batches of one node: the nearer box first. Triangles of one batch, where they are large: the nearer first
+// Inside     at full speed a tree whose box holds the eye is not descended branch by branch: of all nodes that wait the nearest is next. From within,
+//            much of a branch lies behind what is near in the next one
 // Pixels     at full speed a batch's patches that face away are left out, and those patches and small triangles all of whose pixels hold
 //            something nearer than the batch comes (core/geometry/patches.h, core/depth/hidden_squares.h)
 // Dense      where that is so, questions about nodes below one whose triangles are that small may be left out (core/cull/dense_questions.h)
@@ -134,7 +136,7 @@ private:
         const Tree&     tree     = m_trees.mesh(instance.mesh);
         if (tree.isEmpty()) return;
         const PlacedTree placed = place(tree, instance.toWorld, false, id);
-        visit(placed, tree.root(), open, [&](const TreeNode& node, Planes) {
+        visitTree(placed, open, [&](const TreeNode& node, Planes) {
             const bool isDrawnAhead = m_memory && m_memory->isDrawnAhead(id, node);
             if (!isDrawnAhead) m_probe(NodeDrawn{placed.place(node)});
             const bool isWorthIt = isDrawnAhead || NodeMemory::isWorthIt(drawOwn(placed, node));
@@ -197,15 +199,44 @@ private:
         return waiting;
     }
 
-    /// The last node that was asked about on the way down.
-    struct Asked {
-        std::uint32_t size    = 0;
-        bool          isDense = false;  // at full speed: its triangles' own pixels are looked at
-    };
+    template <class DrawItems>
+    void visitTree(const PlacedTree& placed, Planes open, const DrawItems& drawItems)
+    {
+        const TreeNode& root = placed.tree.root();
+        if (kAtFullSpeed && distance(placed.eye, root.bounds) == 0 && !m_rules.visitsFarFirst())
+            visitNearestFirst(placed, {0, &root, open, {}}, drawItems);
+        else
+            visit(placed, root, open, drawItems);
+    }
+
+    template <class DrawItems>
+    void visitNearestFirst(const PlacedTree& placed, const WaitingNode& root, const DrawItems& drawItems)
+    {
+        std::vector<WaitingNode>& waiting   = m_scratch.nodes;
+        const auto                isFarther = [](const WaitingNode& a, const WaitingNode& b) { return a.distance > b.distance; };
+        waiting.assign(1, root);
+        while (!waiting.empty() && !m_stripe.progress.cancelled()) {
+            std::ranges::pop_heap(waiting, isFarther);
+            WaitingNode next = waiting.back();
+            waiting.pop_back();
+            const TreeNode& node = *next.node;
+            if (judge(placed, node, next.open, next.above) != Verdict::Entered) continue;
+            if (isDrawnWhole(placed, node)) {
+                drawItems(node, next.open);
+                continue;
+            }
+            placed.tree.open(node);
+            if (!placed.tree.ownItems(node).empty()) drawItems(node, next.open);
+            for (const TreeNode& child : placed.tree.childrenOf(node)) {
+                waiting.push_back({distance(placed.eye, child.bounds), &child, next.open, next.above});
+                std::ranges::push_heap(waiting, isFarther);
+            }
+        }
+    }
 
     /// `open`: planes of the stripe that the node above crosses, and so this one may.
     template <class DrawItems>
-    void visit(const PlacedTree& placed, const TreeNode& node, Planes open, const DrawItems& drawItems, Asked above = {})
+    void visit(const PlacedTree& placed, const TreeNode& node, Planes open, const DrawItems& drawItems, AskedNode above = {})
     {
         if (m_stripe.progress.cancelled() || judge(placed, node, open, above) != Verdict::Entered) return;
         if (isDrawnWhole(placed, node)) return drawItems(node, open);
@@ -227,7 +258,7 @@ private:
 
     /// A dense node that is much smaller than the last one asked about is asked in any case, unless it is drawn whole: its batch looks for itself.
     static constexpr std::uint32_t kMuchSmaller = 8;
-    bool isAsked(const PlacedTree& placed, const TreeNode& node, const Asked& above)
+    bool isAsked(const PlacedTree& placed, const TreeNode& node, const AskedNode& above)
     {
         if (!above.isDense) return true;
         if (node.size() <= above.size / kMuchSmaller && !isDrawnWhole(placed, node)) return true;
@@ -235,7 +266,7 @@ private:
     }
 
     /// Strikes out of `open` the planes that the node lies wholly inside of; `above` becomes the node itself if it is asked about.
-    Verdict judge(const PlacedTree& placed, const TreeNode& node, Planes& open, Asked& above)
+    Verdict judge(const PlacedTree& placed, const TreeNode& node, Planes& open, AskedNode& above)
     {
         if (const std::optional<Verdict> before = m_probe.template decided<Verdict>()) return *before;
         const ViewBox box = placed.view(node.bounds);

@@ -13,7 +13,9 @@
 #include "core/geometry/face_set_up.h"
 #include "core/geometry/prepared_scene.h"
 #include "core/geometry/screen_vertices.h"
+#include "core/geometry/stripe_volume.h"
 #include "core/geometry/triangle_list.h"
+#include "core/hierarchy/tree.h"
 #include "core/scan/window_list.h"
 #include "core/sweep/active_edges.h"
 #include "core/sweep/active_polygons.h"
@@ -51,6 +53,20 @@ struct WaitingBatch {
     std::uint32_t batch;  // into MeshBatches::batches
 };
 
+/// The last node that was asked about on the way down.
+struct AskedNode {
+    std::uint32_t size    = 0;
+    bool          isDense = false;  // at full speed: its triangles' own pixels are looked at
+};
+
+/// A node of a mesh's tree that waits for its turn, and what is known of it from above.
+struct WaitingNode {
+    double               distance;  // squared, from the eye to its box
+    const TreeNode*      node;
+    StripeVolume::Planes open;  // planes of the stripe that it may cross
+    AskedNode            above;
+};
+
 /// Scratch memory of one thread, reused frame after frame.
 struct StripeScratch {
     ScreenVertices   vertices;
@@ -68,11 +84,12 @@ struct StripeScratch {
 
     std::vector<WaitingInstance> instances;  // hierarchical methods only, like the next
     std::vector<WaitingBatch>    batches;
+    std::vector<WaitingNode>     nodes;  // likewise, a heap with the nearest first
 
     std::size_t bytes() const
     {
         return sizeof(*this) + windows.bytes() + samples.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
-               instances.capacity() * sizeof(WaitingInstance) + batches.capacity() * sizeof(WaitingBatch) + pyramid.bytes() +
+               instances.capacity() * sizeof(WaitingInstance) + batches.capacity() * sizeof(WaitingBatch) + nodes.capacity() * sizeof(WaitingNode) + pyramid.bytes() +
                blend.bytes() + memory.bytes();
     }
 };
