@@ -316,7 +316,7 @@ template <class Rules, class Probe>
 PyramidKind pyramidKind(const Pipeline& pipeline, bool asksPixels)
 {
     if (pipeline.upkeep == Upkeep::Masked) return PyramidKind::Masked;
-    return Rules::kExact && !Probe::listens && pipeline.fault == Fault::None && asksPixels ? PyramidKind::Wide : PyramidKind::Deep;
+    return Rules::kExact && !Probe::listens && asksPixels ? PyramidKind::Wide : PyramidKind::Deep;
 }
 
 template <class Scan, class Rules, class Probe>

@@ -90,6 +90,7 @@ class PatchReach {
     using F64 = hn::ScalableTag<double>;
     using Vec = hn::Vec<F64>;
     using I32 = hn::ScalableTag<std::int32_t>;
+    using F32 = hn::Rebind<float, F64>;
 
 public:
     /// Of the patches in `chosen`; no other is looked at further.
@@ -104,6 +105,7 @@ public:
                 m_patches |= bitsOf(F64(), isKept) << (before + i);
                 keep(sides.left, m_left, before + i), keep(sides.above, m_above, before + i);
                 keep(sides.right, m_right, before + i), keep(sides.below, m_below, before + i);
+                hn::Store(nextUp(hn::DemoteTo(F32(), sides.nearest)), F32(), m_depths.data() + before + i);
                 left  = hn::Min(left, hn::IfThenElse(isKept, sides.left, left)), above = hn::Min(above, hn::IfThenElse(isKept, sides.above, above));
                 right = hn::Max(right, hn::IfThenElse(isKept, sides.right, right)), below = hn::Max(below, hn::IfThenElse(isKept, sides.below, below));
                 nearest = hn::Max(nearest, hn::IfThenElseZero(isKept, sides.nearest));
@@ -122,6 +124,7 @@ public:
     const PixelBox& pixels() const { return m_pixels; }
     float           nearest() const { return m_nearest; }
 
+    float    nearestOf(std::size_t patch) const { return m_depths[patch]; }
     PixelBox pixelsOf(std::size_t patch) const { return {m_left[patch], m_above[patch], m_right[patch], m_below[patch]}; }
 
     /// Of patches(), those whose boxes are hidden: hidden(asked, left, above, right, below) says which of several boxes are.
@@ -149,6 +152,11 @@ private:
     };
 
     static Vec all(double value) { return hn::Set(F64(), value); }
+    static hn::Vec<F32> nextUp(hn::Vec<F32> value)
+    {
+        const hn::RebindToSigned<F32> i32;
+        return hn::BitCast(F32(), hn::BitCast(i32, value) + hn::Set(i32, 1));
+    }
 
     template <class D>
     static hn::Mask<D> maskOf(D d, PatchBits bits)
@@ -199,6 +207,7 @@ private:
     PixelBox  m_pixels;
     float     m_nearest;
     alignas(64) Column m_left, m_above, m_right, m_below;
+    alignas(64) std::array<float, kMost> m_depths;  // no depth of a patch is larger
 };
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -10,8 +10,9 @@
 // Inside     at full speed a tree whose box holds the eye is not descended branch by branch: of all nodes that wait the nearest is next. From within,
 //            much of a branch lies behind what is near in the next one
 // Pixels     at full speed a batch's patches that face away are left out, and those patches and small triangles all of whose pixels hold
-//            something nearer than the batch comes (core/geometry/patches.h, core/depth/hidden_squares.h)
-// Dense      where that is so, questions about nodes below one whose triangles are that small may be left out (core/cull/dense_questions.h)
+//            something nearer than the batch comes (core/geometry/patches.h, core/depth/hidden_squares.h); of large triangles, patches that
+//            the pyramid hides
+// Dense      where that is so, questions about nodes below one whose triangles are that small may be left out (core/cull/sampled_questions.h)
 // Whole      there, too, a small node is drawn with everything below it, and not divided: the squares tell its parts apart
 // Recall     with a memory of the last frame: what it saw is drawn first, unasked, in the order in which it came then; the
 //            visit that follows judges it again, to learn whether it stays remembered, but does not draw it twice (NodeMemory)
@@ -38,9 +39,9 @@
 
 #include "core/cull/ask_pyramid-inl.h"
 #include "core/cull/cull_events.h"
-#include "core/cull/dense_questions.h"
 #include "core/cull/node_reach.h"
 #include "core/cull/occlusion.h"
+#include "core/cull/sampled_questions.h"
 #include "core/hierarchy/scene_trees.h"
 #include "core/traverse/submitted-inl.h"
 
@@ -166,6 +167,9 @@ private:
         return all;
     }
 
+    /// Answers about patches that are waited for: those of what comes first are mostly "no".
+    static constexpr std::uint32_t kFirstPatches = 256;
+
     /// Whether any triangle may have been left; those that were not seen are added to `all`.
     bool setUp(const PlacedTree& placed, BatchPlace place, DrawnTriangles& all)
     {
@@ -174,7 +178,7 @@ private:
                 place.patches = patchesTowardsEye(place, placed.backs, placed.view, m_stripe);
                 m_clock.lap(Stage::Cull);
                 if (place.patches == 0) return false;
-                const LeftOut leftOut = setUpSeen(place, placed.view, m_stripe, m_scratch, m_clock, m_rules, m_probe);
+                const LeftOut leftOut = setUpSeen(place, placed.view, m_stripe, m_scratch, m_patchQuestions, m_clock, m_rules, m_probe);
                 all.add({.hidden = leftOut.triangles, .hiddenPixels = leftOut.pixels});
                 return true;
             }
@@ -363,7 +367,7 @@ private:
     const Probe&      m_probe;
     NodeMemory*       m_memory;  // nullptr: nothing is remembered
     StripeVolume      m_volume;
-    DenseQuestions    m_denseQuestions;
+    SampledQuestions  m_denseQuestions, m_patchQuestions{kFirstPatches};
 };
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -15,7 +15,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/cull/sampled_questions.h"
 #include "core/depth/hidden_squares-inl.h"
+#include "core/depth/wide_pyramid-inl.h"
 #include "core/geometry/patches-inl.h"
 #include "core/geometry/set_up-inl.h"
 #include "core/geometry/stripe_volume.h"
@@ -39,18 +41,42 @@ struct BatchSeen {
     LeftOut    leftOut;  // patches, because nothing of them can be seen
 };
 
-/// Leaves the squares that are hidden of the batch in `squares`.
-inline BatchSeen seenOf(const BatchPlace& place, const PlacedView& view, const Stripe& stripe, HiddenSquares& squares)
+/// The same of patches with so many pixels that the pyramid is asked about them, one by one if that is often answered with "hidden".
+inline BatchSeen seenOfLarge(const PatchReach& reach, const WidePyramid& pyramid, SampledQuestions& questions)
+{
+    BatchSeen seen{reach.patches(), HiddenPart::Nothing, {}};
+    const auto leaveOut = [&seen](PatchBits patches, const PixelBox& pixels) {
+        seen.patches &= ~patches;
+        seen.leftOut.triangles += static_cast<std::uint32_t>(std::popcount(patches)) * kPatchTriangles;
+        seen.leftOut.pixels += pixels.area();
+    };
+    if (!questions.isWorthIt()) return seen;
+    if (pyramid.hides(reach.pixels(), reach.nearest(), WholeBox{})) {
+        leaveOut(reach.patches(), reach.pixels());
+        questions.answered(true);
+        return seen;
+    }
+    for (PatchBits left = reach.patches(); left != 0; left &= left - 1) {
+        const auto patch  = static_cast<std::size_t>(std::countr_zero(left));
+        const bool hidden = pyramid.hides(reach.pixelsOf(patch), reach.nearestOf(patch), WholeBox{});
+        if (hidden) leaveOut(PatchBits{1} << patch, reach.pixelsOf(patch));
+        questions.answered(hidden);
+    }
+    return seen;
+}
+
+/// Leaves the squares that are hidden of the batch in `scratch.hidden`.
+inline BatchSeen seenOf(const BatchPlace& place, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch, SampledQuestions& patchQuestions)
 {
     const PatchReach reach(place.mesh, place.batch, place.patches, view, stripe.projection, stripe.region());
     const auto       triangles = [](PatchBits patches) { return static_cast<std::uint32_t>(std::popcount(patches)) * kPatchTriangles; };
     if (reach.patches() == 0) return {0, HiddenPart::Nothing, {}};
     const std::uint64_t pixels = reach.pixels().area();
-    if (pixels > kWorthLooking * triangles(reach.patches())) return {reach.patches(), HiddenPart::Nothing, {}};
-    const HiddenPart part = HiddenSquaresFinder::find(stripe.visible, reach.pixels(), reach.nearest(), squares);
+    if (pixels > kWorthLooking * triangles(reach.patches())) return seenOfLarge(reach, WidePyramid(scratch.pyramid), patchQuestions);
+    const HiddenPart part = HiddenSquaresFinder::find(stripe.visible, reach.pixels(), reach.nearest(), scratch.hidden);
     if (part == HiddenPart::Everything) return {0, part, {triangles(reach.patches()), pixels}};
     if (part == HiddenPart::Nothing) return {reach.patches(), part, {}};
-    const PatchBits hidden = reach.hiddenAmong(HiddenBoxes(squares));
+    const PatchBits hidden = reach.hiddenAmong(HiddenBoxes(scratch.hidden));
     LeftOut         leftOut{triangles(hidden), 0};
     for (PatchBits left = hidden; left != 0; left &= left - 1) leftOut.pixels += reach.pixelsOf(static_cast<std::size_t>(std::countr_zero(left))).area();
     return {reach.patches() & ~hidden, part, leftOut};
@@ -76,14 +102,15 @@ void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stri
     clock.lap(Stage::Setup);
 }
 
-/// The same at full speed, but for what can win no pixel any more, because all of its pixels hold something nearer than the batch comes.
+/// The same at full speed, but for what can win no pixel any more, because all of its pixels hold something nearer than the batch comes, or its patch.
+/// The pyramid is a wide one.
 template <class Rules, class Probe>
-LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
-                  const Probe& probe)
+LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch, SampledQuestions& patchQuestions,
+                  StageClock& clock, const Rules& rules, const Probe& probe)
 {
     static_assert(Rules::kExact && !Probe::listens);
     scratch.triangles.clear();
-    BatchSeen seen = seenOf(whole, view, stripe, scratch.hidden);
+    BatchSeen seen = seenOf(whole, view, stripe, scratch, patchQuestions);
     clock.lap(Stage::Setup);
     if (seen.patches == 0) return seen.leftOut;
 

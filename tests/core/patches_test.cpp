@@ -19,7 +19,8 @@ struct Said {
     PatchBits             patches = 0;
     PixelBox              pixels;
     float                 nearest = 0;
-    std::vector<PixelBox> boxes;  // per patch
+    std::vector<PixelBox> boxes;     // per patch
+    std::vector<float>    nearests;  // likewise
 };
 #endif
 }  // namespace zscope
@@ -34,7 +35,7 @@ Said ask(const MeshBatches& mesh, const Batch& batch, const BehindQuestion* behi
     said.groups  = vertexGroupsOf(mesh, batch, said.towards);
     const PatchReach reach(mesh, batch, said.towards, view, projection, region);
     said.patches = reach.patches(), said.pixels = reach.pixels(), said.nearest = reach.nearest();
-    for (std::size_t patch = 0; patch < batch.patchCount(); ++patch) said.boxes.push_back(reach.pixelsOf(patch));
+    for (std::size_t patch = 0; patch < batch.patchCount(); ++patch) said.boxes.push_back(reach.pixelsOf(patch)), said.nearests.push_back(reach.nearestOf(patch));
     return said;
 }
 
@@ -138,7 +139,7 @@ void expectTrue(const MeshBatches& mesh, const Batch& batch, const Affine& toWor
             }
             if (isBefore) {
                 ++tally.beforeNear, allBack = false;
-                ASSERT_TRUE(!isTowards || (areSame(box, kRegion) && said.nearest >= 1));
+                ASSERT_TRUE(!isTowards || (areSame(box, kRegion) && said.nearests[patch] >= 1));
                 continue;
             }
             allBack &= turnOf(corner[0], corner[1], corner[2], true) > 0;
@@ -150,7 +151,7 @@ void expectTrue(const MeshBatches& mesh, const Batch& batch, const Affine& toWor
             hasPixels = true;
             ASSERT_TRUE(isReached);
             ASSERT_TRUE(pixels.x0 >= box.x0 && pixels.y0 >= box.y0 && pixels.x1 <= box.x1 && pixels.y1 <= box.y1);
-            for (const ScreenCorner& c : corner) ASSERT_LE(static_cast<float>(c.d), said.nearest);
+            for (const ScreenCorner& c : corner) ASSERT_LE(static_cast<float>(c.d), said.nearests[patch]);
             own = {std::min(own.x0, pixels.x0), std::min(own.y0, pixels.y0), std::max(own.x1, pixels.x1), std::max(own.y1, pixels.y1)};
         }
         ASSERT_TRUE(isTowards || allBack);
@@ -158,6 +159,7 @@ void expectTrue(const MeshBatches& mesh, const Batch& batch, const Affine& toWor
         tally.away += !isTowards, tally.backTowards += isTowards && allBack;
         tally.reached += isReached, tally.outside += isTowards && !isReached;
         if (!isReached) continue;
+        ASSERT_LE(said.nearests[patch], said.nearest);
         together = {std::min(together.x0, box.x0), std::min(together.y0, box.y0), std::max(together.x1, box.x1), std::max(together.y1, box.y1)};
         if (hasPixels) {
             tally.boxes += double(box.x1 - box.x0) * (box.y1 - box.y0);
