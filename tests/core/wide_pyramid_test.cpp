@@ -161,13 +161,24 @@ void expectExact(Screen& screen, Random& random, Answers& answers)
     }
 }
 
-TEST(WidePyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeStripeAndInstructionSet)
+/// Calls each() with one instruction set after the other.
+template <class Each>
+void forEachTarget(const Each& each)
 {
     for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
         const std::int64_t target = left & -left;
         hwy::SetSupportedTargetsForTest(target);
         hwy::GetChosenTarget().Update(target);
         SCOPED_TRACE(hwy::TargetName(target));
+        each();
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+TEST(WidePyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeStripeAndInstructionSet)
+{
+    forEachTarget([] {
         Answers answers;
         for (const auto& [width, height] : {std::pair{9, 8}, {67, 3}, {130, 70}, {257, 193}, {1023, 300}})
             for (const int first : {0, 8}) {
@@ -190,9 +201,27 @@ TEST(WidePyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeStripeAndInst
         EXPECT_GT(answers.no, 1000u);
         EXPECT_GT(answers.yesOfShapes, 1000u);
         EXPECT_GT(answers.noOfShapes, 1000u);
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    });
+}
+
+TEST(WidePyramid, OneTileThatHoldsNothingIsFoundInEveryPlaceOfEveryBlock)
+{
+    constexpr int kWide = 27, kHigh = 20;  // tiles: blocks at the right and below are cut
+    forEachTarget([] {
+        Screen screen(kTile * kWide, kTile * kHigh, 0, kTile * kHigh);
+        for (int hole = 0; hole < kWide * kHigh; ++hole) {
+            screen.visible.emptyRows(0, kTile * kHigh);
+            screen.visible.finishRows(0, kTile * kHigh);
+            screen.pyramid.reset(screen.visible, 0, kTile * kHigh, Fault::None, PyramidKind::Wide);
+            const int x = hole % kWide * kTile, y = hole / kWide * kTile;
+            for (const PixelBox& around : {PixelBox{0, 0, kTile * kWide, y}, PixelBox{0, y, x, y + kTile}, PixelBox{x + kTile, y, kTile * kWide, y + kTile},
+                                           PixelBox{0, y + kTile, kTile * kWide, kTile * kHigh}})
+                if (!around.isEmpty()) screen.draw(around, 0.5f, true);
+            ASSERT_FALSE(HWY_DYNAMIC_DISPATCH(boxIsHidden)(screen.pyramid, screen.region(), 0.25f)) << x << ' ' << y;
+            screen.draw({x, y, x + kTile, y + kTile}, 0.5f, true);
+            ASSERT_TRUE(HWY_DYNAMIC_DISPATCH(boxIsHidden)(screen.pyramid, screen.region(), 0.25f)) << x << ' ' << y;
+        }
+    });
 }
 
 TEST(WidePyramid, AHoleOfOnePixelIsFoundWhereverItIs)
