@@ -69,10 +69,11 @@ struct TileAnswer {
     bool  hidden   = false;
 };
 
+/// Which levels a pyramid has, and how it is kept true.
 enum class PyramidKind {
-    Deep,
-    Masked,  // the same levels; takes cover()
-    Wide,    // for methods at full speed that ask, tell by touched() and drawnTile(), and break no rule
+    Deep,    // each level is half the one below, up to a single cell
+    Masked,  // the same; takes cover(), and no pixel is read
+    Wide,    // tiles and blocks of them: for methods at full speed that ask, tell by touched() and drawnTile(), and break no rule
 };
 
 /// A key with the farthest depth of those in `lines` lines of a tile's width each, `stride` keys from one to the next; whose it is means nothing.
