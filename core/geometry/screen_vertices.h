@@ -23,15 +23,21 @@ struct ScreenVertices {
     alignas(64) std::array<double, kRow * kCapacity> rows;
     alignas(64) std::array<double, kCapacity>        xs, ys;  // snapped, 1/256 pixel, by other rules
 
-    /// No vertex lies behind the near plane and none beyond the guard band. If false, the arrays may hold numbers
-    /// without meaning, and each triangle is set up carefully from its positions instead.
+    /// No vertex lies behind the near plane and none beyond the guard band. If false, those that do hold numbers without meaning (by exact rules
+    /// all but the snapped position, kNowhere), and triangles are set up carefully from their positions instead: those that have one, or all.
     bool plain = false;
+
+    /// x, and y, of what has no snapped position: beyond the guard band by so much that it shows in lanes of int32, which hold its distance from any other.
+    static constexpr std::int32_t kNowhere = std::int32_t{1} << 30;
 
     /// Added to a number between -2^31 and 2^31 it rounds it to a whole one, ties to even, which is then the lower half of the sum's bits.
     static constexpr double kWhole = 0x1.8p52;
 
     /// The snapped position of vertex i by exact rules: x in the lower, y in the upper half, each an int32.
     std::uint64_t snapped(std::size_t i) const { return std::bit_cast<std::uint64_t>(rows[kRow * i + kRow - 1]); }
+
+    /// By exact rules.
+    bool isPlain(std::size_t i) const { return static_cast<std::int32_t>(snapped(i)) != kNowhere; }
 
     /// `Rules` are those that it was transformed by.
     template <class Rules>

@@ -1,10 +1,11 @@
-// Set-up of a plain batch, several triangles side by side: which of them reach pixels, their edges and their depth planes.
+// Set-up of a batch, several triangles side by side: which of them reach pixels, their edges and their depth planes.
 //
 // Sieve      in int32 lanes, from snapped corners: turn, box, and whether any pixel centre lies in it. Most triangles end here.
 //            What is left is written densely, so that the lanes that follow have work
 // Edges      in int32 lanes: exact, because the sides of compact triangles are short
 // Planes     in float64 lanes, in the order of depthPlane() (core/geometry/screen_triangle.h), nothing fused
-// One by one triangles with a long side, and all of them where rules are chosen at run time (corners need not be whole then)
+// One by one triangles with a long side, those with a corner that is not plain, and all of them where rules are chosen at run time (corners need not be
+//            whole then)
 // Hidden     if somebody knows which boxes of pixels can show nothing of the batch any more, the sieve drops what lies in one
 // Promise    each triangle's fate is told once (TriangleSetUp), and the list holds what setUpTriangle() would have made, but for the hidden
 // Source     docs/correctness.md, Coverage, Depth and the winner
@@ -46,11 +47,19 @@ struct LeftOut {
 
 /// `Hidden`: hidden(asked, left, above, right, below) says which of those boxes can show nothing of the batch any more.
 template <class Rules, class Probe, class Hidden = NoHiddenBoxes>
-class PlainSetUp {
+class BatchSetUp {
 public:
-    PlainSetUp(const BatchPlace& place, const ScreenVertices& vertices, FaceCulling culling, const PixelBox& region, const Rules& rules,
-               TriangleList& out, const Probe& probe, const Hidden& hidden = {})
-        : m_place(place), m_vertices(vertices), m_culling(culling), m_region(region), m_rules(rules), m_out(out), m_probe(probe), m_hidden(hidden)
+    BatchSetUp(const BatchPlace& place, const ScreenVertices& vertices, const Projection& projection, FaceCulling culling, const PixelBox& region,
+               const Rules& rules, TriangleList& out, const Probe& probe, const Hidden& hidden = {})
+        : m_place(place),
+          m_vertices(vertices),
+          m_projection(projection),
+          m_culling(culling),
+          m_region(region),
+          m_rules(rules),
+          m_out(out),
+          m_probe(probe),
+          m_hidden(hidden)
     {
     }
 
@@ -71,7 +80,7 @@ public:
             m_out.compactReach = {hn::GetLane(hn::MinOfLanes(D(), m_left)), hn::GetLane(hn::MinOfLanes(D(), m_above)),
                                   hn::GetLane(hn::MaxOfLanes(D(), m_right)), hn::GetLane(hn::MaxOfLanes(D(), m_below))};
         } else {
-            for (std::uint32_t t = first; t < end; ++t) setUpOne(m_place, t, m_vertices, m_culling, m_region, m_rules, m_out, m_probe);
+            for (std::uint32_t t = first; t < end; ++t) setUpAlone(t, m_vertices.plain);
         }
         return {static_cast<std::uint32_t>(hn::GetLane(hn::SumOfLanes(D(), m_leftOut))),
                 static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(D(), m_leftOutPixels)))};
@@ -128,7 +137,8 @@ private:
         }
         const auto x0 = least(x), x1 = most(x), y0 = least(y), y1 = most(y);
         const auto isThere   = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - t));
-        const auto isCompact = hn::And(isThere, hn::Max(x1 - x0, y1 - y0) < all(kCompactSide));
+        const auto isPlain   = x1 < all(ScreenVertices::kNowhere);
+        const auto isCompact = hn::And(hn::And(isThere, isPlain), hn::Max(x1 - x0, y1 - y0) < all(kCompactSide));
         const auto area      = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
         const auto isBack    = area > hn::Zero(D());
 
@@ -181,8 +191,19 @@ private:
         }
         if (hn::AllFalse(D(), alone)) return;
         finish();
-        forEach(alone, [&](std::uint32_t lane) { setUpOne(m_place, t + lane, m_vertices, m_culling, m_region, m_rules, m_out, m_probe); });
+        forEach(alone, [&](std::uint32_t lane) {
+            const auto corner = [&, lane](std::size_t k) { return std::size_t{m_place.mesh.corners[k][t + lane]}; };
+            setUpAlone(t + lane, m_vertices.isPlain(corner(0)) && m_vertices.isPlain(corner(1)) && m_vertices.isPlain(corner(2)));
+        });
         m_finished = m_out.count;
+    }
+
+    void setUpAlone(std::uint32_t t, bool isPlain)
+    {
+        if (isPlain)
+            setUpOne(m_place, t, m_vertices, m_culling, m_region, m_rules, m_out, m_probe);
+        else
+            setUpCarefully(m_place, t, m_projection, m_culling, m_region, m_rules, m_out, m_probe);
     }
 
     /// Those of `drawn` that may be seen.
@@ -291,6 +312,7 @@ private:
 
     const BatchPlace&     m_place;
     const ScreenVertices& m_vertices;
+    const Projection&     m_projection;
     FaceCulling           m_culling;
     const PixelBox&       m_region;
     const Rules&          m_rules;

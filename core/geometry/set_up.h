@@ -1,8 +1,8 @@
 // From a batch's vertices to the list of triangles that reach the pixels of a region.
 //
-// Plain      batches wholly in front of the near plane and inside the guard band: corners by index (set_up-inl.h does several
-//            triangles side by side)
-// Careful    the others: each triangle from its positions, cut at the near plane, every corner checked
+// Plain      triangles wholly in front of the near plane and inside the guard band: corners by index (set_up-inl.h does several
+//            of them side by side)
+// Careful    the others: each from its positions, cut at the near plane, every corner checked
 // Promise    each triangle's fate is told once (TriangleSetUp); parts keep the triangle's id
 #pragma once
 
@@ -24,7 +24,7 @@ struct BatchPlace {
     TriangleId idOf(std::uint32_t triangle) const { return {firstTriangle + mesh.meshTriangle[triangle]}; }
 };
 
-/// One triangle of a plain batch.
+/// One triangle whose corners are plain.
 template <class Rules, class Probe>
 [[gnu::always_inline]] inline void setUpOne(const BatchPlace& place, std::uint32_t t, const ScreenVertices& vertices, FaceCulling culling,
                                             const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe)
@@ -96,21 +96,19 @@ SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId d
     return fate;
 }
 
+/// One triangle of a batch from its positions, whatever its corners are.
 template <class Rules, class Probe>
-void setUpCarefully(const BatchPlace& place, const Projection& projection, FaceCulling culling, const PixelBox& region,
+void setUpCarefully(const BatchPlace& place, std::uint32_t t, const Projection& projection, FaceCulling culling, const PixelBox& region,
                     const Rules& rules, TriangleList& out, const Probe& probe)
 {
-    const MeshBatches&  mesh  = place.mesh;
-    const std::uint32_t first = place.batch.firstTriangle;
-    for (std::uint32_t t = first; t < first + place.batch.triangleCount; ++t) {
-        std::array<dvec3, 3> view;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t v = place.batch.firstVertex + mesh.corners[i][t];
-            const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
-            view[i] = viewOf(model, place.toWorld, projection, rules);
-        }
-        setUpClipped(view, place.idOf(t), place.idOf(t), mesh.isPatterned(t), projection, culling, region, rules, out, probe);
+    const MeshBatches&   mesh = place.mesh;
+    std::array<dvec3, 3> view;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t v = place.batch.firstVertex + mesh.corners[i][t];
+        const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
+        view[i] = viewOf(model, place.toWorld, projection, rules);
     }
+    setUpClipped(view, place.idOf(t), place.idOf(t), mesh.isPatterned(t), projection, culling, region, rules, out, probe);
 }
 
 }  // namespace zscope

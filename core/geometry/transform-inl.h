@@ -89,7 +89,9 @@ struct VertexStage {
                 };
                 plain = hn::And(plain, hn::And(isWithin(xs), isWithin(ys)));
                 const hn::Rebind<std::uint64_t, F64> u64;
-                keep(hn::BitCast(d64, hn::OrAnd(hn::ShiftLeft<32>(hn::BitCast(u64, ys)), hn::BitCast(u64, xs), hn::Set(u64, 0xFFFFFFFF))));
+                const auto both    = hn::OrAnd(hn::ShiftLeft<32>(hn::BitCast(u64, ys)), hn::BitCast(u64, xs), hn::Set(u64, 0xFFFFFFFF));
+                const auto nowhere = hn::Set(u64, std::uint64_t{ScreenVertices::kNowhere} << 32 | std::uint64_t{ScreenVertices::kNowhere});
+                keep(hn::IfThenElse(plain, hn::BitCast(d64, both), hn::BitCast(d64, nowhere)));
             } else {
                 const auto snaps = hn::Set(d64, rules.snapsPerPixel()), subpixels = hn::Set(d64, kSubpixels / rules.snapsPerPixel());
                 const auto xs = hn::Round(sx * snaps) * subpixels, ys = hn::Round(sy * snaps) * subpixels;

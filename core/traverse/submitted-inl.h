@@ -95,10 +95,7 @@ void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stri
     probe(BatchTransformed{instance, place.batch.vertexCount});
     clock.lap(Stage::Transform);
     scratch.triangles.clear();
-    if (scratch.vertices.plain)
-        PlainSetUp(place, scratch.vertices, stripe.culling, stripe.region(), rules, scratch.triangles, probe).run();
-    else
-        setUpCarefully(place, stripe.projection, stripe.culling, stripe.region(), rules, scratch.triangles, probe);
+    BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, stripe.region(), rules, scratch.triangles, probe).run();
     clock.lap(Stage::Setup);
 }
 
@@ -119,13 +116,11 @@ LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe&
     transformGroups(place.mesh, place.batch, vertexGroupsOf(place.mesh, place.batch, place.patches), place.toWorld, stripe.projection, rules, scratch.vertices);
     clock.lap(Stage::Transform);
     const PixelBox region = stripe.region();
-    if (!scratch.vertices.plain) {
-        setUpCarefully(place, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe);
-    } else if (seen.hidden == HiddenPart::Squares) {
-        const LeftOut more = PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe, HiddenBoxes(scratch.hidden)).run();
+    if (seen.hidden == HiddenPart::Squares) {
+        const LeftOut more = BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe, HiddenBoxes(scratch.hidden)).run();
         seen.leftOut.triangles += more.triangles, seen.leftOut.pixels += more.pixels;
     } else {
-        PlainSetUp(place, scratch.vertices, stripe.culling, region, rules, scratch.triangles, probe).run();
+        BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe).run();
     }
     clock.lap(Stage::Setup);
     return seen.leftOut;
