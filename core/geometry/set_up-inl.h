@@ -152,7 +152,9 @@ private:
         const auto fits  = hn::Not(top < all(m_region.y0));
         const auto drawn = hn::And(hn::And(isCompact, hasCentre), hn::And(isTurned, fits));
         const auto kept  = leaveOutHidden(drawn, left, above, right, below);
-        const auto alone = hn::AndNot(hn::And(isCompact, fits), isThere);  // to be set up one by one
+        // To be set up one by one: whoever listens is told there what becomes of them.
+        const auto mayReach = Probe::listens ? isThere : hn::And(isThere, hn::Or(hn::Not(isPlain), hasCentre));
+        const auto alone    = hn::AndNot(hn::And(isCompact, fits), mayReach);
 
         if (!hn::AllFalse(D(), kept)) {
             const auto id   = hn::LoadU(hn::RebindToUnsigned<D>(), m_place.mesh.meshTriangle.data() + t);
