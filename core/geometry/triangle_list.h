@@ -23,9 +23,8 @@
 
 namespace zscope {
 
-/// Sides of compact triangles stay below this, in subpixels along each axis: 127 pixels, so that 16 bits hold a side and 32 an edge's value before it
-/// is divided, wherever a window lies.
-inline constexpr std::int32_t kCompactSide = 32512;
+/// Sides of compact triangles stay below this, in subpixels along each axis: 64 pixels.
+inline constexpr std::int32_t kCompactSide = 16384;
 inline bool isCompact(const ScreenTriangle& t)
 {
     const auto reach = [](const std::array<double, 3>& at) { return std::max({at[0], at[1], at[2]}) - std::min({at[0], at[1], at[2]}); };
