@@ -138,7 +138,7 @@ private:
         const auto x0 = least(x), x1 = most(x), y0 = least(y), y1 = most(y);
         const auto isThere   = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - t));
         const auto isPlain   = x1 < all(ScreenVertices::kNowhere);
-        const auto isCompact = hn::And(hn::And(isThere, isPlain), hn::Max(x1 - x0, y1 - y0) < all(kCompactSide));
+        const auto isCompact = hn::And(hn::And(isThere, isPlain), hn::Max(x1 - x0, y1 - y0) < all(kCompactSide<Probe::listens>));
         const auto area      = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
         const auto isBack    = area > hn::Zero(D());
 

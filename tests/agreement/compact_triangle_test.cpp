@@ -33,11 +33,12 @@ protected:
     static Subpixels wayTo(Shape shape, Random& random)
     {
         const auto sign  = [&random] { return random.below(2) == 0 ? 1 : -1; };
-        const auto limit = [&] { return sign() * (kCompactSide + between(random, -2, 1)); };
+        const auto most  = kCompactSide<false>;
+        const auto limit = [&] { return sign() * ((random.below(4) == 0 ? kCompactSide<true> : most) + between(random, -2, 1)); };
         const bool swaps = random.below(2) == 0;
         Subpixels  way{};
         switch (shape) {
-            case Shape::AtLimit: way = {limit(), random.below(2) == 0 ? limit() : between(random, -kCompactSide, kCompactSide)}; break;
+            case Shape::AtLimit: way = {limit(), random.below(2) == 0 ? limit() : between(random, -most, most)}; break;
             case Shape::Slivers: way = {limit(), between(random, -300, 300)}; break;
             case Shape::Windows: way = {between(random, -40 * 256, 40 * 256), between(random, -40 * 256, 40 * 256)}; break;
             case Shape::Tiny: way = {256 * between(random, -1, 1) + between(random, -1, 1), between(random, -511, 511)}; break;
