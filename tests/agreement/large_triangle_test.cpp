@@ -1,4 +1,4 @@
-// Large triangles, which are drawn by lists of tiles: edges that pass exactly through the pixels in the corners of tiles, more tiles of one kind
+// Large triangles, which are drawn by lists of tiles: edges that pass exactly through the pixels in the corners of tiles, wide triangles' too, more tiles of one kind
 // than a list holds, all kinds in one triangle, and what lies exactly as deep as the pyramid says give the reference's picture.
 #include <gtest/gtest.h>
 
@@ -23,14 +23,41 @@ enum class Corner {
     Needles,   // two of three nearly in one place, across the picture
     Far,       // half of them up to 60,000 pixels away, just inside the guard band
     FarOut,    // half of them beyond it, up to 2^27 pixels away, where tiles are still asked
+    FarAlong,  // that far out on a line through, or a subpixel beside, the first or last pixel centre of a tile
 };
 
 class LargeTriangles : public testing::TestWithParam<Corner> {
 protected:
-    static constexpr int kTile = 8;
+    static constexpr int kTile = 8, kStoredWidth = 64;  // of the pyramid, and of the visibility buffer, whose tiles are as high
 
-    /// A corner on the screen, in pixels.
-    static std::array<double, 2> cornerAt(Corner kind, Random& random, const Camera& camera)
+    using OnScreen = std::array<double, 2>;  // in pixels
+
+    /// A pixel centre in a corner of a tile.
+    static OnScreen centreAtTile(Random& random, const Camera& camera)
+    {
+        const auto along = [&random](int pixels, int tile) {
+            const double first = tile * static_cast<double>(random.below(static_cast<std::uint64_t>(pixels / tile)));
+            return first + (random.below(2) == 0 ? 0 : tile - 1) + 0.5;
+        };
+        const double x = along(camera.width, random.below(2) == 0 ? kTile : kStoredWidth);
+        return {x, along(camera.height, kTile)};
+    }
+
+    /// Two corners with such a centre exactly between them, or a subpixel beside, and one anywhere.
+    static std::array<OnScreen, 3> alongCentre(Random& random, const Camera& camera)
+    {
+        const auto step = [&random](int most) { return static_cast<double>(random.below(2 * static_cast<std::uint64_t>(most) + 1)) - most; };
+        OnScreen   way{};
+        while (way[0] == 0 && way[1] == 0) way = {step(1000) / 256, step(1000) / 256};
+        const auto     away = [&random] { return std::floor(std::exp2(random.between(20, 25))); };  // mostly beyond the guard band
+        const double   back = away(), on = away(), beside = random.below(3) == 0 ? step(1) / 256 : 0;
+        const OnScreen centre = centreAtTile(random, camera);
+        const auto     at     = [&](double steps) { return OnScreen{centre[0] + way[0] * steps + beside, centre[1] + way[1] * steps}; };
+        return {at(-back), at(on), cornerAt(Corner::FarOut, random, camera)};
+    }
+
+    /// A corner on the screen.
+    static OnScreen cornerAt(Corner kind, Random& random, const Camera& camera)
     {
         const double width = camera.width, height = camera.height;
         if (kind == Corner::AtTiles) {
@@ -59,11 +86,12 @@ protected:
         std::vector<Corners> all;
         const bool           isLevel = random.below(2) == 0;  // depths that tie, all over a tile
         while (static_cast<int>(all.size()) < count) {
-            const double          z = 2 + static_cast<double>(random.below(3));
-            Corners               corners;
-            std::array<double, 2> last{};
+            const double z = 2 + static_cast<double>(random.below(3));
+            Corners      corners;
+            OnScreen     last{};
+            const auto   along = kind == Corner::FarAlong ? alongCentre(random, camera) : std::array<OnScreen, 3>{};
             for (std::size_t k = 0; k < 3; ++k) {
-                auto at = cornerAt(kind, random, camera);
+                auto at = kind == Corner::FarAlong ? along[k] : cornerAt(kind, random, camera);
                 if (kind == Corner::Needles && k == 2) at = {last[0] + random.between(-9, 9), last[1] + random.between(-9, 9)};
                 corners[k] = pointAt(camera, at[0], at[1], isLevel ? z : random.between(1.5, 5));
                 last       = at;
@@ -89,7 +117,7 @@ TEST_P(LargeTriangles, EveryPresetDrawsWhatTheReferenceDraws)
     EXPECT_GT(covered, shareOf(8) * (GetParam() == Corner::Needles ? 3'000 : 60'000));
 }
 
-INSTANTIATE_TEST_SUITE_P(Corners, LargeTriangles, testing::Values(Corner::AtTiles, Corner::Anywhere, Corner::Needles, Corner::Far, Corner::FarOut));
+INSTANTIATE_TEST_SUITE_P(Corners, LargeTriangles, testing::Values(Corner::AtTiles, Corner::Anywhere, Corner::Needles, Corner::Far, Corner::FarOut, Corner::FarAlong));
 
 }  // namespace
 }  // namespace zscope::tests
