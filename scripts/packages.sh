@@ -49,13 +49,14 @@ require_packages() {
     rm -f "$log"
 }
 
-# build_preset PRESET TARGET...: configures and builds, and shows the log only if that fails.
+# build_preset PRESET TARGET...: configures and builds, and shows the log only if that fails. From an empty cache each time: CMake empties
+# it by itself where the compiler is found elsewhere than before, and forgets what the preset said, sanitizers included.
 build_preset() {
     local preset="$1" log started=$SECONDS
     shift
     log="$(mktemp)"
     echo "Building preset '$preset'"
-    if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --target "$@"; } >"$log" 2>&1; then
+    if ! { cmake --fresh --preset "$preset" && cmake --build --preset "$preset" --target "$@"; } >"$log" 2>&1; then
         grep -E 'error|FAILED' "$log" | head -n 20 >&2 || true
         tail -n 20 "$log" >&2
         rm -f "$log"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# All tests of the core and the command line under the address and undefined-behaviour sanitizers, and the window closed in the
-# middle of its work under those of addresses and threads; and the kernels compiled for one lane only. Hours on two cores:
-# the first part builds for half an hour and tests for three quarters.
+# All tests of the core and the command line under the address and undefined-behaviour sanitizers and under the thread sanitizer, and
+# the window closed in the middle of its work under those of addresses and threads; and the kernels compiled for one lane only. Hours
+# on two slow cores: the first part builds for half an hour and tests for three quarters.
 #
 #   scripts/sanitize.sh          everything
 #   scripts/sanitize.sh core     every part of the core, the hard cases and the steps, without what only adds scenes and seeds: less
@@ -25,6 +25,9 @@ fi
 
 build_preset debug-asan-ubsan all
 run_tests debug-asan-ubsan -E OnTheSharedModels
+
+build_preset tsan all
+run_tests tsan -E OnTheSharedModels
 
 # The window, closed in the middle of whatever it does: its own code under both. What Qt keeps to the end is no leak of ours: the
 # presets say so.
