@@ -163,9 +163,9 @@ private:
     bool grow(int step) const
     {
         const hn::RebindToSigned<D> i32;
-        const auto lane = countFrom(i32, step), lanes = hn::Set(i32, kStep);
-        const auto isBelow = hn::RebindMask(D(), hn::Not(lane < lanes));
-        const auto to      = hn::IndicesFromVec(D(), hn::IfThenElse(hn::Not(lane < lanes), lane - lanes, lane));
+        const auto lane    = countFrom(i32, step);
+        const auto isBelow = hn::RebindMask(D(), hn::Not(lane < hn::Set(i32, kStep)));
+        const auto to      = hn::IndicesFromVec(D(), hn::And(lane, hn::Set(i32, kStep - 1)));
         // Lines and those `step` below them. Whole vectors are read as they were written, which the processor can do at once.
         const auto pairs = [&](const std::uint32_t* words, int line) HWY_ATTR {
             if constexpr (kStep == 1) return hn::And(hn::Load(D(), words + line), hn::Load(D(), words + line + step));
