@@ -27,8 +27,8 @@ namespace zscope {
 /// it is divided. Where somebody listens, 64 pixels: larger ones are shown tile by tile, with what the pyramid hears of each.
 template <bool listens>
 inline constexpr std::int32_t kCompactSide = (listens ? 64 : 127) * 256;
-/// As shown to whoever listens.
-inline bool isCompact(const ScreenTriangle& t)
+/// True if whoever listens is shown the triangle window by window.
+inline bool isShownByWindows(const ScreenTriangle& t)
 {
     const auto reach = [](const std::array<double, 3>& at) { return std::max({at[0], at[1], at[2]}) - std::min({at[0], at[1], at[2]}); };
     return std::max(reach(t.x), reach(t.y)) < kCompactSide<true>;

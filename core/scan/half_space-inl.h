@@ -134,7 +134,7 @@ private:
         const HalfPlanes fromBox{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
         const DepthTest<kKeep, Rules, kNormal> test(triangle.depth, triangle.rank(), visible.empty(), rules);
         if constexpr (kLanes == 1) {  // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
-            if (isCompact(triangle)) {
+            if (isShownByWindows(triangle)) {
                 visible.open(box);
                 forEachPixelByWindows(box, [&](int x, int y) {
                     fillTile(triangle, fromBox, test, test.column(x, box.x0), x, y, y + 1, false, fragments, visible, rules, probe);

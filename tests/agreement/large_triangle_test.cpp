@@ -1,5 +1,6 @@
-// Large triangles, which are drawn by lists of tiles: edges that pass exactly through the pixels in the corners of tiles, wide triangles' too, more tiles of one kind
-// than a list holds, all kinds in one triangle, and what lies exactly as deep as the pyramid says give the reference's picture.
+// Large triangles, which are drawn by lists of tiles: edges that pass exactly through the pixels in the corners of tiles, wide triangles' too,
+// more tiles of one kind than a list holds, all kinds in one triangle, and what lies exactly as deep as the pyramid says give the reference's
+// picture.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -117,7 +118,8 @@ TEST_P(LargeTriangles, EveryPresetDrawsWhatTheReferenceDraws)
     EXPECT_GT(covered, shareOf(8) * (GetParam() == Corner::Needles ? 3'000 : 60'000));
 }
 
-INSTANTIATE_TEST_SUITE_P(Corners, LargeTriangles, testing::Values(Corner::AtTiles, Corner::Anywhere, Corner::Needles, Corner::Far, Corner::FarOut, Corner::FarAlong));
+INSTANTIATE_TEST_SUITE_P(Corners, LargeTriangles,
+                         testing::Values(Corner::AtTiles, Corner::Anywhere, Corner::Needles, Corner::Far, Corner::FarOut, Corner::FarAlong));
 
 }  // namespace
 }  // namespace zscope::tests
