@@ -4,8 +4,11 @@
 // Source     see windows-inl.h, which fills it and works it off
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "core/base/cache_aligned.h"
@@ -15,16 +18,27 @@
 
 namespace zscope {
 
-struct WindowList {
-    // Entry i is window i.
-    std::size_t                         count = 0;
-    AlignedVector<std::uint32_t>        owners;            // which triangle's
-    AlignedVector<std::uint32_t>        places;            // its first pixel: x + 65536 y; when it is worked off, that pixel's place among the keys
-    std::array<AlignedVector<std::int32_t>, 3> edges;      // the owner's there, as TriangleList counts them
-    AlignedVector<std::uint32_t>        columns;           // the first pixel's, when it is worked off
-    AlignedVector<double>               centreY;           // likewise
+/// Up to kRoom windows. Columns at fixed places, so that whoever works them off needs one address for all of them.
+struct WindowChunk {
+    static constexpr std::size_t kRoom  = 2048;
+    static constexpr std::size_t kAhead = 24;  // entries after the last that are read to fetch what they name
 
-    AlignedVector<double> centres;  // entry x is x + 0.5, of all columns of the picture
+    template <class T>
+    using Column = std::array<T, kRoom + std::max(kBatchPadding, kAhead)>;
+
+    // Entry i is window i.
+    alignas(64) Column<std::uint32_t> owners;                // which triangle's
+    alignas(64) Column<std::uint32_t> corners;               // its first pixel: x + 65536 y
+    alignas(64) Column<std::uint32_t> places;                // that pixel's place among the picture's keys
+    alignas(64) std::array<Column<std::int32_t>, 3> edges;   // the owner's there, as TriangleList counts them
+    std::size_t count = 0;
+};
+
+struct WindowList {
+    std::deque<WindowChunk> chunks;      // those in use come first
+    std::size_t             inUse = 0;   // so many; the last of them takes what comes next
+
+    AlignedVector<double> centres;  // entry i is i + 0.5, of all columns and lines of the picture
 
     /// Triangles of a batch with up to kMost x kMost windows, which are still to be found.
     struct alignas(64) Some {
@@ -43,30 +57,35 @@ struct WindowList {
     std::size_t                 manyCount = 0;
     Some::Column<std::uint32_t> many;
 
-    void clear() { count = 0, manyCount = 0, some.count = 0; }
-
-    /// Room for so many windows more, and for whole vectors behind them.
-    void reserve(std::size_t more)
+    void clear()
     {
-        if (owners.size() >= count + more + kBatchPadding) return;
-        const std::size_t size = 2 * (count + more + kBatchPadding);
-        places.resize(size), columns.resize(size), centreY.resize(size);
-        for (auto& edge : edges) edge.resize(size);
-        owners.resize(size);  // last: if one of them finds no memory, all are asked again
+        for (std::size_t i = 0; i < inUse; ++i) chunks[i].count = 0;
+        inUse = 0, manyCount = 0, some.count = 0;
     }
 
-    /// Of so many columns, and of those that a window may reach beyond them.
-    void knowCentres(std::size_t width)
+    /// A chunk with room for so many windows more, at most WindowChunk::kRoom, and for whole vectors behind them.
+    WindowChunk& withRoomFor(std::size_t more)
+    {
+        assert(more <= WindowChunk::kRoom);
+        if (inUse == 0 || chunks[inUse - 1].count + more > WindowChunk::kRoom) {
+            if (inUse == chunks.size()) chunks.emplace_back();
+            ++inUse;
+        }
+        return chunks[inUse - 1];
+    }
+
+    /// Of so many columns or lines, and of those that a window may reach beyond them.
+    void knowCentres(std::size_t size)
     {
         std::size_t x = centres.size();
-        if (x >= width + kWindowSide) return;
-        centres.resize(width + kWindowSide);
+        if (x >= size + kWindowSide) return;
+        centres.resize(size + kWindowSide);
         for (; x < centres.size(); ++x) centres[x] = static_cast<double>(x) + 0.5;
     }
 
     std::size_t bytes() const
     {
-        return owners.capacity() * (3 * sizeof(std::uint32_t) + 3 * sizeof(std::int32_t) + sizeof(double)) + centres.capacity() * sizeof(double);
+        return chunks.size() * sizeof(WindowChunk) + centres.capacity() * sizeof(double);
     }
 };
 

@@ -28,6 +28,7 @@
 #include "core/geometry/lane_order-inl.h"
 #include "core/geometry/triangle_list.h"
 #include "core/scan/depth_test-inl.h"
+#include "core/scan/joined_lanes-inl.h"
 #include "core/scan/pass_lanes-inl.h"
 #include "core/scan/window_list.h"
 
@@ -54,7 +55,12 @@ class WindowFinder {
     }
 
 public:
-    WindowFinder(const TriangleList& triangles, WindowList& list) : m_triangles(triangles), m_list(list) { list.clear(); }
+    /// `stride`: keys from a pixel of the picture to the one below it.
+    WindowFinder(const TriangleList& triangles, std::ptrdiff_t stride, WindowList& list)
+        : m_triangles(triangles), m_list(list), m_stride(hn::Set(DU(), static_cast<std::uint32_t>(stride)))
+    {
+        list.clear();
+    }
 
     /// The windows of the triangles [first, end), but of those that stand alone, are hidden or tiny.
     void add(std::size_t first, std::size_t end)
@@ -85,16 +91,16 @@ private:
         const auto  edges = [i](const auto& columns) HWY_ATTR { return Edges{load(columns[0], i), load(columns[1], i), load(columns[2], i)}; };
         const Edges first = edges(m_triangles.origin), steps = edges(m_triangles.steps);
         const Reach reach(steps);
-        m_list.reserve(4 * hn::Lanes(D()));
+        WindowChunk& chunk  = m_list.withRoomFor(4 * hn::Lanes(D()));
         const auto owners = countFrom(DU(), static_cast<std::uint32_t>(i));
         const auto place  = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
         const auto addLine = [&](const Edges& line, hn::Mask<D> exists, int down) HWY_ATTR {
             const auto hasTwo = hn::And(exists, isWide);
             const Line of     = withoutEmptyColumns(line, steps, reach, hasTwo, place + hn::Set(DU(), static_cast<std::uint32_t>(down << 16)));
-            judge(of.edges, reach, exists, owners, of.place);
+            judge(of.edges, reach, exists, owners, of.place, chunk);
             if (!hn::AllFalse(D(), hasTwo))
                 judge(after(of.edges, steps, kWindowSide, 0), reach, hn::And(hasTwo, width > of.skipped + all(kWindowSide)), owners,
-                      of.place + hn::Set(DU(), kWindowSide));
+                      of.place + hn::Set(DU(), kWindowSide), chunk);
         };
         addLine(first, hasFew, 0);
         const auto high = hn::And(hasFew, isHigh);
@@ -117,7 +123,7 @@ private:
     void addSome(std::size_t m)
     {
         const WindowList::Some& from = m_list.some;
-        m_list.reserve(WindowList::Some::kMost * WindowList::Some::kMost * hn::Lanes(D()));
+        WindowChunk& chunk = m_list.withRoomFor(WindowList::Some::kMost * WindowList::Some::kMost * hn::Lanes(D()));
         const auto isThere = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(from.count - m));
         const auto owners = hn::LoadU(DU(), from.owners.data() + m), places = hn::LoadU(DU(), from.places.data() + m);
         const auto width = hn::LoadU(D(), from.width.data() + m), height = hn::LoadU(D(), from.height.data() + m);
@@ -135,7 +141,7 @@ private:
             for (int right = 0; right < WindowList::Some::kMost * kWindowSide; right += kWindowSide, here = plus(here, across)) {
                 const auto exists = hn::And(hasLine, width > of.skipped + all(right));
                 if (hn::AllFalse(D(), exists)) break;
-                judge(here, reach, exists, owners, of.place + hn::Set(DU(), static_cast<std::uint32_t>(right)));
+                judge(here, reach, exists, owners, of.place + hn::Set(DU(), static_cast<std::uint32_t>(right)), chunk);
             }
         }
     }
@@ -184,9 +190,9 @@ private:
     static Edges after(const Edges& edges, const Edges& steps, int pixels, int lines) { return plus(edges, growths(steps, pixels, lines)); }
 
     /// Appends the windows that exist and are not wholly outside of an edge.
-    void judge(const Edges& edges, const Reach& reach, hn::Mask<D> exists, hn::Vec<DU> owners, hn::Vec<DU> places)
+    void judge(const Edges& edges, const Reach& reach, hn::Mask<D> exists, hn::Vec<DU> owners, hn::Vec<DU> corners, WindowChunk& to) const
     {
-        append(hn::AndNot(isOutside(plus(edges, reach.inWindow)), exists), owners, places, edges);
+        append(hn::AndNot(isOutside(plus(edges, reach.inWindow)), exists), owners, corners, edges, to);
     }
 
     static Edges plus(const Edges& a, const Edges& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -199,7 +205,7 @@ private:
         const int columns = (m_triangles.x1[t] - m_triangles.x0[t] + kWindowSide - 1) / kWindowSide;
         const int lines   = (m_triangles.y1[t] - m_triangles.top[t] + kWindowSide - 1) / kWindowSide;
         const int count   = columns * lines, step = static_cast<int>(hn::Lanes(DF()));
-        m_list.reserve(static_cast<std::size_t>(count + step));
+        WindowChunk& chunk = m_list.withRoomFor(static_cast<std::size_t>(count + step));
 
         const auto owner = hn::Set(DU(), static_cast<std::uint32_t>(t));
         const auto place = hn::Set(DU(), static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16)));
@@ -214,28 +220,28 @@ private:
             const auto  way   = hn::ConvertTo(D(), hn::MulAdd(down, hn::Set(DF(), 65536), right));
             const auto  edge  = [&](std::size_t k) HWY_ATTR { return start[k] + growth(steps[k], way); };
             judge({edge(0), edge(1), edge(2)}, reach, hn::RebindMask(D(), at < hn::Set(DF(), static_cast<float>(count))), owner,
-                  place + hn::BitCast(DU(), way));
+                  place + hn::BitCast(DU(), way), chunk);
         }
     }
 
-    /// Those of these windows that `kept` names; `places` as in WindowList.
-    void append(hn::Mask<D> kept, hn::Vec<DU> owners, hn::Vec<DU> places, const Edges& edges)
+    /// Those of these windows that `kept` names; `corners` as in WindowChunk.
+    void append(hn::Mask<D> kept, hn::Vec<DU> owners, hn::Vec<DU> corners, const Edges& edges, WindowChunk& to) const
     {
-        const auto lanes = keptFirst(D(), kept);
-        const auto put   = [&](auto d, auto values, auto* to) HWY_ATTR { hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, lanes)), d, to); };
-        // Where they go is read before the first store, which could change it for all the compiler knows.
-        const std::size_t           at       = m_list.count;
-        std::uint32_t* const        toOwners = m_list.owners.data() + at;
-        std::uint32_t* const        toPlaces = m_list.places.data() + at;
-        const std::array<std::int32_t*, 3> toEdges{m_list.edges[0].data() + at, m_list.edges[1].data() + at, m_list.edges[2].data() + at};
-        put(DU(), owners, toOwners);
-        put(DU(), places, toPlaces);
-        for (std::size_t k = 0; k < 3; ++k) put(D(), edges[k], toEdges[k]);
-        m_list.count = at + hn::CountTrue(D(), kept);
+        const auto        order = keptFirst(D(), kept);
+        const std::size_t at    = to.count;
+        const auto        put   = [&, order, at](auto d, auto values, auto& column) HWY_ATTR {
+            hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, order)), d, column.data() + at);
+        };
+        put(DU(), owners, to.owners);
+        put(DU(), corners, to.corners);
+        put(DU(), hn::ShiftRight<16>(corners) * m_stride + hn::And(corners, hn::Set(DU(), 0xFFFF)), to.places);
+        for (std::size_t k = 0; k < 3; ++k) put(D(), edges[k], to.edges[k]);
+        to.count = at + hn::CountTrue(D(), kept);
     }
 
     const TriangleList& m_triangles;
     WindowList&         m_list;
+    hn::Vec<DU>         m_stride;
 };
 
 inline constexpr int kPassColumns = std::min(kPassPixels, kWindowSide);
@@ -256,55 +262,60 @@ HWY_ALIGN inline constexpr auto kDownOfPairs = [] {
     return all;
 }();
 
-/// As many keys as there are lanes: those of one line, or of two.
 #if HWY_TARGET == HWY_AVX3
 /// A pass in the order of its lanes, from its columns one and two and then three and four.
-inline hn::Vec<Pass32> fromColumns(hn::Vec<Pass32> columns)
+inline hn::Vec<Pass32> fromColumns(hn::Vec<F32> first, hn::Vec<F32> second)
 {
     HWY_ALIGN static constexpr auto kPlaces = [] {
         std::array<std::int32_t, kPassPixels> all{};
         for (int lane = 0; lane < kPassPixels; ++lane) {
             const int line = pixelOfLane(lane) / kWindowSide, column = pixelOfLane(lane) % kWindowSide;
-            all[static_cast<std::size_t>(lane)] = column / 2 * kLanes + 2 * line + column % 2;
+            all[static_cast<std::size_t>(lane)] = column / 2 * kPassPixels + 2 * line + column % 2;
         }
         return all;
     }();
-    return hn::TableLookupLanes(columns, hn::SetTableIndices(Pass32(), kPlaces.data()));
+    return joinedLanes(first, second, kPlaces.data());
 }
+
+/// Of two lines.
 using LineKeys = hn::Half<I64>;
 inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t stride) { return hn::Combine(I64(), hn::LoadU(LineKeys(), row + stride), hn::LoadU(LineKeys(), row)); }
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t stride)
 {
-    // As numbers: gcc 12 stores the upper half of those without bringing it down first.
-    const hn::Half<F64> half;
-    const auto          numbers = hn::BitCast(F64(), keys);
-    hn::StoreU(hn::LowerHalf(half, numbers), half, reinterpret_cast<double*>(row));
-    hn::StoreU(hn::UpperHalf(half, numbers), half, reinterpret_cast<double*>(row + stride));
+    hn::StoreU(hn::LowerHalf(LineKeys(), keys), LineKeys(), row);
+    hn::StoreU(hn::UpperHalf(LineKeys(), keys), LineKeys(), row + stride);
 }
 #else
 static_assert(kLanes <= kWindowSide);
-inline hn::Vec<Pass32> fromColumns(hn::Vec<Pass32> columns) { return columns; }
+inline hn::Vec<Pass32> fromColumns(hn::Vec<F32> first, hn::Vec<F32> second) { return together(second, first); }
 inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64(), row); }
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
 #endif
 
-/// Offers to as many pixels as there are lanes, as keptOf() says.
+/// Offers to as many pixels as there are lanes, those of one line or of two, as keptOf() says.
 template <Keep kKeep, bool kNormal>
 HWY_INLINE void offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff_t stride)
 {
+#if HWY_TARGET == HWY_AVX3
+    if constexpr (kNormal && kKeep != Keep::Equal) {  // line by line: what is held need not be brought side by side first
+        const auto offer = [](auto keys, PixelKey* line) HWY_ATTR { hn::StoreU(nearerOf<kNormal>(keys, hn::LoadU(LineKeys(), line)), LineKeys(), line); };
+        offer(hn::LowerHalf(LineKeys(), offered), row);
+        offer(hn::UpperHalf(LineKeys(), offered), row + stride);
+        return;
+    }
+#endif
     storeKeys(keptOf<kKeep, kNormal>(offered, loadKeys(row, stride), empty), row, stride);
 }
 
-/// One entry of a WindowList; centres in pixels.
+/// One entry of a WindowChunk.
 struct Window {
     std::size_t                 owner;
     std::array<std::int32_t, 3> edges;
-    const double*               centresX;  // of its columns, the left one first
-    double                      centreY;   // of its first line
+    std::uint32_t               corner;
 
     // Its first pixel.
-    int x() const { return static_cast<int>(*centresX); }
-    int y() const { return static_cast<int>(centreY); }
+    int x() const { return static_cast<int>(corner & 0xFFFF); }
+    int y() const { return static_cast<int>(corner >> 16); }
 };
 
 /// Of two columns, side by side over and over.
@@ -317,9 +328,9 @@ inline Vec64 pairOf(const double* centres)
 #endif
 }
 
-/// Tests a window and stores what it wins; `first` is the key of its first pixel. `kNormal` as in DepthTest.
+/// Tests a window and stores what it wins; `first` is the key of its first pixel, `centres` as in WindowList. `kNormal` as in DepthTest.
 template <Keep kKeep, bool kNormal, class Probe>
-HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, PixelKey* first, std::ptrdiff_t stride, float empty,
+HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, const double* centres, PixelKey* first, std::ptrdiff_t stride, float empty,
                            [[maybe_unused]] int width, [[maybe_unused]] const Probe& probe)
 {
     const F64    d64;
@@ -329,7 +340,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
     const std::size_t t = window.owner;
     const auto a = hn::Set(d64, triangles.a[t]), b = hn::Set(d64, triangles.b[t]), c = hn::Set(d64, triangles.c[t]);
     const auto farthest = hn::Set(f32, triangles.farthest[t]), nearest = hn::Set(f32, triangles.nearest[t]);
-    const auto above = hn::Set(d64, window.centreY);
+    const auto above = hn::Set(d64, centres[window.y()]);
 
     // At the pixels of each pass. Those of the first are computed, the others reached from there.
     const auto steps  = [&](std::size_t k) HWY_ATTR { return hn::Set(i32, triangles.steps[k][t]); };
@@ -353,7 +364,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
             if constexpr (kLanes == 1)
                 if (hn::GetLane(sign) < 0 || window.x() + column >= width) continue;
 
-            const auto depth = [&](int half) HWY_ATTR { return hn::DemoteTo(F32(), a * pairOf(window.centresX + column + 2 * half) + start); };
+            const auto depth = [&](int half) HWY_ATTR { return hn::DemoteTo(F32(), a * pairOf(centres + window.x() + column + 2 * half) + start); };
             PixelKey* const row = first + line * stride + column;
 #if HWY_TARGET == HWY_SCALAR
             const auto     z       = hn::Min(hn::Max(depth(0), farthest), nearest);
@@ -365,7 +376,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
                               false});
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
-            const auto z     = hn::Min(hn::Max(fromColumns(together(depth(1), depth(0))), farthest), nearest);
+            const auto z     = hn::Min(hn::Max(fromColumns(depth(0), depth(1)), farthest), nearest);
             const auto upper = hn::OrAnd(z, hn::BitCast(f32, sign), hn::Set(f32, -0.0f));  // outside: the sign of an edge
             const auto keys  = keysOf(upper, lowerHalves<kKeep>(triangles.notRank[t]));
             offerKeys<kKeep, kNormal>(keys[0], empty, row, stride);
@@ -384,8 +395,8 @@ HWY_INLINE bool wins(PixelKey offered, PixelKey held, [[maybe_unused]] float emp
     return offered >> 32 == held >> 32 && (offered > held || isNobodys) && offered > keyOf(empty, 0);
 }
 
-/// Pixels are fetched so many windows or samples before they are tested: triangles come in any order, and memory answers late.
-inline constexpr std::size_t kWindowsAhead = 24, kSamplesAhead = 64;
+/// Pixels are fetched so many samples before they are tested (windows: WindowChunk::kAhead): triangles come in any order, and memory answers late.
+inline constexpr std::size_t kSamplesAhead = 64;
 
 /// Keys from their halves, which stand lane by lane: first those of the lanes that `order` names, in that order.
 template <class V, class Order>
@@ -492,30 +503,22 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
 {
     PixelKey* const      picture = visible.row(0);
     const std::ptrdiff_t stride  = visible.stride();
-    const std::size_t    count   = list.count;
-    list.knowCentres(static_cast<std::size_t>(stride));
-    for (std::size_t i = 0; i < count; i += hn::Lanes(F64())) {
-        const auto place = hn::LoadU(U32(), list.places.data() + i);
-        const auto x = hn::BitCast(I32(), hn::And(place, hn::Set(U32(), 0xFFFF))), y = hn::BitCast(I32(), hn::ShiftRight<16>(place));
-        hn::StoreU(hn::BitCast(U32(), x), U32(), list.columns.data() + i);
-        hn::StoreU(hn::PromoteTo(F64(), y) + hn::Set(F64(), 0.5), F64(), list.centreY.data() + i);
-        hn::StoreU(hn::BitCast(U32(), y) * hn::Set(U32(), static_cast<std::uint32_t>(stride)) + hn::BitCast(U32(), x), U32(), list.places.data() + i);
-    }
-    // The list's own addresses, which a stored key could change for all the compiler knows.
-    const std::uint32_t* const owners = list.owners.data();
-    const std::uint32_t* const places = list.places.data();
-    const std::array<const std::int32_t*, 3> edges{list.edges[0].data(), list.edges[1].data(), list.edges[2].data()};
-    const std::uint32_t* const columns = list.columns.data();
-    const double* const        centres = list.centres.data();
-    const double* const        centreY = list.centreY.data();
-    for (std::size_t i = 0; i < count; ++i) {
-        const PixelKey* ahead = picture + places[std::min(i + kWindowsAhead, count - 1)];
-        for (int line = 0; line < kWindowSide; ++line, ahead += stride) {
-            hwy::Prefetch(ahead);
-            hwy::Prefetch(ahead + kWindowSide - 1);  // often in another cache line
+    list.knowCentres(static_cast<std::size_t>(std::max(visible.width(), visible.height())));
+    const double* const centres = list.centres.data();
+    for (std::size_t k = 0; k < list.inUse; ++k) {
+        WindowChunk&      chunk = list.chunks[k];
+        const std::size_t count = chunk.count;
+        if (count == 0) continue;
+        std::fill_n(chunk.places.begin() + static_cast<std::ptrdiff_t>(count), WindowChunk::kAhead, chunk.places[count - 1]);
+        for (std::size_t i = 0; i < count; ++i) {
+            const PixelKey* ahead = picture + chunk.places[i + WindowChunk::kAhead];
+            for (int line = 0; line < kWindowSide; ++line, ahead += stride) {
+                hwy::Prefetch(ahead);
+                hwy::Prefetch(ahead + kWindowSide - 1);  // often in another cache line
+            }
+            const Window window{chunk.owners[i], {chunk.edges[0][i], chunk.edges[1][i], chunk.edges[2][i]}, chunk.corners[i]};
+            testWindow<kKeep, kNormal>(triangles, window, centres, picture + chunk.places[i], stride, visible.empty(), visible.width(), probe);
         }
-        const Window window{owners[i], {edges[0][i], edges[1][i], edges[2][i]}, centres + columns[i], centreY[i]};
-        testWindow<kKeep, kNormal>(triangles, window, picture + places[i], stride, visible.empty(), visible.width(), probe);
     }
     list.clear();
 }
