@@ -30,7 +30,9 @@ struct WindowChunk {
     alignas(64) Column<std::uint32_t> owners;                // which triangle's
     alignas(64) Column<std::uint32_t> corners;               // its first pixel: x + 65536 y
     alignas(64) Column<std::uint32_t> places;                // that pixel's place among the picture's keys
-    alignas(64) std::array<Column<std::int32_t>, 3> edges;   // the owner's there, as TriangleList counts them
+    // Of the owner's edges there, as TriangleList counts them.
+    alignas(64) std::array<Column<std::int32_t>, 2> edges;   // the first two
+    alignas(64) Column<std::int32_t> leastFall;              // by how much these must have fallen at a pixel where the third is not below 0
     std::size_t count = 0;
 };
 

@@ -27,8 +27,8 @@
 #include "core/geometry/edge_steps-inl.h"
 #include "core/geometry/lane_order-inl.h"
 #include "core/geometry/triangle_list.h"
+#include "core/scan/avx512_words-inl.h"
 #include "core/scan/depth_test-inl.h"
-#include "core/scan/joined_lanes-inl.h"
 #include "core/scan/pass_lanes-inl.h"
 #include "core/scan/window_list.h"
 
@@ -235,7 +235,8 @@ private:
         put(DU(), owners, to.owners);
         put(DU(), corners, to.corners);
         put(DU(), hn::ShiftRight<16>(corners) * m_stride + hn::And(corners, hn::Set(DU(), 0xFFFF)), to.places);
-        for (std::size_t k = 0; k < 3; ++k) put(D(), edges[k], to.edges[k]);
+        for (std::size_t k = 0; k < 2; ++k) put(D(), edges[k], to.edges[k]);
+        put(D(), hn::Zero(D()) - edges[2], to.leastFall);
         to.count = at + hn::CountTrue(D(), kept);
     }
 
@@ -247,11 +248,11 @@ private:
 inline constexpr int kPassColumns = std::min(kPassPixels, kWindowSide);
 inline constexpr int kPassLines   = kPassPixels / kPassColumns;
 
-/// The way from the first pixel of a window to those of the first pass.
-HWY_ALIGN inline constexpr auto kWaysInPass = [] {
+/// The way to the first pixel of a window from those of the first pass.
+HWY_ALIGN inline constexpr auto kWaysBack = [] {
     constexpr PassLanes<std::int32_t, kWindowSide> kAt;
     std::array<std::int32_t, kPassPixels> all{};
-    for (std::size_t lane = 0; lane < all.size(); ++lane) all[lane] = pixelsAndLines(kAt.right[lane], kAt.down[lane]);
+    for (std::size_t lane = 0; lane < all.size(); ++lane) all[lane] = pixelsAndLines(-kAt.right[lane], -kAt.down[lane]);
     return all;
 }();
 
@@ -310,13 +311,47 @@ HWY_INLINE void offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff
 /// One entry of a WindowChunk.
 struct Window {
     std::size_t                 owner;
-    std::array<std::int32_t, 3> edges;
+    std::array<std::int32_t, 2> edges;
+    std::int32_t                leastFall;
     std::uint32_t               corner;
 
     // Its first pixel.
     int x() const { return static_cast<int>(corner & 0xFFFF); }
     int y() const { return static_cast<int>(corner >> 16); }
 };
+
+/// Which pixels of a pass the triangle covers, from how far its first two edges have fallen there: none of them, nor the third, below 0. The three add up to
+/// the same at every pixel, so that the third rises by what the two fall.
+using PassFalls = hn::Vec<hn::RebindToSigned<Pass32>>;
+#if HWY_TARGET == HWY_AVX3
+using Covered = hn::Mask<hn::RebindToSigned<Pass32>>;
+inline Covered coveredOf(PassFalls first, PassFalls second, const Window& window)
+{
+    const hn::RebindToSigned<Pass32> i32;
+    const auto both = atMost(atMost(first, hn::Set(i32, window.edges[0])), second, hn::Set(i32, window.edges[1]));
+    return atMost(both, hn::Set(i32, window.leastFall), first + second);
+}
+/// The depths of pixels that are covered; in place of the others what wins nowhere.
+template <bool kNormal>
+inline hn::Vec<Pass32> onlyCovered(hn::Vec<Pass32> depth, Covered covered)
+{
+    if constexpr (kNormal) return hn::IfThenElseZero(hn::RebindMask(Pass32(), covered), depth);
+    return hn::IfThenElse(hn::RebindMask(Pass32(), covered), depth, hn::Set(Pass32(), -0.0f));
+}
+#else
+using Covered = PassFalls;  // negative where they are not
+inline Covered coveredOf(PassFalls first, PassFalls second, const Window& window)
+{
+    const hn::RebindToSigned<Pass32> i32;
+    return hn::Or3(hn::Set(i32, window.edges[0]) - first, hn::Set(i32, window.edges[1]) - second, first + second - hn::Set(i32, window.leastFall));
+}
+/// Likewise: the sign says so.
+template <bool kNormal>
+inline hn::Vec<Pass32> onlyCovered(hn::Vec<Pass32> depth, Covered covered)
+{
+    return hn::OrAnd(depth, hn::BitCast(Pass32(), covered), hn::Set(Pass32(), -0.0f));
+}
+#endif
 
 /// Of two columns, side by side over and over.
 inline Vec64 pairOf(const double* centres)
@@ -344,25 +379,25 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
 
     // At the pixels of each pass. Those of the first are computed, the others reached from there.
     const auto steps  = [&](std::size_t k) HWY_ATTR { return hn::Set(i32, triangles.steps[k][t]); };
-    const auto edgeOf = [&](std::size_t k) HWY_ATTR { return growth(steps(k), hn::Load(i32, kWaysInPass.data())) + hn::Set(i32, window.edges[k]); };
+    const auto fallOf = [&](std::size_t k) HWY_ATTR { return growth(steps(k), hn::Load(i32, kWaysBack.data())); };
     constexpr int kColumns = kWindowSide / kPassColumns, kPasses = kWindowSide / kPassLines * kColumns;
-    using Values = hn::Vec<hn::RebindToSigned<Pass32>>;
-    std::array<Values, kPasses> signs;  // negative outside
-    std::array<Values, 3>       edges{edgeOf(0), edgeOf(1), edgeOf(2)};
+    std::array<Covered, kPasses> inside;
+    std::array<PassFalls, 2>     falls{fallOf(0), fallOf(1)};
     for (int pass = 0; pass < kPasses; ++pass) {
         const int column = pass % kColumns * kPassColumns;
         if (pass > 0 && column == 0)
-            for (std::size_t k = 0; k < 3; ++k) edges[k] = edges[k] + growth(steps(k), 0, kPassLines);
-        const auto edge = [&](std::size_t k) HWY_ATTR { return column == 0 ? edges[k] : edges[k] + growth(steps(k), column, 0); };
-        signs[static_cast<std::size_t>(pass)] = hn::Or3(edge(0), edge(1), edge(2));
+            for (std::size_t k = 0; k < 2; ++k) falls[k] = falls[k] + growth(steps(k), 0, -kPassLines);
+        const auto fall = [&](std::size_t k) HWY_ATTR { return column == 0 ? falls[k] : falls[k] + growth(steps(k), -column, 0); };
+        inside[static_cast<std::size_t>(pass)] = coveredOf(fall(0), fall(1), window);
     }
 
     for (int line = 0, pass = 0; line < kWindowSide; line += kPassLines) {
         const auto start = b * (hn::Load(d64, kDownOfPairs.data()) + hn::Set(d64, line) + above) + c;
         for (int column = 0; column < kWindowSide; column += kPassColumns, ++pass) {
-            const auto sign = signs[static_cast<std::size_t>(pass)];
-            if constexpr (kLanes == 1)
-                if (hn::GetLane(sign) < 0 || window.x() + column >= width) continue;
+            const auto covered = inside[static_cast<std::size_t>(pass)];
+#if HWY_TARGET == HWY_SCALAR
+            if (hn::GetLane(covered) < 0 || window.x() + column >= width) continue;
+#endif
 
             const auto depth = [&](int half) HWY_ATTR { return hn::DemoteTo(F32(), a * pairOf(centres + window.x() + column + 2 * half) + start); };
             PixelKey* const row = first + line * stride + column;
@@ -377,8 +412,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
             const auto z     = hn::Min(hn::Max(fromColumns(depth(0), depth(1)), farthest), nearest);
-            const auto upper = hn::OrAnd(z, hn::BitCast(f32, sign), hn::Set(f32, -0.0f));  // outside: the sign of an edge
-            const auto keys  = keysOf(upper, lowerHalves<kKeep>(triangles.notRank[t]));
+            const auto keys  = keysOf(onlyCovered<kNormal && kKeep != Keep::Equal>(z, covered), lowerHalves<kKeep>(triangles.notRank[t]));
             offerKeys<kKeep, kNormal>(keys[0], empty, row, stride);
             offerKeys<kKeep, kNormal>(keys[1], empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide, stride);
 #endif
@@ -516,7 +550,7 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
                 hwy::Prefetch(ahead);
                 hwy::Prefetch(ahead + kWindowSide - 1);  // often in another cache line
             }
-            const Window window{chunk.owners[i], {chunk.edges[0][i], chunk.edges[1][i], chunk.edges[2][i]}, chunk.corners[i]};
+            const Window window{chunk.owners[i], {chunk.edges[0][i], chunk.edges[1][i]}, chunk.leastFall[i], chunk.corners[i]};
             testWindow<kKeep, kNormal>(triangles, window, centres, picture + chunk.places[i], stride, visible.empty(), visible.width(), probe);
         }
     }
