@@ -57,7 +57,7 @@ class WindowFinder {
 public:
     /// `stride`: keys from a pixel of the picture to the one below it.
     WindowFinder(const TriangleList& triangles, std::ptrdiff_t stride, WindowList& list)
-        : m_triangles(triangles), m_list(list), m_stride(hn::Set(DU(), static_cast<std::uint32_t>(stride)))
+        : m_triangles(triangles), m_list(list), m_stride(hn::Set(DU(), static_cast<std::uint32_t>(stride))), m_strideOfLine(hn::Set(DU(), static_cast<std::uint32_t>(kWindowSide * stride)))
     {
         list.clear();
     }
@@ -93,18 +93,19 @@ private:
         const Reach reach(steps);
         WindowChunk& chunk  = m_list.withRoomFor(4 * hn::Lanes(D()));
         const auto owners = countFrom(DU(), static_cast<std::uint32_t>(i));
-        const auto place  = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
-        const auto addLine = [&](const Edges& line, hn::Mask<D> exists, int down) HWY_ATTR {
+        const auto corner = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
+        const auto addLine = [&](const Edges& line, hn::Mask<D> exists, const Corners& left) HWY_ATTR {
             const auto hasTwo = hn::And(exists, isWide);
-            const Line of     = withoutEmptyColumns(line, steps, reach, hasTwo, place + hn::Set(DU(), static_cast<std::uint32_t>(down << 16)));
-            judge(of.edges, reach, exists, owners, of.place, chunk);
+            const Line of     = withoutEmptyColumns(line, steps, reach, hasTwo, left);
+            judge(of.edges, reach, exists, owners, of.first, chunk);
             if (!hn::AllFalse(D(), hasTwo))
                 judge(after(of.edges, steps, kWindowSide, 0), reach, hn::And(hasTwo, width > of.skipped + all(kWindowSide)), owners,
-                      of.place + hn::Set(DU(), kWindowSide), chunk);
+                      of.first.right(hn::Set(DU(), kWindowSide)), chunk);
         };
-        addLine(first, hasFew, 0);
+        const Corners top = cornersAt(corner);
+        addLine(first, hasFew, top);
         const auto high = hn::And(hasFew, isHigh);
-        if (!hn::AllFalse(D(), high)) addLine(after(first, steps, 0, kWindowSide), high, kWindowSide);
+        if (!hn::AllFalse(D(), high)) addLine(after(first, steps, 0, kWindowSide), high, below(top));
         const auto many = hn::And(mask, hasMany);
         hn::StoreU(hn::TableLookupLanes(owners, hn::IndicesFromVec(DU(), keptFirst(D(), many))), DU(), m_list.many.data() + m_list.manyCount);
         m_list.manyCount += hn::CountTrue(D(), many);
@@ -114,7 +115,7 @@ private:
         WindowList::Some&    to    = m_list.some;
         const std::size_t    count = to.count;
         const auto keep = [&](auto d, auto values, auto& column) HWY_ATTR { hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, order)), d, column.data() + count); };
-        keep(DU(), owners, to.owners), keep(DU(), place, to.places), keep(D(), width, to.width), keep(D(), height, to.height);
+        keep(DU(), owners, to.owners), keep(DU(), corner, to.corners), keep(D(), width, to.width), keep(D(), height, to.height);
         for (std::size_t k = 0; k < 3; ++k) keep(D(), first[k], to.edges[k]), keep(D(), steps[k], to.steps[k]);
         to.count = count + hn::CountTrue(D(), some);
     }
@@ -125,23 +126,24 @@ private:
         const WindowList::Some& from = m_list.some;
         WindowChunk& chunk = m_list.withRoomFor(WindowList::Some::kMost * WindowList::Some::kMost * hn::Lanes(D()));
         const auto isThere = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(from.count - m));
-        const auto owners = hn::LoadU(DU(), from.owners.data() + m), places = hn::LoadU(DU(), from.places.data() + m);
+        const auto owners = hn::LoadU(DU(), from.owners.data() + m);
         const auto width = hn::LoadU(D(), from.width.data() + m), height = hn::LoadU(D(), from.height.data() + m);
         const auto edges = [m](const auto& columns) HWY_ATTR {
             return Edges{hn::LoadU(D(), columns[0].data() + m), hn::LoadU(D(), columns[1].data() + m), hn::LoadU(D(), columns[2].data() + m)};
         };
-        const Edges steps = edges(from.steps), across = growths(steps, kWindowSide, 0), below = growths(steps, 0, kWindowSide);
+        const Edges steps = edges(from.steps), across = growths(steps, kWindowSide, 0), down = growths(steps, 0, kWindowSide);
         const Reach reach(steps);
         Edges       line = edges(from.edges);
-        for (int down = 0; down < WindowList::Some::kMost * kWindowSide; down += kWindowSide, line = plus(line, below)) {
-            const auto hasLine = hn::And(isThere, height > all(down));
+        Corners     left = cornersAt(hn::LoadU(DU(), from.corners.data() + m));
+        for (int lines = 0; lines < WindowList::Some::kMost * kWindowSide; lines += kWindowSide, line = plus(line, down), left = below(left)) {
+            const auto hasLine = hn::And(isThere, height > all(lines));
             if (hn::AllFalse(D(), hasLine)) break;
-            const Line of   = withoutEmptyColumns(line, steps, reach, hasLine, places + hn::Set(DU(), static_cast<std::uint32_t>(down << 16)));
+            const Line of   = withoutEmptyColumns(line, steps, reach, hasLine, left);
             Edges      here = of.edges;
             for (int right = 0; right < WindowList::Some::kMost * kWindowSide; right += kWindowSide, here = plus(here, across)) {
                 const auto exists = hn::And(hasLine, width > of.skipped + all(right));
                 if (hn::AllFalse(D(), exists)) break;
-                judge(here, reach, exists, owners, of.place + hn::Set(DU(), static_cast<std::uint32_t>(right)), chunk);
+                judge(here, reach, exists, owners, of.first.right(hn::Set(DU(), static_cast<std::uint32_t>(right))), chunk);
             }
         }
     }
@@ -158,17 +160,30 @@ private:
         }
     };
 
+    /// First pixels of windows, as in WindowChunk.
+    struct Corners {
+        hn::Vec<DU> corners, places;
+
+        Corners right(hn::Vec<DU> pixels) const { return {corners + pixels, places + pixels}; }
+    };
+    Corners cornersAt(hn::Vec<DU> corners) const
+    {
+        return {corners, hn::ShiftRight<16>(corners) * m_stride + hn::And(corners, hn::Set(DU(), 0xFFFF))};
+    }
+    /// Those of the next line of windows.
+    Corners below(const Corners& of) const { return {of.corners + hn::Set(DU(), kWindowSide << 16), of.places + m_strideOfLine}; }
+
     /// A line of windows.
     struct Line {
-        hn::Vec<D>  skipped;  // pixels, from the left of its triangle's box
-        hn::Vec<DU> place;    // of its first window, as in WindowList
-        Edges       edges;    // there
+        hn::Vec<D> skipped;  // pixels, from the left of its triangle's box
+        Corners    first;    // of its first window
+        Edges      edges;    // there
     };
 
     /// A triangle's box is wider than what it has of most lines of windows: those of `asked` begin after columns that hold nothing of it.
-    static Line withoutEmptyColumns(const Edges& atBox, const Edges& steps, const Reach& reach, hn::Mask<D> asked, hn::Vec<DU> place)
+    static Line withoutEmptyColumns(const Edges& atBox, const Edges& steps, const Reach& reach, hn::Mask<D> asked, const Corners& left)
     {
-        Line line{hn::Zero(D()), place, atBox};
+        Line line{hn::Zero(D()), left, atBox};
         // One lane: in the order that HalfSpace shows, who goes by windows from the corner of the box.
         if (hn::MaxLanes(D()) == 1 || hn::AllFalse(D(), asked)) return line;
         const Edges perPixel = growths(steps, 1, 0);
@@ -178,7 +193,7 @@ private:
             line.skipped = line.skipped + hn::IfThenElseZero(asked, all(1));
         }
         for (std::size_t k = 0; k < 3; ++k) line.edges[k] = atBox[k] + growth(steps[k], line.skipped);
-        line.place = place + hn::BitCast(DU(), line.skipped);
+        line.first = left.right(hn::BitCast(DU(), line.skipped));
         return line;
     }
 
@@ -190,7 +205,7 @@ private:
     static Edges after(const Edges& edges, const Edges& steps, int pixels, int lines) { return plus(edges, growths(steps, pixels, lines)); }
 
     /// Appends the windows that exist and are not wholly outside of an edge.
-    void judge(const Edges& edges, const Reach& reach, hn::Mask<D> exists, hn::Vec<DU> owners, hn::Vec<DU> corners, WindowChunk& to) const
+    void judge(const Edges& edges, const Reach& reach, hn::Mask<D> exists, hn::Vec<DU> owners, const Corners& corners, WindowChunk& to) const
     {
         append(hn::AndNot(isOutside(plus(edges, reach.inWindow)), exists), owners, corners, edges, to);
     }
@@ -208,7 +223,7 @@ private:
         WindowChunk& chunk = m_list.withRoomFor(static_cast<std::size_t>(count + step));
 
         const auto owner = hn::Set(DU(), static_cast<std::uint32_t>(t));
-        const auto place = hn::Set(DU(), static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16)));
+        const auto corner = hn::Set(DU(), static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16)));
         const auto  set   = [t](const auto& of) HWY_ATTR { return Edges{all(of[0][t]), all(of[1][t]), all(of[2][t])}; };
         const Edges start = set(m_triangles.origin), steps = set(m_triangles.steps);
         const Reach reach(steps);
@@ -220,12 +235,12 @@ private:
             const auto  way   = hn::ConvertTo(D(), hn::MulAdd(down, hn::Set(DF(), 65536), right));
             const auto  edge  = [&](std::size_t k) HWY_ATTR { return start[k] + growth(steps[k], way); };
             judge({edge(0), edge(1), edge(2)}, reach, hn::RebindMask(D(), at < hn::Set(DF(), static_cast<float>(count))), owner,
-                  place + hn::BitCast(DU(), way), chunk);
+                  cornersAt(corner + hn::BitCast(DU(), way)), chunk);
         }
     }
 
-    /// Those of these windows that `kept` names; `corners` as in WindowChunk.
-    void append(hn::Mask<D> kept, hn::Vec<DU> owners, hn::Vec<DU> corners, const Edges& edges, WindowChunk& to) const
+    /// Those of these windows that `kept` names.
+    void append(hn::Mask<D> kept, hn::Vec<DU> owners, const Corners& first, const Edges& edges, WindowChunk& to) const
     {
         const auto        order = keptFirst(D(), kept);
         const std::size_t at    = to.count;
@@ -233,8 +248,8 @@ private:
             hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, order)), d, column.data() + at);
         };
         put(DU(), owners, to.owners);
-        put(DU(), corners, to.corners);
-        put(DU(), hn::ShiftRight<16>(corners) * m_stride + hn::And(corners, hn::Set(DU(), 0xFFFF)), to.places);
+        put(DU(), first.corners, to.corners);
+        put(DU(), first.places, to.places);
         for (std::size_t k = 0; k < 2; ++k) put(D(), edges[k], to.edges[k]);
         put(D(), hn::Zero(D()) - edges[2], to.leastFall);
         to.count = at + hn::CountTrue(D(), kept);
@@ -242,7 +257,7 @@ private:
 
     const TriangleList& m_triangles;
     WindowList&         m_list;
-    hn::Vec<DU>         m_stride;
+    hn::Vec<DU>         m_stride, m_strideOfLine;  // keys from a pixel to the one below it, and to the one a line of windows below
 };
 
 inline constexpr int kPassColumns = std::min(kPassPixels, kWindowSide);
