@@ -1,7 +1,8 @@
-// Two instructions of AVX-512 that Highway 1.0.3 has no word for, and so the one file of the kernels with a processor's own names in it.
+// Three instructions of AVX-512 that Highway 1.0.3 has no word for, and so the one file of the kernels with a processor's own names in it.
 //
-// Promise    joinedLanes() moves numbers and computes none; the comparisons are exact
-// Cost       one instruction each, where joining and then ordering takes three, and comparing and then combining two (docs/performance.md)
+// Promise    joined vectors hold the numbers that were given, none is computed; the comparisons are exact
+// Cost       one instruction each, where joining takes two, joining and then ordering three, and comparing and then combining two
+//            (docs/performance.md)
 #if defined(ZSCOPE_AVX512_WORDS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_AVX512_WORDS_INL_H
 #undef ZSCOPE_AVX512_WORDS_INL_H
@@ -17,6 +18,12 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_AVX3
+/// Two halves of a vector.
+HWY_INLINE hwy::HWY_NAMESPACE::Vec512<float> joined(hwy::HWY_NAMESPACE::Vec256<float> lower, hwy::HWY_NAMESPACE::Vec256<float> upper)
+{
+    return {_mm512_insertf32x8(_mm512_castps256_ps512(lower.raw), upper.raw, 1)};
+}
+
 /// Two halves of a vector as one whose lanes stand in any order: lane i is lane places[i] of `lower`, or lane places[i] - 16 of `upper`. `places`: 16
 /// of them, on a border of 64 bytes, none from 8 to 15 or from 24 to 31.
 HWY_INLINE hwy::HWY_NAMESPACE::Vec512<float> joinedLanes(hwy::HWY_NAMESPACE::Vec256<float> lower, hwy::HWY_NAMESPACE::Vec256<float> upper, const std::int32_t* places)

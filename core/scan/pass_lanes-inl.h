@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/scan/avx512_words-inl.h"
 #include "core/scan/depth_test-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -36,7 +37,11 @@ inline std::array<Keys, 2> keysOf(hn::Vec<Pass32> uppers, hn::Vec<Pass32> lowers
 }
 #else
 using Pass32 = hn::Twice<F32>;
+#if HWY_TARGET == HWY_AVX3
+inline hn::Vec<Pass32> together(hn::Vec<F32> upper, hn::Vec<F32> lower) { return joined(lower, upper); }
+#else
 inline hn::Vec<Pass32> together(hn::Vec<F32> upper, hn::Vec<F32> lower) { return hn::Combine(Pass32(), upper, lower); }
+#endif
 HWY_INLINE std::array<Keys, 2> keysOf(hn::Vec<Pass32> uppers, hn::Vec<Pass32> lowers)
 {
     return {hn::BitCast(I64(), hn::InterleaveLower(Pass32(), lowers, uppers)), hn::BitCast(I64(), hn::InterleaveUpper(Pass32(), lowers, uppers))};

@@ -4,7 +4,8 @@
 //            side, and what is covered is offered sample by sample
 // Window     kWindowSide x kWindowSide pixels. A line of them begins at the left of its triangle's box, or after the columns of its lines that
 //            hold nothing of the triangle, so that most small triangles have one or two
-// Edges      int32, exact (core/geometry/triangle_list.h)
+// Edges      int32, exact (core/geometry/triangle_list.h). The three of a triangle add up to the same at every pixel, so that two are computed
+//            and the third rises by what they fall
 // Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is monotone, so
 //            they may be applied after it
 // List       triangles of one batch, because a loop over one triangle's few windows is mispredicted at every triangle
@@ -57,7 +58,10 @@ class WindowFinder {
 public:
     /// `stride`: keys from a pixel of the picture to the one below it.
     WindowFinder(const TriangleList& triangles, std::ptrdiff_t stride, WindowList& list)
-        : m_triangles(triangles), m_list(list), m_stride(hn::Set(DU(), static_cast<std::uint32_t>(stride))), m_strideOfLine(hn::Set(DU(), static_cast<std::uint32_t>(kWindowSide * stride)))
+        : m_triangles(triangles),
+          m_list(list),
+          m_stride(hn::Set(DU(), static_cast<std::uint32_t>(stride))),
+          m_strideOfLine(hn::Set(DU(), static_cast<std::uint32_t>(kWindowSide * stride)))
     {
         list.clear();
     }
@@ -91,7 +95,7 @@ private:
         const auto  edges = [i](const auto& columns) HWY_ATTR { return Edges{load(columns[0], i), load(columns[1], i), load(columns[2], i)}; };
         const Edges first = edges(m_triangles.origin), steps = edges(m_triangles.steps);
         const Reach reach(steps);
-        WindowChunk& chunk  = m_list.withRoomFor(4 * hn::Lanes(D()));
+        WindowChunk& chunk = m_list.withRoomFor(4 * hn::Lanes(D()));
         const auto owners = countFrom(DU(), static_cast<std::uint32_t>(i));
         const auto corner = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
         const auto addLine = [&](const Edges& line, hn::Mask<D> exists, const Corners& left) HWY_ATTR {
@@ -106,6 +110,7 @@ private:
         addLine(first, hasFew, top);
         const auto high = hn::And(hasFew, isHigh);
         if (!hn::AllFalse(D(), high)) addLine(after(first, steps, 0, kWindowSide), high, below(top));
+        if (hn::AllFalse(D(), hn::And(mask, hasMore))) return;  // as most often
         const auto many = hn::And(mask, hasMany);
         hn::StoreU(hn::TableLookupLanes(owners, hn::IndicesFromVec(DU(), keptFirst(D(), many))), DU(), m_list.many.data() + m_list.manyCount);
         m_list.manyCount += hn::CountTrue(D(), many);
@@ -222,9 +227,9 @@ private:
         const int count   = columns * lines, step = static_cast<int>(hn::Lanes(DF()));
         WindowChunk& chunk = m_list.withRoomFor(static_cast<std::size_t>(count + step));
 
-        const auto owner = hn::Set(DU(), static_cast<std::uint32_t>(t));
+        const auto owner  = hn::Set(DU(), static_cast<std::uint32_t>(t));
         const auto corner = hn::Set(DU(), static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16)));
-        const auto  set   = [t](const auto& of) HWY_ATTR { return Edges{all(of[0][t]), all(of[1][t]), all(of[2][t])}; };
+        const auto  set    = [t](const auto& of) HWY_ATTR { return Edges{all(of[0][t]), all(of[1][t]), all(of[2][t])}; };
         const Edges start = set(m_triangles.origin), steps = set(m_triangles.steps);
         const Reach reach(steps);
         const auto side = hn::Set(DF(), kWindowSide), perLine = hn::Set(DF(), static_cast<float>(columns)), perColumn = hn::Set(DF(), 1 / static_cast<float>(columns));
@@ -335,9 +340,10 @@ struct Window {
     int y() const { return static_cast<int>(corner >> 16); }
 };
 
-/// Which pixels of a pass the triangle covers, from how far its first two edges have fallen there: none of them, nor the third, below 0. The three add up to
-/// the same at every pixel, so that the third rises by what the two fall.
+/// By how much an edge has fallen from the first pixel of a window to those of a pass.
 using PassFalls = hn::Vec<hn::RebindToSigned<Pass32>>;
+
+// Which pixels of a pass are covered: those where none of the three edges is below 0.
 #if HWY_TARGET == HWY_AVX3
 using Covered = hn::Mask<hn::RebindToSigned<Pass32>>;
 inline Covered coveredOf(PassFalls first, PassFalls second, const Window& window)
@@ -346,7 +352,7 @@ inline Covered coveredOf(PassFalls first, PassFalls second, const Window& window
     const auto both = atMost(atMost(first, hn::Set(i32, window.edges[0])), second, hn::Set(i32, window.edges[1]));
     return atMost(both, hn::Set(i32, window.leastFall), first + second);
 }
-/// The depths of pixels that are covered; in place of the others what wins nowhere.
+/// The depths of pixels that are covered; in place of the others what wins nowhere. `kNormal` as in DepthTest.
 template <bool kNormal>
 inline hn::Vec<Pass32> onlyCovered(hn::Vec<Pass32> depth, Covered covered)
 {

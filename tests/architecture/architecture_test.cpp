@@ -200,4 +200,16 @@ TEST(Architecture, WindowFilesSayThatTheyAreGpl)
         EXPECT_EQ(textOf(kRoot / file).find("GPL-3.0"), std::string::npos) << file;
 }
 
+/// Kernels are written for any number of lanes: a processor's own names stand in the files that are named for them.
+TEST(Architecture, IntrinsicsStandInTheFilesNamedForThem)
+{
+    static const std::regex     intrinsic(R"re(\b(_mm\d*_\w+|_MM_\w+|__m(128|256|512)\w*|__builtin_ia32_\w+|v(ld|st)\d\w*q_\w+)\b)re");
+    const std::set<std::string> allowed{"core/base/ticks.h", "core/scan/avx512_words-inl.h"};
+    std::set<std::string>       found;
+    for (const char* top : {"core", "app", "ui"})
+        for (const std::string& file : sourcesIn(top))
+            if (std::regex_search(codeOf(textOf(kRoot / file)), intrinsic)) found.insert(file);
+    EXPECT_EQ(found, allowed);
+}
+
 }  // namespace
