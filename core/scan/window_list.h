@@ -1,7 +1,7 @@
 // Windows of a batch's compact triangles that wait to become pixels, and samples of those that are tiny.
 //
 // Room       grows to what a batch needs and stays there
-// Source     see windows-inl.h, which fills it and works it off
+// Source     see window_finder-inl.h, which fills it, and windows-inl.h, which works it off
 #pragma once
 
 #include <algorithm>
@@ -27,18 +27,18 @@ struct WindowChunk {
     using Column = std::array<T, kRoom + std::max(kBatchPadding, kAhead)>;
 
     // Entry i is window i.
-    alignas(64) Column<std::uint32_t> owners;                // which triangle's
-    alignas(64) Column<std::uint32_t> corners;               // its first pixel: x + 65536 y
-    alignas(64) Column<std::uint32_t> places;                // that pixel's place among the picture's keys
+    alignas(64) Column<std::uint32_t> owners;               // which triangle's
+    alignas(64) Column<std::uint32_t> corners;              // its first pixel: x + 65536 y
+    alignas(64) Column<std::uint32_t> places;               // that pixel's place among the picture's keys
     // Of the owner's edges there, as TriangleList counts them.
-    alignas(64) std::array<Column<std::int32_t>, 2> edges;   // the first two
-    alignas(64) Column<std::int32_t> leastFall;              // by how much these must have fallen at a pixel where the third is not below 0
+    alignas(64) std::array<Column<std::int32_t>, 2> edges;  // the first two
+    alignas(64) Column<std::int32_t> leastFall;             // by how much these must have fallen at a pixel where the third is not below 0
     std::size_t count = 0;
 };
 
 struct WindowList {
-    std::deque<WindowChunk> chunks;      // those in use come first
-    std::size_t             inUse = 0;   // so many; the last of them takes what comes next
+    std::deque<WindowChunk> chunks;     // those in use come first
+    std::size_t             inUse = 0;  // so many; the last of them takes what comes next
 
     AlignedVector<double> centres;  // entry i is i + 0.5, of all columns and lines of the picture
 
@@ -85,10 +85,7 @@ struct WindowList {
         for (; x < centres.size(); ++x) centres[x] = static_cast<double>(x) + 0.5;
     }
 
-    std::size_t bytes() const
-    {
-        return chunks.size() * sizeof(WindowChunk) + centres.capacity() * sizeof(double);
-    }
+    std::size_t bytes() const { return chunks.size() * sizeof(WindowChunk) + centres.capacity() * sizeof(double); }
 };
 
 struct SampleList {
