@@ -137,7 +137,7 @@ private:
         for (std::size_t i = 0; asks && i < triangles.count; ++i)
             if (!triangles.isAlone(i) && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
         openCompact(triangles);
-        WindowFinder(triangles, stripe.visible.stride(), windows).add(0, triangles.count);
+        WindowFinder(triangles, windows).add(0, triangles.count);
         testTiny<kKeep>(triangles, 0, triangles.count, samples, stripe.visible, probe);
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);
     }
@@ -167,7 +167,7 @@ private:
     {
         if constexpr (!drawsWindows<Fragments>()) return false;
         if (pass.tiles || triangles.isAlone(i)) return false;
-        WindowFinder(triangles, stripe.visible.stride(), windows).add(i, i + 1);
+        WindowFinder(triangles, windows).add(i, i + 1);
         openTiles(stripe.visible, triangles.box(i));
         testTiny<kKeep>(triangles, i, i + 1, samples, stripe.visible, probe);
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);

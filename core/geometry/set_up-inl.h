@@ -255,14 +255,21 @@ private:
     {
         const auto at = [i](const auto& column) HWY_ATTR { return hn::LoadU(D(), column.data() + i); };
         const Three x{at(m_out.sx[0]), at(m_out.sx[1]), at(m_out.sx[2])}, y{at(m_out.sy[0]), at(m_out.sy[1]), at(m_out.sy[2])};
-        const auto  px = hn::ShiftLeft<8>(at(m_out.x0)) + all(128), py = hn::ShiftLeft<8>(at(m_out.top)) + all(128);
+        const auto  left = at(m_out.x0), top = at(m_out.top);
+        const auto  px = hn::ShiftLeft<8>(left) + all(128), py = hn::ShiftLeft<8>(top) + all(128);
+        const auto  corner = hn::Or(left, hn::ShiftLeft<16>(top));
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             const auto        dx = x[next] - x[k], dy = y[next] - y[k];
             const auto        owns = hn::Or(dy < hn::Zero(D()), hn::And(dy == hn::Zero(D()), dx > hn::Zero(D())));
             const auto        edge = dx * (py - y[k]) - dy * (px - x[k]) - hn::IfThenElse(owns, hn::Zero(D()), all(1));
-            hn::StoreU(hn::ShiftRight<8>(edge), D(), m_out.origin[k].data() + i);
-            hn::StoreU(stepsOf(hn::Zero(D()) - dy, dx), D(), m_out.steps[k].data() + i);
+            const auto        steps = stepsOf(hn::Zero(D()) - dy, dx);
+            const auto        here = hn::ShiftRight<8>(edge), risen = growth(steps, corner);
+            hn::StoreU(steps, D(), m_out.steps[k].data() + i);
+            if (k < 2)
+                hn::StoreU(risen - here, D(), m_out.leastRise[k].data() + i);
+            else
+                hn::StoreU(here - risen, D(), m_out.mostRise.data() + i);
         }
     }
 

@@ -3,7 +3,8 @@
 // Columns    one array per number of a triangle, entry i of each is triangle i; corners are turned as in ScreenTriangle
 // Compact    triangles whose sides are below kCompactSide and whose corners are whole numbers carry their edges too, as integers: an edge
 //            value at a pixel centre is 256 times an integer plus what it is at the first pixel. Divided by 256 and rounded down it
-//            keeps its sign, which says on which side the pixel lies, and grows from pixel to pixel by less than kCompactSide
+//            keeps its sign, which says on which side the pixel lies, and grows from pixel to pixel by less than kCompactSide: below 2^30 over a whole
+//            picture (kMaxPictureSide), so that 32 bits hold its value at any pixel
 // Alone      triangles that are not compact, or patterned, are listed: they are drawn one after another, the others may be drawn together
 // Room       fixed: a batch's triangles, each of which the near plane may cut in two. Whole vectors may be stored from the entry
 //            after the last
@@ -66,7 +67,11 @@ struct TriangleList {
     // Of compact triangles.
     alignas(64) Column<std::int32_t> top;                               // first line of their windows
     alignas(64) Column<std::uint32_t> notRank;                          // complement of the rank, id + 1: what pixels hold of it
-    alignas(64) std::array<Column<std::int32_t>, 3> origin, steps;      // edges, as above: at pixel (x0, top); edge_steps-inl.h
+    // Edges, as above: what they rise by from pixel to pixel (edge_steps-inl.h). Where a pixel is covered, each of the first two has risen by leastRise or more on the
+    // way from the picture's first pixel, and both together by mostRise or less: the three add up to the same everywhere.
+    alignas(64) std::array<Column<std::int32_t>, 3> steps;
+    alignas(64) std::array<Column<std::int32_t>, 2> leastRise;
+    alignas(64) Column<std::int32_t> mostRise;
     // Corners as they were given: positions in the batch. All entries are, from the first on: the lanes of a vector that lie beyond the last
     // triangle look their corners up like the others.
     alignas(64) std::array<Column<std::int32_t>, 3> vertex{};

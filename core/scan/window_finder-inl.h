@@ -52,15 +52,7 @@ class WindowFinder {
     }
 
 public:
-    /// `stride`: keys from a pixel of the picture to the one below it.
-    WindowFinder(const TriangleList& triangles, std::ptrdiff_t stride, WindowList& list)
-        : m_triangles(triangles),
-          m_list(list),
-          m_stride(hn::Set(DU(), static_cast<std::uint32_t>(stride))),
-          m_strideOfLine(hn::Set(DU(), static_cast<std::uint32_t>(kWindowSide * stride)))
-    {
-        list.clear();
-    }
+    WindowFinder(const TriangleList& triangles, WindowList& list) : m_triangles(triangles), m_list(list) { list.clear(); }
 
     /// The windows of the triangles [first, end), but of those that stand alone, are hidden or tiny.
     void add(std::size_t first, std::size_t end)
@@ -88,24 +80,23 @@ private:
         const auto hasFew  = hn::And(hn::AndNot(hasMore, mask), hn::Max(width, height) > all(kTinySide));
         if (hn::AllFalse(D(), hn::Or(hasFew, hn::And(hasMore, mask)))) return;
 
-        const auto  edges = [i](const auto& columns) HWY_ATTR { return Edges{load(columns[0], i), load(columns[1], i), load(columns[2], i)}; };
-        const Edges first = edges(m_triangles.origin), steps = edges(m_triangles.steps);
+        const Edges steps{load(m_triangles.steps[0], i), load(m_triangles.steps[1], i), load(m_triangles.steps[2], i)};
+        const auto  corner = load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i));
+        const Edges first = edgesAt(corner, steps, {load(m_triangles.leastRise[0], i), load(m_triangles.leastRise[1], i), load(m_triangles.mostRise, i)});
         const Reach reach(steps);
         WindowChunk& chunk = m_list.withRoomFor(4 * hn::Lanes(D()));
         const auto owners = countFrom(DU(), static_cast<std::uint32_t>(i));
-        const auto corner = hn::BitCast(DU(), load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i)));
-        const auto addLine = [&](const Edges& line, hn::Mask<D> exists, const Corners& left) HWY_ATTR {
+        const auto addLine = [&](const Edges& line, hn::Mask<D> exists, V left) HWY_ATTR {
             const auto hasTwo = hn::And(exists, isWide);
             const Line of     = withoutEmptyColumns(line, steps, reach, hasTwo, left);
             judge(of.edges, reach, exists, owners, of.first, chunk);
             if (!hn::AllFalse(D(), hasTwo))
-                judge(after(of.edges, steps, kWindowSide, 0), reach, hn::And(hasTwo, width > of.skipped + all(kWindowSide)), owners,
-                      of.first.right(hn::Set(DU(), kWindowSide)), chunk);
+                judge(plus(of.edges, growths(steps, kWindowSide, 0)), reach, hn::And(hasTwo, width > of.skipped + all(kWindowSide)), owners,
+                      of.first + all(pixelsAndLines(kWindowSide, 0)), chunk);
         };
-        const Corners top = cornersAt(corner);
-        addLine(first, hasFew, top);
+        addLine(first, hasFew, corner);
         const auto high = hn::And(hasFew, isHigh);
-        if (!hn::AllFalse(D(), high)) addLine(after(first, steps, 0, kWindowSide), high, below(top));
+        if (!hn::AllFalse(D(), high)) addLine(plus(first, growths(steps, 0, kWindowSide)), high, corner + all(pixelsAndLines(0, kWindowSide)));
         if (hn::AllFalse(D(), hn::And(mask, hasMore))) return;  // as most often
         const auto many = hn::And(mask, hasMany);
         hn::StoreU(hn::TableLookupLanes(owners, hn::IndicesFromVec(DU(), keptFirst(D(), many))), DU(), m_list.many.data() + m_list.manyCount);
@@ -116,7 +107,7 @@ private:
         WindowList::Some&    to    = m_list.some;
         const std::size_t    count = to.count;
         const auto keep = [&](auto d, auto values, auto& column) HWY_ATTR { hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, order)), d, column.data() + count); };
-        keep(DU(), owners, to.owners), keep(DU(), corner, to.corners), keep(D(), width, to.width), keep(D(), height, to.height);
+        keep(DU(), owners, to.owners), keep(DU(), hn::BitCast(DU(), corner), to.corners), keep(D(), width, to.width), keep(D(), height, to.height);
         for (std::size_t k = 0; k < 3; ++k) keep(D(), first[k], to.edges[k]), keep(D(), steps[k], to.steps[k]);
         to.count = count + hn::CountTrue(D(), some);
     }
@@ -135,8 +126,8 @@ private:
         const Edges steps = edges(from.steps), across = growths(steps, kWindowSide, 0), down = growths(steps, 0, kWindowSide);
         const Reach reach(steps);
         Edges       line = edges(from.edges);
-        Corners     left = cornersAt(hn::LoadU(DU(), from.corners.data() + m));
-        for (int lines = 0; lines < WindowList::Some::kMost * kWindowSide; lines += kWindowSide, line = plus(line, down), left = below(left)) {
+        V           left = hn::BitCast(D(), hn::LoadU(DU(), from.corners.data() + m));
+        for (int lines = 0; lines < WindowList::Some::kMost * kWindowSide; lines += kWindowSide, line = plus(line, down), left = left + all(pixelsAndLines(0, kWindowSide))) {
             const auto hasLine = hn::And(isThere, height > all(lines));
             if (hn::AllFalse(D(), hasLine)) break;
             const Line of   = withoutEmptyColumns(line, steps, reach, hasLine, left);
@@ -144,7 +135,7 @@ private:
             for (int right = 0; right < WindowList::Some::kMost * kWindowSide; right += kWindowSide, here = plus(here, across)) {
                 const auto exists = hn::And(hasLine, width > of.skipped + all(right));
                 if (hn::AllFalse(D(), exists)) break;
-                judge(here, reach, exists, owners, of.first.right(hn::Set(DU(), static_cast<std::uint32_t>(right))), chunk);
+                judge(here, reach, exists, owners, of.first + all(right), chunk);
             }
         }
     }
@@ -161,28 +152,15 @@ private:
         }
     };
 
-    /// First pixels of windows, as in WindowChunk.
-    struct Corners {
-        hn::Vec<DU> corners, places;
-
-        Corners right(hn::Vec<DU> pixels) const { return {corners + pixels, places + pixels}; }
-    };
-    Corners cornersAt(hn::Vec<DU> corners) const
-    {
-        return {corners, hn::ShiftRight<16>(corners) * m_stride + hn::And(corners, hn::Set(DU(), 0xFFFF))};
-    }
-    /// Those of the next line of windows.
-    Corners below(const Corners& of) const { return {of.corners + hn::Set(DU(), kWindowSide << 16), of.places + m_strideOfLine}; }
-
     /// A line of windows.
     struct Line {
-        hn::Vec<D> skipped;  // pixels, from the left of its triangle's box
-        Corners    first;    // of its first window
-        Edges      edges;    // there
+        V     skipped;  // pixels, from the left of its triangle's box
+        V     first;    // corner of its first window, as in WindowChunk
+        Edges edges;    // there
     };
 
     /// A triangle's box is wider than what it has of most lines of windows: those of `asked` begin after columns that hold nothing of it.
-    static Line withoutEmptyColumns(const Edges& atBox, const Edges& steps, const Reach& reach, hn::Mask<D> asked, const Corners& left)
+    static Line withoutEmptyColumns(const Edges& atBox, const Edges& steps, const Reach& reach, hn::Mask<D> asked, V left)
     {
         Line line{hn::Zero(D()), left, atBox};
         // One lane: in the order that HalfSpace shows, who goes by windows from the corner of the box.
@@ -193,8 +171,8 @@ private:
             asked        = hn::And(asked, isOutside(inColumn));
             line.skipped = line.skipped + hn::IfThenElseZero(asked, all(1));
         }
-        for (std::size_t k = 0; k < 3; ++k) line.edges[k] = atBox[k] + growth(steps[k], line.skipped);
-        line.first = left.right(hn::BitCast(DU(), line.skipped));
+        line.edges = after(atBox, steps, line.skipped);
+        line.first = left + line.skipped;
         return line;
     }
 
@@ -202,13 +180,21 @@ private:
     {
         return {growth(steps[0], pixels, lines), growth(steps[1], pixels, lines), growth(steps[2], pixels, lines)};
     }
-    /// The values so many pixels to the right and lines down.
-    static Edges after(const Edges& edges, const Edges& steps, int pixels, int lines) { return plus(edges, growths(steps, pixels, lines)); }
+    /// The values at a pixel of the picture; `rises` are the first two's least and both together's most.
+    static Edges edgesAt(V corner, const Edges& steps, const Edges& rises)
+    {
+        return {growth(steps[0], corner) - rises[0], growth(steps[1], corner) - rises[1], growth(steps[2], corner) + rises[2]};
+    }
+    /// The values after a way (edge_steps-inl.h).
+    static Edges after(const Edges& edges, const Edges& steps, V way)
+    {
+        return {edges[0] + growth(steps[0], way), edges[1] + growth(steps[1], way), edges[2] + growth(steps[2], way)};
+    }
 
     /// Appends the windows that exist and are not wholly outside of an edge.
-    void judge(const Edges& edges, const Reach& reach, hn::Mask<D> exists, hn::Vec<DU> owners, const Corners& corners, WindowChunk& to) const
+    void judge(const Edges& edges, const Reach& reach, hn::Mask<D> exists, hn::Vec<DU> owners, V corners, WindowChunk& to) const
     {
-        append(hn::AndNot(isOutside(plus(edges, reach.inWindow)), exists), owners, corners, edges, to);
+        append(hn::AndNot(isOutside(plus(edges, reach.inWindow)), exists), owners, corners, to);
     }
 
     static Edges plus(const Edges& a, const Edges& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -224,41 +210,31 @@ private:
         WindowChunk& chunk = m_list.withRoomFor(static_cast<std::size_t>(count + step));
 
         const auto owner  = hn::Set(DU(), static_cast<std::uint32_t>(t));
-        const auto corner = hn::Set(DU(), static_cast<std::uint32_t>(m_triangles.x0[t] + (m_triangles.top[t] << 16)));
-        const auto  set    = [t](const auto& of) HWY_ATTR { return Edges{all(of[0][t]), all(of[1][t]), all(of[2][t])}; };
-        const Edges start = set(m_triangles.origin), steps = set(m_triangles.steps);
+        const auto  corner = all(pixelsAndLines(m_triangles.x0[t], m_triangles.top[t]));
+        const Edges rises{all(m_triangles.leastRise[0][t]), all(m_triangles.leastRise[1][t]), all(m_triangles.mostRise[t])};
+        const Edges steps{all(m_triangles.steps[0][t]), all(m_triangles.steps[1][t]), all(m_triangles.steps[2][t])};
         const Reach reach(steps);
         const auto side = hn::Set(DF(), kWindowSide), perLine = hn::Set(DF(), static_cast<float>(columns)), perColumn = hn::Set(DF(), 1 / static_cast<float>(columns));
         for (int first = 0; first < count; first += step) {
             const auto  at    = countFrom(DF(), static_cast<float>(first));
             const auto  line  = hn::Floor((at + hn::Set(DF(), 0.5f)) * perColumn);
             const auto  right = (at - line * perLine) * side, down = line * side;
-            const auto  way   = hn::ConvertTo(D(), hn::MulAdd(down, hn::Set(DF(), 65536), right));
-            const auto  edge  = [&](std::size_t k) HWY_ATTR { return start[k] + growth(steps[k], way); };
-            judge({edge(0), edge(1), edge(2)}, reach, hn::RebindMask(D(), at < hn::Set(DF(), static_cast<float>(count))), owner,
-                  cornersAt(corner + hn::BitCast(DU(), way)), chunk);
+            const auto  here  = corner + hn::ConvertTo(D(), hn::MulAdd(down, hn::Set(DF(), 65536), right));
+            judge(edgesAt(here, steps, rises), reach, hn::RebindMask(D(), at < hn::Set(DF(), static_cast<float>(count))), owner, here, chunk);
         }
     }
 
     /// Those of these windows that `kept` names.
-    void append(hn::Mask<D> kept, hn::Vec<DU> owners, const Corners& first, const Edges& edges, WindowChunk& to) const
+    static void append(hn::Mask<D> kept, hn::Vec<DU> owners, V corners, WindowChunk& to)
     {
-        const auto        order = keptFirst(D(), kept);
-        const std::size_t at    = to.count;
-        const auto        put   = [&, order, at](auto d, auto values, auto& column) HWY_ATTR {
-            hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(d, order)), d, column.data() + at);
-        };
-        put(DU(), owners, to.owners);
-        put(DU(), first.corners, to.corners);
-        put(DU(), first.places, to.places);
-        for (std::size_t k = 0; k < 2; ++k) put(D(), edges[k], to.edges[k]);
-        put(D(), hn::Zero(D()) - edges[2], to.leastFall);
-        to.count = at + hn::CountTrue(D(), kept);
+        const auto order = hn::IndicesFromVec(DU(), keptFirst(D(), kept));
+        hn::StoreU(hn::TableLookupLanes(owners, order), DU(), to.owners.data() + to.count);
+        hn::StoreU(hn::TableLookupLanes(hn::BitCast(DU(), corners), order), DU(), to.corners.data() + to.count);
+        to.count += hn::CountTrue(D(), kept);
     }
 
     const TriangleList& m_triangles;
     WindowList&         m_list;
-    hn::Vec<DU>         m_stride, m_strideOfLine;  // keys from a pixel to the one below it, and to the one a line of windows below
 };
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -27,12 +27,8 @@ struct WindowChunk {
     using Column = std::array<T, kRoom + std::max(kBatchPadding, kAhead)>;
 
     // Entry i is window i.
-    alignas(64) Column<std::uint32_t> owners;               // which triangle's
-    alignas(64) Column<std::uint32_t> corners;              // its first pixel: x + 65536 y
-    alignas(64) Column<std::uint32_t> places;               // that pixel's place among the picture's keys
-    // Of the owner's edges there, as TriangleList counts them.
-    alignas(64) std::array<Column<std::int32_t>, 2> edges;  // the first two
-    alignas(64) Column<std::int32_t> leastFall;             // by how much these must have fallen at a pixel where the third is not below 0
+    alignas(64) Column<std::uint32_t> owners;   // which triangle's
+    alignas(64) Column<std::uint32_t> corners;  // its first pixel: x + 65536 y
     std::size_t count = 0;
 };
 

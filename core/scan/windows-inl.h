@@ -4,7 +4,7 @@
 //            side, and what is covered is offered sample by sample
 // Window     kWindowSide x kWindowSide pixels, as window_finder-inl.h has found them
 // Edges      int32, exact (core/geometry/triangle_list.h). The three of a triangle add up to the same at every pixel, so that two are computed
-//            and the third rises by what they fall
+//            and the third falls by what they rise
 // Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is monotone, so
 //            they may be applied after it
 // List       triangles of one batch, because a loop over one triangle's few windows is mispredicted at every triangle
@@ -39,11 +39,11 @@ namespace zscope::HWY_NAMESPACE {
 inline constexpr int kPassColumns = std::min(kPassPixels, kWindowSide);
 inline constexpr int kPassLines   = kPassPixels / kPassColumns;
 
-/// The way to the first pixel of a window from those of the first pass.
-HWY_ALIGN inline constexpr auto kWaysBack = [] {
+/// The way from the first pixel of a window to those of the first pass.
+HWY_ALIGN inline constexpr auto kWays = [] {
     constexpr PassLanes<std::int32_t, kWindowSide> kAt;
     std::array<std::int32_t, kPassPixels> all{};
-    for (std::size_t lane = 0; lane < all.size(); ++lane) all[lane] = pixelsAndLines(-kAt.right[lane], -kAt.down[lane]);
+    for (std::size_t lane = 0; lane < all.size(); ++lane) all[lane] = pixelsAndLines(kAt.right[lane], kAt.down[lane]);
     return all;
 }();
 
@@ -99,29 +99,17 @@ HWY_INLINE void offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff
     storeKeys(keptOf<kKeep, kNormal>(offered, loadKeys(row, stride), empty), row, stride);
 }
 
-/// One entry of a WindowChunk.
-struct Window {
-    std::size_t                 owner;
-    std::array<std::int32_t, 2> edges;
-    std::int32_t                leastFall;
-    std::uint32_t               corner;
+/// By how much an edge has risen at the pixels of a pass.
+using PassRises = hn::Vec<hn::RebindToSigned<Pass32>>;
 
-    // Its first pixel.
-    int x() const { return static_cast<int>(corner & 0xFFFF); }
-    int y() const { return static_cast<int>(corner >> 16); }
-};
-
-/// By how much an edge has fallen from the first pixel of a window to those of a pass.
-using PassFalls = hn::Vec<hn::RebindToSigned<Pass32>>;
-
-// Which pixels of a pass are covered: those where none of the three edges is below 0.
+// Which pixels of a pass a triangle covers: those where none of its three edges is below 0.
 #if HWY_TARGET == HWY_AVX3
 using Covered = hn::Mask<hn::RebindToSigned<Pass32>>;
-inline Covered coveredOf(PassFalls first, PassFalls second, const Window& window)
+inline Covered coveredOf(PassRises first, PassRises second, const TriangleList& triangles, std::size_t t)
 {
     const hn::RebindToSigned<Pass32> i32;
-    const auto both = atMost(atMost(first, hn::Set(i32, window.edges[0])), second, hn::Set(i32, window.edges[1]));
-    return atMost(both, hn::Set(i32, window.leastFall), first + second);
+    const auto both = atMost(atMost(hn::Set(i32, triangles.leastRise[0][t]), first), hn::Set(i32, triangles.leastRise[1][t]), second);
+    return atMost(both, first + second, hn::Set(i32, triangles.mostRise[t]));
 }
 /// The depths of pixels that are covered; in place of the others what wins nowhere. `kNormal` as in DepthTest.
 template <bool kNormal>
@@ -131,11 +119,11 @@ inline hn::Vec<Pass32> onlyCovered(hn::Vec<Pass32> depth, Covered covered)
     return hn::IfThenElse(hn::RebindMask(Pass32(), covered), depth, hn::Set(Pass32(), -0.0f));
 }
 #else
-using Covered = PassFalls;  // negative where they are not
-inline Covered coveredOf(PassFalls first, PassFalls second, const Window& window)
+using Covered = PassRises;  // negative where they are not
+inline Covered coveredOf(PassRises first, PassRises second, const TriangleList& triangles, std::size_t t)
 {
     const hn::RebindToSigned<Pass32> i32;
-    return hn::Or3(hn::Set(i32, window.edges[0]) - first, hn::Set(i32, window.edges[1]) - second, first + second - hn::Set(i32, window.leastFall));
+    return hn::Or3(first - hn::Set(i32, triangles.leastRise[0][t]), second - hn::Set(i32, triangles.leastRise[1][t]), hn::Set(i32, triangles.mostRise[t]) - first - second);
 }
 /// Likewise: the sign says so.
 template <bool kNormal>
@@ -155,32 +143,43 @@ inline Vec64 pairOf(const double* centres)
 #endif
 }
 
-/// Tests a window and stores what it wins; `first` is the key of its first pixel, `centres` as in WindowList. `kNormal` as in DepthTest.
+/// What windows are drawn to.
+struct WindowTarget {
+    PixelKey*      picture;
+    std::ptrdiff_t stride;   // keys from a pixel to the one below it
+    const double*  centres;  // as in WindowList
+    float          empty;    // depth of background
+    int            width;
+
+    PixelKey* at(std::uint32_t corner) const { return picture + static_cast<std::ptrdiff_t>(corner >> 16) * stride + (corner & 0xFFFF); }
+};
+
+/// Tests the window of triangle t that has its first pixel at `corner`, and stores what it wins. `kNormal` as in DepthTest.
 template <Keep kKeep, bool kNormal, class Probe>
-HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, const double* centres, PixelKey* first, std::ptrdiff_t stride, float empty,
-                           [[maybe_unused]] int width, [[maybe_unused]] const Probe& probe)
+HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::uint32_t corner, const WindowTarget& to, [[maybe_unused]] const Probe& probe)
 {
     const F64    d64;
     const Pass32 f32;
     const hn::RebindToSigned<Pass32> i32;
 
-    const std::size_t t = window.owner;
+    const std::size_t x = corner & 0xFFFF, y = corner >> 16;
+    PixelKey* const   first = to.at(corner);
     const auto a = hn::Set(d64, triangles.a[t]), b = hn::Set(d64, triangles.b[t]), c = hn::Set(d64, triangles.c[t]);
     const auto farthest = hn::Set(f32, triangles.farthest[t]), nearest = hn::Set(f32, triangles.nearest[t]);
-    const auto above = hn::Set(d64, centres[window.y()]);
+    const auto above = hn::Set(d64, to.centres[y]);
 
     // At the pixels of each pass. Those of the first are computed, the others reached from there.
-    const auto steps  = [&](std::size_t k) HWY_ATTR { return hn::Set(i32, triangles.steps[k][t]); };
-    const auto fallOf = [&](std::size_t k) HWY_ATTR { return growth(steps(k), hn::Load(i32, kWaysBack.data())); };
+    const auto steps = [&](std::size_t k) HWY_ATTR { return hn::Set(i32, triangles.steps[k][t]); };
+    const auto ways  = hn::Load(i32, kWays.data()) + hn::Set(i32, static_cast<std::int32_t>(corner));
     constexpr int kColumns = kWindowSide / kPassColumns, kPasses = kWindowSide / kPassLines * kColumns;
     std::array<Covered, kPasses> inside;
-    std::array<PassFalls, 2>     falls{fallOf(0), fallOf(1)};
+    std::array<PassRises, 2>     rises{growth(steps(0), ways), growth(steps(1), ways)};
     for (int pass = 0; pass < kPasses; ++pass) {
         const int column = pass % kColumns * kPassColumns;
         if (pass > 0 && column == 0)
-            for (std::size_t k = 0; k < 2; ++k) falls[k] = falls[k] + growth(steps(k), 0, -kPassLines);
-        const auto fall = [&](std::size_t k) HWY_ATTR { return column == 0 ? falls[k] : falls[k] + growth(steps(k), -column, 0); };
-        inside[static_cast<std::size_t>(pass)] = coveredOf(fall(0), fall(1), window);
+            for (std::size_t k = 0; k < 2; ++k) rises[k] = rises[k] + growth(steps(k), 0, kPassLines);
+        const auto rise = [&](std::size_t k) HWY_ATTR { return column == 0 ? rises[k] : rises[k] + growth(steps(k), column, 0); };
+        inside[static_cast<std::size_t>(pass)] = coveredOf(rise(0), rise(1), triangles, t);
     }
 
     for (int line = 0, pass = 0; line < kWindowSide; line += kPassLines) {
@@ -188,25 +187,25 @@ HWY_INLINE void testWindow(const TriangleList& triangles, const Window& window, 
         for (int column = 0; column < kWindowSide; column += kPassColumns, ++pass) {
             const auto covered = inside[static_cast<std::size_t>(pass)];
 #if HWY_TARGET == HWY_SCALAR
-            if (hn::GetLane(covered) < 0 || window.x() + column >= width) continue;
+            if (hn::GetLane(covered) < 0 || static_cast<int>(x) + column >= to.width) continue;
 #endif
 
-            const auto depth = [&](int half) HWY_ATTR { return hn::DemoteTo(F32(), a * pairOf(centres + window.x() + column + 2 * half) + start); };
-            PixelKey* const row = first + line * stride + column;
+            const auto depth = [&](int half) HWY_ATTR { return hn::DemoteTo(F32(), a * pairOf(to.centres + x + column + 2 * half) + start); };
+            PixelKey* const row = first + line * to.stride + column;
 #if HWY_TARGET == HWY_SCALAR
             const auto     z       = hn::Min(hn::Max(depth(0), farthest), nearest);
             const auto     offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id[t] + 1)));
             const PixelKey rival   = *row;
-            offerKeys<kKeep, kNormal>(offered, empty, row, stride);
-            probe(PixelTested{window.x() + column, window.y() + line, TriangleId{triangles.id[t]}, depthOf(hn::GetLane(offered)),
-                              !hn::AllFalse(I64(), winners<kKeep>(offered, hn::Set(I64(), rival), empty)), rankOf(rival), depthOf(rival), kKeep, false,
+            offerKeys<kKeep, kNormal>(offered, to.empty, row, to.stride);
+            probe(PixelTested{static_cast<int>(x) + column, static_cast<int>(y) + line, TriangleId{triangles.id[t]}, depthOf(hn::GetLane(offered)),
+                              !hn::AllFalse(I64(), winners<kKeep>(offered, hn::Set(I64(), rival), to.empty)), rankOf(rival), depthOf(rival), kKeep, false,
                               false});
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
             const auto z     = hn::Min(hn::Max(fromColumns(depth(0), depth(1)), farthest), nearest);
             const auto keys  = keysOf(onlyCovered<kNormal && kKeep != Keep::Equal>(z, covered), lowerHalves<kKeep>(triangles.notRank[t]));
-            offerKeys<kKeep, kNormal>(keys[0], empty, row, stride);
-            offerKeys<kKeep, kNormal>(keys[1], empty, row + kLanes / kWindowSide * stride + kLanes % kWindowSide, stride);
+            offerKeys<kKeep, kNormal>(keys[0], to.empty, row, to.stride);
+            offerKeys<kKeep, kNormal>(keys[1], to.empty, row + kLanes / kWindowSide * to.stride + kLanes % kWindowSide, to.stride);
 #endif
         }
     }
@@ -269,6 +268,7 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         const auto farthest = hn::LoadU(f32, triangles.farthest.data() + i), nearest = hn::LoadU(f32, triangles.nearest.data() + i);
         const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::LoadU(u32, triangles.notRank.data() + i);
         const auto place = hn::BitCast(u32, x) + hn::BitCast(u32, y) * hn::Set(u32, stride);
+        const auto corner = x + hn::ShiftLeft<16>(y);
         // In float64, of half of these triangles at a time.
         const auto numbers = [&, i](const auto& column, std::size_t from) HWY_ATTR { return hn::LoadU(d64, column.data() + i + from); };
         const auto centres = [&, i](const TriangleList::Column<std::int32_t>& column, std::size_t from) HWY_ATTR {
@@ -287,18 +287,17 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         for (int down = 0; down < kTinySide; ++down) {
             const auto line = lineOf(down, 0), otherLine = lineOf(down, kOtherHalf);
             for (int right = 0; right < kTinySide; ++right) {
-                const auto edge = [&](std::size_t k) HWY_ATTR {
-                    const auto atFirst = load(triangles.origin[k]);
-                    return right + down == 0 ? atFirst : atFirst + growth(load(triangles.steps[k]), right, down);
-                };
-                const auto outside = hn::Or3(edge(0), edge(1), edge(2)) < hn::Zero(i32);
+                const auto here = corner + hn::Set(i32, pixelsAndLines(right, down));
+                const auto rise = [&](std::size_t k) HWY_ATTR { return growth(load(triangles.steps[k]), here); };
+                const auto ofFirst = rise(0), ofSecond = rise(1);
+                const auto outside = hn::Or3(ofFirst - load(triangles.leastRise[0]), ofSecond - load(triangles.leastRise[1]), load(triangles.mostRise) - ofFirst - ofSecond) < hn::Zero(i32);
                 const auto exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
                 const auto covered = hn::And(hn::AndNot(outside, exists), isDrawn);
                 const auto& column = columns[static_cast<std::size_t>(right)];
                 const auto z     = hn::Min(hn::Max(together(hn::DemoteTo(half, column[1] + otherLine), hn::DemoteTo(half, column[0] + line)), farthest), nearest);
-                const auto here  = place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
+                const auto there = place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
                 const auto kept  = keptFirst(i32, covered);
-                hn::StoreU(hn::TableLookupLanes(here, hn::IndicesFromVec(u32, kept)), u32, places + count);
+                hn::StoreU(hn::TableLookupLanes(there, hn::IndicesFromVec(u32, kept)), u32, places + count);
                 storeKeysOf(hn::BitCast(u32, z), lower, kept, keys + count);
                 count += hn::CountTrue(i32, covered);
             }
@@ -323,27 +322,29 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     }
 }
 
+/// Fetches the pixels of a window. Inlined always: gcc takes out calls of what only fetches.
+HWY_INLINE void fetch(const PixelKey* first, std::ptrdiff_t stride)
+{
+    for (int line = 0; line < kWindowSide; ++line, first += stride) {
+        hwy::Prefetch(first);
+        hwy::Prefetch(first + kWindowSide - 1);  // often in another cache line
+    }
+}
+
 /// Works the list off and empties it. `kNormal` as in DepthTest.
 template <Keep kKeep, bool kNormal, class Probe>
 void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Probe& probe)
 {
-    PixelKey* const      picture = visible.row(0);
-    const std::ptrdiff_t stride  = visible.stride();
     list.knowCentres(static_cast<std::size_t>(std::max(visible.width(), visible.height())));
-    const double* const centres = list.centres.data();
+    const WindowTarget to{visible.row(0), visible.stride(), list.centres.data(), visible.empty(), visible.width()};
     for (std::size_t k = 0; k < list.inUse; ++k) {
         WindowChunk&      chunk = list.chunks[k];
         const std::size_t count = chunk.count;
         if (count == 0) continue;
-        std::fill_n(chunk.places.begin() + static_cast<std::ptrdiff_t>(count), WindowChunk::kAhead, chunk.places[count - 1]);
+        std::fill_n(chunk.corners.begin() + static_cast<std::ptrdiff_t>(count), WindowChunk::kAhead, chunk.corners[count - 1]);
         for (std::size_t i = 0; i < count; ++i) {
-            const PixelKey* ahead = picture + chunk.places[i + WindowChunk::kAhead];
-            for (int line = 0; line < kWindowSide; ++line, ahead += stride) {
-                hwy::Prefetch(ahead);
-                hwy::Prefetch(ahead + kWindowSide - 1);  // often in another cache line
-            }
-            const Window window{chunk.owners[i], {chunk.edges[0][i], chunk.edges[1][i]}, chunk.leastFall[i], chunk.corners[i]};
-            testWindow<kKeep, kNormal>(triangles, window, centres, picture + chunk.places[i], stride, visible.empty(), visible.width(), probe);
+            fetch(to.at(chunk.corners[i + WindowChunk::kAhead]), to.stride);
+            testWindow<kKeep, kNormal>(triangles, chunk.owners[i], chunk.corners[i], to, probe);
         }
     }
     list.clear();
