@@ -2,8 +2,8 @@
 // (core/geometry/batches.h says in which order the triangles of a large mesh stand).
 //
 // Promise    skips only what cannot touch a pixel centre of the stripe (StripeVolume)
-// Cost       five planes per instance, per batch those that the instance crosses and a cone of normals, at full speed those of its patches, too;
-//            transform and set-up of what is left
+// Cost       five planes per instance, per batch those that the instance crosses and a cone of normals, at full speed those of its patches, too,
+//            and their places on the screen where the batch crosses the stripe's border; transform and set-up of what is left
 #if defined(ZSCOPE_SUBMITTED_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_SUBMITTED_INL_H
 #undef ZSCOPE_SUBMITTED_INL_H
@@ -149,11 +149,17 @@ inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& bac
     return hasPatches ? towardsEye(place.mesh, place.batch, *asked) : kAllPatches;
 }
 
-/// Those that are to be set up. Who listens is told of each triangle of a batch that is seen from behind, and sees all others set up.
+/// Those that are to be set up, of a batch that crosses the stripe's border or does not. Who listens is told of each triangle of a batch that is seen from
+/// behind, and sees all others set up.
 template <class Rules, class Probe>
-PatchBits patchesWanted(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe, const Rules& rules, const Probe& probe)
+PatchBits patchesWanted(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe, [[maybe_unused]] bool crossesBorder,
+                        const Rules& rules, const Probe& probe)
 {
-    if constexpr (Rules::kExact && !Probe::listens) return patchesTowardsEye(place, backs, view, stripe);
+    if constexpr (Rules::kExact && !Probe::listens) {
+        const PatchBits wanted = patchesTowardsEye(place, backs, view, stripe);
+        if (!crossesBorder || wanted == 0 || place.mesh.patches.empty()) return wanted;
+        return PatchReach(place.mesh, place.batch, wanted, view, stripe.projection, stripe.region()).patches();
+    }
     return isCulledAsBack(place, backs, view, stripe, rules, probe) ? 0 : kAllPatches;
 }
 
@@ -187,7 +193,7 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
             }
             if (probe.leavesOut(Checkpoint::Batch)) continue;
             const BatchPlace place{mesh, mesh.batches[b], toWorld, scene.firstTriangle[i]};
-            const PatchBits  patches = patchesWanted(place, backs, placed, stripe, rules, probe);
+            const PatchBits  patches = patchesWanted(place, backs, placed, stripe, asked != 0, rules, probe);
             clock.lap(Stage::Cull);
             if (patches != 0) visit(InstanceId{i}, b, toWorld, patches);
         }
