@@ -21,6 +21,7 @@
 
 #include "core/geometry/batches.h"
 #include "core/geometry/screen_triangle.h"
+#include "core/scene/view.h"
 
 namespace zscope {
 
@@ -28,6 +29,8 @@ namespace zscope {
 /// it is divided. Where somebody listens, 64 pixels: larger ones are shown tile by tile, with what the pyramid hears of each.
 template <bool listens>
 inline constexpr std::int32_t kCompactSide = (listens ? 64 : 127) * 256;
+// An edge rises by less than a side from pixel to pixel, and from line to line.
+static_assert(2 * std::int64_t{kCompactSide<false>} * (kMaxPictureSide + 128) < std::int64_t{1} << 30, "what it rises by over a picture has to fit 32 bits");
 /// True if whoever listens is shown the triangle window by window.
 inline bool isShownByWindows(const ScreenTriangle& t)
 {

@@ -123,7 +123,7 @@ using Covered = PassRises;  // negative where they are not
 inline Covered coveredOf(PassRises first, PassRises second, const TriangleList& triangles, std::size_t t)
 {
     const hn::RebindToSigned<Pass32> i32;
-    return hn::Or3(first - hn::Set(i32, triangles.leastRise[0][t]), second - hn::Set(i32, triangles.leastRise[1][t]), hn::Set(i32, triangles.mostRise[t]) - first - second);
+    return hn::Or3(first - hn::Set(i32, triangles.leastRise[0][t]), second - hn::Set(i32, triangles.leastRise[1][t]), hn::Set(i32, triangles.mostRise[t]) - (first + second));
 }
 /// Likewise: the sign says so.
 template <bool kNormal>
@@ -290,7 +290,8 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
                 const auto here = corner + hn::Set(i32, pixelsAndLines(right, down));
                 const auto rise = [&](std::size_t k) HWY_ATTR { return growth(load(triangles.steps[k]), here); };
                 const auto ofFirst = rise(0), ofSecond = rise(1);
-                const auto outside = hn::Or3(ofFirst - load(triangles.leastRise[0]), ofSecond - load(triangles.leastRise[1]), load(triangles.mostRise) - ofFirst - ofSecond) < hn::Zero(i32);
+                const auto outside = hn::Or3(ofFirst - load(triangles.leastRise[0]), ofSecond - load(triangles.leastRise[1]), load(triangles.mostRise) - (ofFirst + ofSecond)) <
+                                     hn::Zero(i32);
                 const auto exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
                 const auto covered = hn::And(hn::AndNot(outside, exists), isDrawn);
                 const auto& column = columns[static_cast<std::size_t>(right)];

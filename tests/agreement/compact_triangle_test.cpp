@@ -83,6 +83,19 @@ TEST_P(CompactTriangles, EveryPresetDrawsWhatTheReferenceDraws)
     EXPECT_GT(covered, shareOf(8) * (GetParam() == Shape::Slivers || GetParam() == Shape::Tiny ? 1'500 : 10'000));
 }
 
+/// Edges are counted from the picture's first pixel.
+TEST_P(CompactTriangles, AreTheSameAtTheFarEndOfTheLargestPictures)
+{
+    Random        random(31 + static_cast<std::uint64_t>(GetParam()));
+    std::uint64_t covered = 0;
+    for (const auto& [width, height] : {std::pair{kMaxPictureSide, 8}, {8, kMaxPictureSide}}) {
+        const Camera camera = plainCamera(width, height);
+        const auto   scene  = triangles(GetParam(), random, camera, 1'000);
+        covered += expectAgreement(scene, camera, FaceCulling::None, std::to_string(width) + " x " + std::to_string(height), {.threads = {1, 2}});
+    }
+    EXPECT_GT(covered, GetParam() == Shape::Tiny ? 500 : 2'000);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shapes, CompactTriangles, testing::Values(Shape::AtLimit, Shape::Slivers, Shape::Windows, Shape::Tiny));
 
 }  // namespace
