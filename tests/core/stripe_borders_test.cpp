@@ -87,6 +87,26 @@ TEST(StripeBorders, SettleWhereAllStripesTakeTheSameTime)
     }
 }
 
+/// A thread that is held up once every few frames: nothing of it is seen in the borders of the frames between.
+TEST(StripeBorders, StayWhereTheyAreWhenOneFrameIsHeldUp)
+{
+    StripeBorders borders;
+    borders.prepare(768, 2);
+    const auto times = [&](double heldUp) {
+        const auto [first, end] = borders.stripe(0);
+        return std::vector<double>{(end - first) * heldUp, 3.0 * (768 - end)};  // equal at line 576
+    };
+    for (int frame = 0; frame < 40; ++frame) borders.rebalance(times(1));
+    const int settled = borders.stripe(0).end;
+    EXPECT_NEAR(settled, 576, kStripeGrid);
+    for (int frame = 0; frame < 40; ++frame) {
+        borders.rebalance(times(frame % 4 == 0 ? 2 : 1));
+        EXPECT_EQ(borders.stripe(0).end, settled) << frame;
+    }
+    for (int frame = 0; frame < 40; ++frame) borders.rebalance(times(2));  // always: then it is the lines
+    EXPECT_NEAR(borders.stripe(0).end, 460.8, kStripeGrid);
+}
+
 TEST(StripeBorders, FewerLinesThanStripesLeaveSomeEmpty)
 {
     StripeBorders borders;
