@@ -427,8 +427,8 @@ void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch
                    const Probe& probe)
 {
     scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), Probe::listens ? EdgeTable::Sides::All : EdgeTable::Sides::OfWide);
-    const EnterEdges<Rules> enter{stripe, scratch.edges, scratch.triangles, clock, rules};
-    scratch.triangles.clear();
+    const EnterEdges<Rules> enter{stripe, scratch.edges, scratch.faces.waiting, clock, rules};
+    scratch.faces.waiting.clear();
     if (drawsFaces(pipeline)) {
         visitFacesAsSubmitted(stripe, scratch, clock, enter, rules, probe);
         enter.finish();

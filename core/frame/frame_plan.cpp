@@ -9,6 +9,7 @@
 #include "core/base/memory.h"
 #include "core/base/thread_count.h"
 #include "core/frame/auto_choice.h"
+#include "core/geometry/face_batches.h"
 
 namespace zscope {
 
@@ -183,7 +184,8 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
 bool drawsPatchedBatches(const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
-    return pipeline.order == Order::Submitted && !drawsFaces(pipeline) && pipeline.usesExactRules() && request.faceCulling == FaceCulling::Back;
+    if (pipeline.order != Order::Submitted || !pipeline.usesExactRules() || request.faceCulling != FaceCulling::Back) return false;
+    return !drawsFaces(pipeline) || facesOf(*request.scene).areTriangles();
 }
 
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible)

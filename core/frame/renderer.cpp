@@ -162,11 +162,9 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         transparent   = toBeBlended(request);
         shadesByTiles = !transparent && !shadesFragments(request.pipeline.depth);
         if (request.shade) colours = &coloursOf(*request.scene);
-        if (drawsPatchedBatches(request)) {
-            const Clock::time_point asked = Clock::now();
-            patched = &patchedBatchesOf(*request.scene);
-            builtMs = msSince(asked);
-        }
+        const Clock::time_point asked = Clock::now();
+        if (drawsPatchedBatches(request)) patched = &patchedBatchesOf(*request.scene);
+        if (patched || drawsFaces(request.pipeline)) builtMs = msSince(asked);
         encoding = encodingOf(request, frame.visible);
         frame.visible.resize(camera.width, camera.height, encoding);
         if (!request.shade)

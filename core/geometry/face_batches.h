@@ -10,6 +10,7 @@
 // Made       on first request, for the whole scene (facesOf)
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -63,6 +64,9 @@ struct FaceBatches {
     {
         return std::span(ears).subspan(faces[face].firstEar, faces[face + 1].firstEar - faces[face].firstEar);
     }
+    /// Every face is a triangle: to draw the mesh's triangles is to draw its faces.
+    bool areTriangles() const { return planes.empty(); }
+
     std::uint64_t bytes() const;
 };
 
@@ -74,6 +78,8 @@ public:
     explicit SceneFaces(const Scene& scene);
 
     const FaceBatches& of(MeshId mesh) const { return m_meshes[mesh.value]; }
+    /// Whether that is so of any mesh.
+    bool          areTriangles() const { return std::ranges::any_of(m_meshes, &FaceBatches::areTriangles); }
     std::uint64_t      bytes() const;
 
 private:

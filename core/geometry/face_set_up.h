@@ -35,6 +35,7 @@ struct FaceScratch {
     std::vector<ScreenSide>   sides;   // of the face at hand
     std::vector<EarFate>      fates;   // of its triangles, for probes that listen
     TriangleList              parts;   // of the triangle at hand
+    TriangleList              waiting; // faces that are triangles, until there are several
 
     std::size_t bytes() const
     {

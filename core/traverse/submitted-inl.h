@@ -216,30 +216,49 @@ void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScra
     visitBatches(stripe, clock, batchesOf, visit, rules, probe);
 }
 
-/// The same for the opaque triangles. Who does not listen, and wants no back faces, gets batches that stand patch by patch.
+/// Batches that stand patch by patch, for who does not listen, and wants no back faces; else nullptr.
+template <class Rules, class Probe>
+const PatchedBatches* patchedFor(const Stripe& stripe)
+{
+    if constexpr (Rules::kExact && !Probe::listens)
+        if (stripe.culling == FaceCulling::Back) return &patchedBatchesOf(stripe.scene);
+    return nullptr;
+}
+
+/// The same for the opaque triangles.
 template <class Consume, class Rules, class Probe>
 void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
                       const Rules& rules, const Probe& probe)
 {
-    const PatchedBatches* patched = nullptr;
-    if constexpr (Rules::kExact && !Probe::listens)
-        if (stripe.culling == FaceCulling::Back) patched = &patchedBatchesOf(stripe.scene);
-    const auto batchesOf = [&](MeshId mesh) -> const MeshBatches& { return patched ? patched->of(mesh) : stripe.scene.batchesOf(mesh); };
+    const PatchedBatches* patched   = patchedFor<Rules, Probe>(stripe);
+    const auto            batchesOf = [&](MeshId mesh) -> const MeshBatches& { return patched ? patched->of(mesh) : stripe.scene.batchesOf(mesh); };
     visitTriangles(batchesOf, stripe, scratch, clock, consume, rules, probe);
 }
 
 /// Hands the faces that may reach the stripe, as they were read, to `consume(face, sides)`, and those that are triangles or
-/// drawn as such to `consume(triangle)`.
+/// drawn as such to `consume(triangle)`; at full speed, of a mesh whose faces are triangles all, to `consume(triangles)`, batch by batch.
 template <class Consume, class Rules, class Probe>
 void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
                            const Rules& rules, const Probe& probe)
 {
-    const Scene&      scene = stripe.scene.scene();
-    const SceneFaces& faces = facesOf(stripe.scene);
+    const Scene&          scene       = stripe.scene.scene();
+    const SceneFaces&     faces       = facesOf(stripe.scene);
+    const bool            byTriangles = Rules::kExact && !Probe::listens && faces.areTriangles();
+    const PatchedBatches* patched     = byTriangles ? patchedFor<Rules, Probe>(stripe) : nullptr;
     clock.lap(Stage::Build);
-    const auto batchesOf = [&](MeshId mesh) -> const MeshBatches& { return faces.of(mesh).points; };
-    const auto visit     = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld, PatchBits) {
-        const FacePlace place{faces.of(scene.instances[instance.value].mesh), b, toWorld, scene.firstTriangle[instance.value]};
+    const auto areTriangles = [&](MeshId mesh) { return byTriangles && faces.of(mesh).areTriangles(); };
+    const auto batchesOf    = [&](MeshId mesh) -> const MeshBatches& {
+        return !areTriangles(mesh) ? faces.of(mesh).points : patched ? patched->of(mesh) : stripe.scene.batchesOf(mesh);
+    };
+    const auto visit = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld, PatchBits patches) {
+        const MeshId mesh = scene.instances[instance.value].mesh;
+        if (areTriangles(mesh)) {
+            const MeshBatches& triangles = batchesOf(mesh);
+            setUpBatch(BatchPlace{triangles, triangles.batches[b], toWorld, scene.firstTriangle[instance.value], patches}, instance, stripe, scratch, clock, rules, probe);
+            consume(scratch.triangles);
+            return;
+        }
+        const FacePlace place{faces.of(mesh), b, toWorld, scene.firstTriangle[instance.value]};
         const bool      fits = place.points().vertexCount <= kBatchVertices;  // a single face may have more
         if (fits) transformBatch(place.mesh.points, place.points(), toWorld, stripe.projection, rules, scratch.vertices);
         probe(BatchTransformed{instance, place.points().vertexCount});

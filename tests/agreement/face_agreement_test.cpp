@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/face_batches.h"
 #include "core/measure/face_figures.h"
+#include "core/scene/generators/icosphere.h"
 #include "core/scene/generators/random.h"
 #include "tests/agreement/agreement_support.h"
 #include "tests/agreement/soups.h"
@@ -177,6 +179,32 @@ TEST(FaceAgreement, FacesInSlabsOfTheirOwnAreSeenWhereTheirTrianglesAreSeen)
                 EXPECT_GT(figures.covered, 1000u);
             }
         }
+}
+
+/// Meshes whose faces are triangles all are drawn batch by batch, next to others that are drawn face by face.
+TEST(FaceAgreement, MeshesOfTrianglesStandNextToMeshesOfPolygons)
+{
+    const auto ball = makeIcosphere({.frequency = 12, .bumps = 0.1});
+    for (std::uint64_t seed = 0; seed < shareOf(40); ++seed) {
+        const Polygons polygons = makePolygons(4000 + seed, 10, Bend::Plane, 128, 64);
+        const auto     placed   = [&](double x, double z, double radius) {
+            const dvec3 at = pointAt(polygons.camera, x, 30, z);
+            return Instance{.mesh = MeshId{1}, .toWorld = {{{{radius, 0, 0, at.x}, {0, radius, 0, at.y}, {0, 0, radius, at.z}}}}};
+        };
+        Scene parts;
+        parts.meshes    = {polygons.scene->scene().meshes[0], ball};
+        parts.instances = {placed(30.2, 1.5, 0.3), Instance{.mesh = MeshId{0}, .toWorld = {}}, placed(70.4, 12, 4.5), placed(90.9, 1.6, 0.45)};
+        auto scene = assemble(std::move(parts));
+        ASSERT_TRUE(scene.ok());
+        const Polygons all{std::make_shared<const PreparedScene>(std::make_shared<const Scene>(*std::move(scene))), polygons.camera, "balls among " + polygons.what};
+        ASSERT_FALSE(facesOf(*all.scene).of(MeshId{0}).areTriangles());
+        ASSERT_TRUE(facesOf(*all.scene).of(MeshId{1}).areTriangles());
+        for (const FaceCulling culling : kCullings) {
+            const ErrorFigures figures = figuresByFace(all, culling, static_cast<int>(1 + seed % 3));
+            ASSERT_EQ(figures.wrongPixels(), 0u) << all.what << ", culling " << static_cast<int>(culling);
+            EXPECT_GT(figures.covered, 1000u);
+        }
+    }
 }
 
 TEST(FaceAgreement, OnPlaneFacesDepthIsWithinOneStep)
