@@ -35,10 +35,7 @@ public:
     }
 
     int   count() const { return static_cast<int>(m_borders.size()) - 1; }
-    Lines stripe(int i) const
-    {
-        return {onGrid(m_borders[static_cast<std::size_t>(i)]), onGrid(m_borders[static_cast<std::size_t>(i) + 1])};
-    }
+    Lines stripe(int i) const { return {border(i), border(i + 1)}; }
 
     /// `ms` is what each stripe took.
     void rebalance(std::span<const double> ms)
@@ -67,7 +64,12 @@ public:
     }
 
 private:
-    int onGrid(int line) const { return line == m_height ? line : std::min((line + kStripeGrid / 2) / kStripeGrid * kStripeGrid, m_height); }
+    /// On the grid, but for the last.
+    int border(int i) const
+    {
+        if (i == count()) return m_height;
+        return std::min(m_borders[static_cast<std::size_t>(i)] + kStripeGrid / 2, m_height) / kStripeGrid * kStripeGrid;
+    }
 
     int              m_height = -1;
     std::vector<int> m_borders;  // stripes + 1 entries, ascending, from 0 to m_height, on the grid or not
