@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -44,11 +45,33 @@ std::vector<std::string> sourcesIn(const std::string& folder)
     return files;
 }
 
-/// The code without comments and without the contents of string literals.
+/// Where the comment or the string literal ends that begins there; `at` itself if none does. A regex would go as deep as they are long.
+std::size_t endOfNoise(const std::string& text, std::size_t at)
+{
+    const auto behind = [&](std::string_view last, std::size_t from) {
+        const std::size_t found = text.find(last, from);
+        return found == std::string::npos ? text.size() : found + last.size();
+    };
+    const std::string_view rest = std::string_view(text).substr(at);
+    if (rest.starts_with("//")) return std::min(text.find('\n', at), text.size());
+    if (rest.starts_with("/*")) return behind("*/", at + 2);
+    if (rest.starts_with("R\"(")) return behind(")\"", at + 3);
+    if (!rest.starts_with('"')) return at;
+    for (std::size_t i = at + 1; i < text.size() && text[i] != '\n'; i += text[i] == '\\' ? 2 : 1)
+        if (text[i] == '"') return i + 1;
+    return at;  // no literal: a character
+}
+
+/// The code without comments and without string literals.
 std::string codeOf(const std::string& text)
 {
-    static const std::regex noise(R"re(//[^\n]*|/\*[^]*?\*/|R"\([^]*?\)"|"(\\.|[^"\\\n])*")re");
-    return std::regex_replace(text, noise, " ");
+    std::string code;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t end = endOfNoise(text, i);
+        code += end > i ? ' ' : text[i];
+        i = std::max(end, i + 1);
+    }
+    return code;
 }
 
 struct Includes {
