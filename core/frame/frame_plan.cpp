@@ -185,7 +185,7 @@ bool drawsPatchedBatches(const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
     if (pipeline.order != Order::Submitted || !pipeline.usesExactRules() || request.faceCulling != FaceCulling::Back) return false;
-    return !drawsFaces(pipeline) || facesOf(*request.scene).areTriangles();
+    return !drawsFaces(pipeline) || facesOf(*request.scene).someAreTriangles();
 }
 
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible)

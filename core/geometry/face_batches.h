@@ -79,8 +79,8 @@ public:
     explicit SceneFaces(const Scene& scene);
 
     const FaceBatches& of(MeshId mesh) const { return m_meshes[mesh.value]; }
-    /// Whether that is so of any mesh.
-    bool          areTriangles() const { return std::ranges::any_of(m_meshes, &FaceBatches::areTriangles); }
+    /// Whether that is so of at least one mesh.
+    bool          someAreTriangles() const { return std::ranges::any_of(m_meshes, &FaceBatches::areTriangles); }
     std::uint64_t      bytes() const;
 
 private:

@@ -34,8 +34,8 @@ struct FaceScratch {
     std::vector<Where>        where;
     std::vector<ScreenSide>   sides;   // of the face at hand
     std::vector<EarFate>      fates;   // of its triangles, for probes that listen
-    TriangleList              parts;   // of the triangle at hand
-    TriangleList              waiting; // faces that are triangles, until there are several
+    TriangleList              parts;    // of the triangle at hand
+    TriangleList              waiting;  // faces that are triangles, until there are several
 
     std::size_t bytes() const
     {

@@ -225,7 +225,7 @@ const PatchedBatches* patchedFor(const Stripe& stripe)
     return nullptr;
 }
 
-/// The same for the opaque triangles.
+/// visitTriangles() of the opaque ones.
 template <class Consume, class Rules, class Probe>
 void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
                       const Rules& rules, const Probe& probe)
@@ -243,7 +243,7 @@ void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageCl
 {
     const Scene&          scene       = stripe.scene.scene();
     const SceneFaces&     faces       = facesOf(stripe.scene);
-    const bool            byTriangles = Rules::kExact && !Probe::listens && faces.areTriangles();
+    const bool            byTriangles = Rules::kExact && !Probe::listens && faces.someAreTriangles();
     const PatchedBatches* patched     = byTriangles ? patchedFor<Rules, Probe>(stripe) : nullptr;
     clock.lap(Stage::Build);
     const auto areTriangles = [&](MeshId mesh) { return byTriangles && faces.of(mesh).areTriangles(); };
