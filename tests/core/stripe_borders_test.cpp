@@ -111,11 +111,15 @@ TEST(StripeBorders, StayWhereTheyAreWhenOneFrameIsHeldUp)
 
 TEST(StripeBorders, FewerLinesThanStripesLeaveSomeEmpty)
 {
-    StripeBorders borders;
-    borders.prepare(3, 8);
-    expectCover(borders, 3);
-    borders.rebalance(std::vector<double>(8, 1.0));
-    expectCover(borders, 3);
+    for (int height = 1; height <= 40; ++height)
+        for (int stripes = 1; stripes <= 9; ++stripes) {
+            StripeBorders borders;
+            borders.prepare(height, stripes);
+            expectCover(borders, height);
+            borders.rebalance(std::vector<double>(static_cast<std::size_t>(stripes), 1.0));
+            expectCover(borders, height);
+            if (HasFatalFailure()) return;
+        }
 }
 
 }  // namespace
