@@ -50,6 +50,24 @@ TEST_F(Cli, AnExperimentIsMeasuredAndItsRecordHoldsEveryCase)
     EXPECT_TRUE(contentsOf(path("r.csv")).starts_with("scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,"));
 }
 
+TEST_F(Cli, ABenchTimesItsRunsInTurn)
+{
+    const auto rounds = [this](const std::vector<std::string>& said) {
+        std::vector<std::string> words{"bench", "builtin:cubes", "--size", "40x30", "--algorithms", "zbuffer,scanline", "--threads", "1,2", "--json", path("r.json")};
+        words.insert(words.end(), said.begin(), said.end());
+        const Answer answer = run(words);
+        EXPECT_EQ(answer.status, 0) << answer.err;
+        const Json               rows = Json::parse(contentsOf(path("r.json")));
+        std::vector<std::size_t> counts;
+        for (const Json& row : rows) counts.push_back(row["round_ms"].size());
+        return counts;
+    };
+    EXPECT_EQ(rounds({"--frames", "7"}), (std::vector<std::size_t>{5, 5, 5, 5}));
+    EXPECT_EQ(rounds({"--frames", "2"}), (std::vector<std::size_t>{2, 2, 2, 2}));
+    EXPECT_EQ(rounds({"--frames", "7", "--rounds", "3"}), (std::vector<std::size_t>{3, 3, 3, 3}));
+    EXPECT_EQ(rounds({"--frames", "7", "--memory-limit", "500"}), (std::vector<std::size_t>{1, 1, 1, 1}));  // one run's memory after the other's
+}
+
 constexpr const char* kTurn = R"({"unit":"scene","keys":[{"frame":0,"eye":[0,0.4,1.6],"target":[0,0,0]},
  {"frame":2,"cut":true,"eye":[0.4,0.4,-1.4],"target":[0,0,0]},{"frame":4,"eye":[0.4,0.4,-1.4],"target":[0,0,0]}]})";
 
