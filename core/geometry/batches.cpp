@@ -298,16 +298,16 @@ private:
         for (const Triangle& triangle : patch)
             for (const dvec3& corner : triangle) box.include(corner);
         const dvec3 centre = 0.5 * box.min + 0.5 * box.max;
-        double      radius = 0;
+        double      most   = 0;
         for (const Triangle& triangle : patch)
-            for (const dvec3& corner : triangle) radius = std::max(radius, glm::length(corner - centre));
+            for (const dvec3& corner : triangle) most = std::max(most, glm::dot(corner - centre, corner - centre));
         const NormalCone cone = normalConeOf(patch, centre);
         for (int i = 0; i < 3; ++i) {
             const auto k = static_cast<std::size_t>(i);
             block.axis[k][lane] = cone.axis[i], block.apex[k][lane] = cone.apex[i], block.centre[k][lane] = centre[i];
         }
         block.cosine[lane] = cone.cosine, block.sine[lane] = cone.sine, block.altitude[lane] = cone.altitude;
-        block.radius[lane] = radius;
+        block.radius[lane] = box.min == box.max ? 0 : ballRadius(most);
     }
 
     MeshBatches&          m_mesh;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -20,6 +21,14 @@
 #include "core/scene/mesh.h"
 
 namespace zscope {
+
+/// Of a ball that holds points no farther from its middle than the root of `squared`, rounded outward; infinite where squares run over or under, so that such a ball
+/// bounds nothing.
+inline double ballRadius(double squared)
+{
+    constexpr double kUnder = 1e-250;
+    return squared > kUnder ? std::sqrt(squared) * (1 + 1e-12) : std::numeric_limits<double>::infinity();
+}
 
 /// A box of the model in view space.
 struct ViewBox {

@@ -1,10 +1,17 @@
 #include "core/hierarchy/scene_trees.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/geometry/placed_view.h"
 
 namespace zscope {
 
 namespace {
+
+double squaredDistance(const dvec3& a, const dvec3& b) { return glm::dot(a - b, a - b); }
 
 class TriangleBoxes : public ItemBoxes {
 public:
@@ -17,43 +24,72 @@ public:
         for (const std::uint32_t vertex : m_mesh.triangles[item]) box.include(m_mesh.positions[vertex]);
         return box;
     }
+    double squaredReach(std::uint32_t item, const dvec3& from) const override
+    {
+        double most = 0;
+        for (const std::uint32_t vertex : m_mesh.triangles[item]) most = std::max(most, squaredDistance(m_mesh.positions[vertex], from));
+        return most;
+    }
 
 private:
     const Mesh& m_mesh;
 };
 
+/// Found once: whoever visits the tree asks for them frame by frame.
 class InstanceBoxes : public ItemBoxes {
 public:
-    explicit InstanceBoxes(const Scene& scene) : m_scene(scene)
+    explicit InstanceBoxes(const Scene& scene)
     {
-        for (const auto& mesh : scene.meshes) m_meshBounds.push_back(mesh->bounds());
+        std::vector<PlacedMesh> meshes;
+        for (const auto& mesh : scene.meshes) meshes.emplace_back(*mesh);
+        m_boxes.reserve(scene.instances.size());
+        for (const Instance& instance : scene.instances) m_boxes.push_back(meshes[instance.mesh.value].boxAt(instance.toWorld));
     }
 
-    std::uint32_t count() const override { return static_cast<std::uint32_t>(m_scene.instances.size()); }
-    /// The world box of the mesh's placed box, grown by far more than its rounding.
-    Bounds boxOf(std::uint32_t item) const override
-    {
-        const Instance& instance = m_scene.instances[item];
-        const Bounds&   box      = m_meshBounds[instance.mesh.value];
-        Bounds          world;
-        if (box.isEmpty()) return world;
-        for (int i = 0; i < 8; ++i)
-            world.include(instance.toWorld({i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z}));
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto&  m    = instance.toWorld.rows[static_cast<std::size_t>(axis)];
-            const double size = std::abs(m[3]) + std::abs(m[0]) * largest(box, 0) + std::abs(m[1]) * largest(box, 1) +
-                                std::abs(m[2]) * largest(box, 2);
-            world.min[axis] -= 1e-14 * size;
-            world.max[axis] += 1e-14 * size;
-        }
-        return world;
-    }
+    std::uint32_t count() const override { return static_cast<std::uint32_t>(m_boxes.size()); }
+    Bounds        boxOf(std::uint32_t item) const override { return m_boxes[item]; }
+    std::uint64_t bytes() const override { return m_boxes.capacity() * sizeof(Bounds); }
 
 private:
-    static double largest(const Bounds& box, int axis) { return std::max(std::abs(box.min[axis]), std::abs(box.max[axis])); }
+    /// A mesh that is placed many times: its box, and the ball about the middle of that.
+    class PlacedMesh {
+    public:
+        explicit PlacedMesh(const Mesh& mesh) : m_box(mesh.bounds()), m_middle(0.5 * m_box.min + 0.5 * m_box.max)
+        {
+            double most = 0;
+            for (const dvec3& position : mesh.positions) most = std::max(most, squaredDistance(position, m_middle));
+            m_radius = ballRadius(most);
+        }
 
-    const Scene&        m_scene;
-    std::vector<Bounds> m_meshBounds;
+        /// What the world boxes of the placed box and of the placed ball have in common, grown by far more than its rounding.
+        Bounds boxAt(const Affine& toWorld) const
+        {
+            Bounds world;
+            if (m_box.isEmpty()) return world;
+            for (int i = 0; i < 8; ++i)
+                world.include(toWorld({i & 1 ? m_box.max.x : m_box.min.x, i & 2 ? m_box.max.y : m_box.min.y, i & 4 ? m_box.max.z : m_box.min.z}));
+            const dvec3 middle = toWorld(m_middle);
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto&  m    = toWorld.rows[static_cast<std::size_t>(axis)];
+                const double size = std::abs(m[3]) + std::abs(m[0]) * largest(0) + std::abs(m[1]) * largest(1) + std::abs(m[2]) * largest(2);
+                const double reach = m_radius * ballRadius(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+                if (middle[axis] - reach > world.min[axis]) world.min[axis] = middle[axis] - reach;
+                if (middle[axis] + reach < world.max[axis]) world.max[axis] = middle[axis] + reach;
+                world.min[axis] -= 1e-14 * size;
+                world.max[axis] += 1e-14 * size;
+            }
+            return world;
+        }
+
+    private:
+        double largest(int axis) const { return std::max(std::abs(m_box.min[axis]), std::abs(m_box.max[axis])); }
+
+        Bounds m_box;
+        dvec3  m_middle;
+        double m_radius;
+    };
+
+    std::vector<Bounds> m_boxes;
 };
 
 template <TreeKind kKind>

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/geometry/placed_view.h"
+
 namespace zscope {
 
 namespace {
@@ -58,16 +60,19 @@ Tree::Tree(TreeKind kind, std::unique_ptr<const ItemBoxes> boxes, std::uint32_t 
     : m_kind(kind), m_boxes(std::move(boxes)), m_leafSize(leafSize), m_items(m_boxes->count()), m_root(std::make_unique<TreeNode>())
 {
     std::iota(m_items.begin(), m_items.end(), 0u);
-    m_root->end    = static_cast<std::uint32_t>(m_items.size());
-    m_root->bounds = boundsOf(0, m_root->end);
-    m_root->cell   = m_root->bounds;
+    m_root->end = static_cast<std::uint32_t>(m_items.size());
+    boundItems(*m_root);
+    m_root->cell = m_root->bounds;
 }
 
-Bounds Tree::boundsOf(std::uint32_t first, std::uint32_t end) const
+/// By their box, and by the ball about its middle.
+void Tree::boundItems(TreeNode& node) const
 {
-    Bounds all;
-    for (std::uint32_t i = first; i < end; ++i) include(all, m_boxes->boxOf(m_items[i]));
-    return all;
+    for (const std::uint32_t item : allItems(node)) include(node.bounds, m_boxes->boxOf(item));
+    const dvec3 middle = centreOf(node.bounds);
+    double      most   = 0;
+    for (const std::uint32_t item : allItems(node)) most = std::max(most, m_boxes->squaredReach(item, middle));
+    node.radius = ballRadius(most);
 }
 
 const TreeNode& Tree::open(const TreeNode& node) const
@@ -101,7 +106,7 @@ void Tree::divide(TreeNode& node) const
         child.first     = groups[i].first;
         child.end       = groups[i].end;
         child.cell      = groups[i].cell;
-        child.bounds    = boundsOf(child.first, child.end);
+        boundItems(child);
     }
     m_nodeCount.fetch_add(groups.size(), std::memory_order_relaxed);
 }
@@ -217,7 +222,7 @@ std::string pathOf(const TreeNode& node)
 
 std::uint64_t Tree::bytes() const
 {
-    return m_items.capacity() * sizeof(std::uint32_t) + nodeCount() * sizeof(TreeNode) + m_batchBytes.load(std::memory_order_relaxed);
+    return m_boxes->bytes() + m_items.capacity() * sizeof(std::uint32_t) + nodeCount() * sizeof(TreeNode) + m_batchBytes.load(std::memory_order_relaxed);
 }
 
 }  // namespace zscope

@@ -4,7 +4,8 @@
 //            of its own beside the octants (`straddles`), each with a box of its own: one if it is little, else one for
 //            each set of splitting planes that its items cross; a large one is halved like a BVH
 // BVH        halves by the surface area heuristic
-// Nodes      only nodes without children hold items. `bounds` is the box of all items below, not the cell
+// Nodes      only nodes without children hold items. `bounds` is the box of all items below, not the cell; a ball about its middle holds them, too,
+//            and is the smaller one where what is round has been turned
 // Lazy       a node is divided when it is first opened, and stays so: a part of the scene that nobody looks at is
 //            never divided. Any thread may open nodes
 // Names      a node is named by its path from the root, whatever order the nodes were opened in: pathOf()
@@ -20,6 +21,9 @@
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "core/geometry/batches.h"
 #include "core/scene/mesh.h"
 
@@ -33,6 +37,15 @@ public:
     virtual ~ItemBoxes() = default;
     virtual std::uint32_t count() const                  = 0;
     virtual Bounds        boxOf(std::uint32_t item) const = 0;
+    /// The square of how far the item reaches from there; at least that.
+    virtual double squaredReach(std::uint32_t item, const dvec3& from) const
+    {
+        const Bounds box = boxOf(item);
+        if (box.isEmpty()) return 0;
+        const dvec3 far = glm::max(glm::abs(box.min - from), glm::abs(box.max - from));
+        return glm::dot(far, far);
+    }
+    virtual std::uint64_t bytes() const { return 0; }
 };
 
 struct TreeNode {
@@ -41,6 +54,7 @@ struct TreeNode {
 
     // What a visit reads of a node that it does not enter stands first, on one or two cache lines.
     Bounds          bounds;               // of everything below
+    double          radius = 0;           // of a ball about the middle of `bounds` that holds everything below; infinite: not known
     std::uint32_t   first = 0, end = 0;   // of Tree::items: everything below
     int             slot      = 0;        // which child of its parent: octants and halves from 0 on, what straddles from kOctants on
     int             depth     = 0;
@@ -115,7 +129,7 @@ private:
     void               divide(TreeNode& node) const;
     std::vector<Group> byPlanes(const TreeNode& node) const;
     std::vector<Group> halves(const TreeNode& node) const;
-    Bounds             boundsOf(std::uint32_t first, std::uint32_t end) const;
+    void               boundItems(TreeNode& node) const;
 
     TreeKind                                 m_kind;
     std::unique_ptr<const ItemBoxes>         m_boxes;

@@ -12,6 +12,7 @@
 // Pixels     at full speed a batch's patches that face away are left out, and those patches and small triangles all of whose pixels hold
 //            something nearer than the batch comes (core/geometry/patches.h, core/depth/hidden_squares.h); of large triangles, patches that
 //            the pyramid hides
+// Balls      there, too, a node reaches no farther than a ball around it does: whoever listens sees boxes
 // Dense      where that is so, questions about nodes below one whose triangles are that small may be left out (core/cull/sampled_questions.h)
 // Whole      there, too, a small node is drawn with everything below it, and not divided: the squares tell its parts apart
 // Recall     with a memory of the last frame: what it saw is drawn first, unasked, in the order in which it came then; the
@@ -281,6 +282,7 @@ private:
         if (reach.crossesNear) return tell(placed, node, Verdict::Entered, nullptr);
         if (reach.area < smallest) return tell(placed, node, Verdict::Small, nullptr);
         if (!m_occlusion.asksNodes) return tell(placed, node, Verdict::Entered, nullptr);
+        if constexpr (kAtFullSpeed) reach = narrowedToBall(reach, box, node.radius * placed.view.longest(), m_stripe.projection);
         if (m_rules.truncatesNodeBoxes()) --reach.pixels.x1, --reach.pixels.y1;
         if (reach.pixels.isEmpty()) return tell(placed, node, Verdict::Outside, nullptr);
         const PyramidQuery query =

@@ -51,8 +51,39 @@ std::vector<dvec3> pointsOf(const Bounds& box, Random& random)
 }
 
 struct Tally {
-    int crossing = 0, inFront = 0;
+    int crossing = 0, inFront = 0, narrowed = 0;
 };
+
+/// A point's place on the screen, and how near it is.
+void expectHolds(const NodeReach& reach, const ScreenCorner& corner)
+{
+    ASSERT_LE(static_cast<float>(corner.d), reach.nearest);
+    if (!(std::abs(corner.xs) < kSnapLimit && std::abs(corner.ys) < kSnapLimit)) return;
+    const int x = std::clamp(firstPixelCentreFrom(corner.xs), kEverywhere.x0, kEverywhere.x1);
+    const int y = std::clamp(firstPixelCentreFrom(corner.ys), kEverywhere.y0, kEverywhere.y1);
+    ASSERT_GE(x, reach.pixels.x0);
+    ASSERT_LE(x, reach.pixels.x1);
+    ASSERT_GE(y, reach.pixels.y0);
+    ASSERT_LE(y, reach.pixels.y1);
+}
+
+/// What lies in the box and in a ball about its middle.
+void expectBallCovers(const NodeReach& ofBox, const Bounds& box, const Affine& toWorld, const Projection& projection, Random& random, Tally& tally)
+{
+    const dvec3      middle = 0.5 * box.min + 0.5 * box.max, half = 0.5 * box.max - 0.5 * box.min;
+    const double     radius = ballRadius(glm::dot(half, half)) * random.between(0.3, 1);
+    const PlacedView view(projection, toWorld);
+    const NodeReach  reach = narrowedToBall(ofBox, view(box), radius * view.longest(), projection);
+    const bool isNarrower = reach.pixels != ofBox.pixels || reach.nearest != ofBox.nearest;
+    tally.narrowed += isNarrower;
+    for (int i = 0; i < 20; ++i) {
+        const dvec3 aside = random.rotation()({radius * (1 - 1e-11), 0, 0});
+        const dvec3 p     = glm::clamp(middle + aside, box.min, box.max);
+        if (!(glm::distance(p, middle) <= radius)) continue;
+        expectHolds(reach, projection.toScreen(projection.toView(toWorld(p))));
+        if (testing::Test::HasFatalFailure()) return;
+    }
+}
 
 void expectCovers(const Bounds& box, const Affine& toWorld, const Camera& camera, Random& random, Tally& tally)
 {
@@ -70,16 +101,10 @@ void expectCovers(const Bounds& box, const Affine& toWorld, const Camera& camera
     for (const dvec3& p : pointsOf(box, random)) {
         const dvec3 view = projection.toView(toWorld(p));
         ASSERT_GE(view.z, camera.near) << "it said that nothing lies before the near plane";
-        const ScreenCorner corner = projection.toScreen(view);
-        ASSERT_LE(static_cast<float>(corner.d), reach.nearest);
-        if (!(std::abs(corner.xs) < kSnapLimit && std::abs(corner.ys) < kSnapLimit)) continue;
-        const int x = std::clamp(firstPixelCentreFrom(corner.xs), kEverywhere.x0, kEverywhere.x1);
-        const int y = std::clamp(firstPixelCentreFrom(corner.ys), kEverywhere.y0, kEverywhere.y1);
-        ASSERT_GE(x, reach.pixels.x0);
-        ASSERT_LE(x, reach.pixels.x1);
-        ASSERT_GE(y, reach.pixels.y0);
-        ASSERT_LE(y, reach.pixels.y1);
+        expectHolds(reach, projection.toScreen(view));
+        if (testing::Test::HasFatalFailure()) return;
     }
+    expectBallCovers(reach, box, toWorld, projection, random, tally);
     ASSERT_EQ(seen.pixels.x0, std::max(0, reach.pixels.x0));
     ASSERT_EQ(seen.pixels.y1, std::min(camera.height, reach.pixels.y1));
 }
@@ -119,6 +144,7 @@ TEST(NodeReach, IsNeverSmallerThanWhatThePointsOfTheBoxTouch)
     }
     EXPECT_GT(tally.crossing, 2000);
     EXPECT_GT(tally.inFront, 20'000);
+    EXPECT_GT(tally.narrowed, 10'000);
 }
 
 TEST(NodeReach, E8ABoxAboutTheNearPlaneOrTheEyeCrossesIt)
@@ -168,6 +194,25 @@ TEST(NodeReach, IsNotMuchLargerThanTheBoxWhereNumbersAreOrdinary)
         ++checked;
     }
     EXPECT_EQ(checked, 5000);
+}
+
+TEST(NodeReach, OfABallThatIsTurnedIsTheBallsOwn)
+{
+    Random random(4);
+    for (int i = 0; i < 1000; ++i) {
+        Camera camera = turnedCamera(random, {1, 2, 3}, 60, 0.1);
+        Affine turned = random.rotation();
+        const dvec3 middle = camera.eye + camera.forward * 10.0;
+        for (int k = 0; k < 3; ++k) turned.rows[static_cast<std::size_t>(k)][3] = middle[k];
+        const Projection projection(camera);
+        const PlacedView view(projection, turned);
+        const ViewBox    box   = view(Bounds{{-1, -1, -1}, {1, 1, 1}});
+        const NodeReach  reach = narrowedToBall(reachOf(box, projection, kEverywhere), box, view.longest(), projection);
+        const double     most  = 2 * projection.pixelsPerSlope() / 9 + 2;  // its near side is 9 away
+        EXPECT_LE(reach.pixels.x1 - reach.pixels.x0, most);
+        EXPECT_LE(reach.pixels.y1 - reach.pixels.y0, most);
+        EXPECT_LE(reach.nearest, 1.000001 * projection.depthAtOne / 9);
+    }
 }
 
 TEST(NodeReach, D6ABoxBetweenPixelCentresOrBesideThePictureTouchesNothing)

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "core/hierarchy/scene_trees.h"
@@ -64,7 +66,8 @@ std::map<std::string, std::vector<std::uint32_t>> ownersOf(const Tree& tree)
     return owners;
 }
 
-void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32_t leaf = kLeaf)
+/// `cornersAreItems`: an item is less than its box, and so may its node's ball be.
+void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32_t leaf = kLeaf, bool cornersAreItems = false)
 {
     std::vector<int>      times(boxes.size(), 0);
     std::set<std::string> names;
@@ -81,6 +84,13 @@ void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32
         }
         ASSERT_EQ(all.min, node->bounds.min);
         ASSERT_EQ(all.max, node->bounds.max);
+        const dvec3 middle = 0.5 * all.min + 0.5 * all.max;
+        for (const std::uint32_t item : tree.allItems(*node))
+            for (int i = 0; i < 8 && !boxes[item].isEmpty(); ++i) {
+                const Bounds& box = boxes[item];
+                const dvec3   corner{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
+                ASSERT_TRUE(cornersAreItems || glm::distance(corner, middle) <= node->radius);
+            }
 
         const auto children = tree.childrenOf(*node);
         for (const std::uint32_t item : tree.ownItems(*node)) ++times[item];
@@ -350,7 +360,11 @@ TEST(SceneTrees, HoldEveryTriangleOfEveryMeshAndEveryInstanceOnce)
                 std::vector<Bounds> boxes(mesh.triangles.size());
                 for (std::size_t t = 0; t < boxes.size(); ++t)
                     for (const std::uint32_t vertex : mesh.triangles[t]) boxes[t].include(mesh.positions[vertex]);
-                expectValid(trees.mesh(MeshId{m}), boxes, SceneTrees::kTriangleLeaf);
+                expectValid(trees.mesh(MeshId{m}), boxes, SceneTrees::kTriangleLeaf, true);
+                for (const TreeNode* node : openedNodes(trees.mesh(MeshId{m})))
+                    for (const std::uint32_t t : trees.mesh(MeshId{m}).allItems(*node))
+                        for (const std::uint32_t vertex : mesh.triangles[t])
+                            ASSERT_LE(glm::distance(mesh.positions[vertex], 0.5 * node->bounds.min + 0.5 * node->bounds.max), node->radius) << word;
 
                 std::vector<int> drawn(mesh.triangles.size(), 0);
                 for (const TreeNode* node : openedNodes(trees.mesh(MeshId{m})))
@@ -366,11 +380,37 @@ TEST(SceneTrees, HoldEveryTriangleOfEveryMeshAndEveryInstanceOnce)
                     for (const dvec3& p : scene.meshOf(InstanceId{item}).positions) {
                         const dvec3 placed = scene.instances[item].toWorld(p);
                         ASSERT_TRUE(isWithin({placed, placed}, node->bounds)) << word;
+                        ASSERT_TRUE(isWithin({placed, placed}, instances.boxOf(item))) << word;
+                        ASSERT_LE(glm::distance(placed, 0.5 * node->bounds.min + 0.5 * node->bounds.max), node->radius) << word;
                     }
                 }
             EXPECT_EQ(owned, scene.instances.size());
         }
     }
+}
+
+TEST(SceneTrees, ABallThatIsTurnedHasABoxOfItsOwnSize)
+{
+    auto loaded = loadScene("builtin:soccer-field?count=200&ball=icosphere");
+    ASSERT_TRUE(loaded.ok());
+    const PreparedScene prepared(std::make_shared<const Scene>(*std::move(loaded)));
+    const Scene&        scene = prepared.scene();
+    const Tree&         tree  = treesOf(prepared, TreeKind::Bvh).instances();
+    const Bounds        ball  = scene.meshes.front()->bounds();
+    for (std::uint32_t item = 0; item < scene.instances.size(); ++item) {
+        const Bounds box = tree.boxOf(item);
+        for (int axis = 0; axis < 3; ++axis) EXPECT_LE(box.max[axis] - box.min[axis], 1.001 * (ball.max[axis] - ball.min[axis])) << item;
+    }
+}
+
+TEST(Tree, ABallWhoseSquaresRunUnderOrOverBoundsNothing)
+{
+    for (const double size : {1e-170, 1e160}) {
+        const std::vector<Bounds> boxes{boxAbout({0, 0, 0}, size), boxAbout({size, 0, 0}, size)};
+        EXPECT_EQ(Tree(TreeKind::Bvh, std::make_unique<GivenBoxes>(boxes), kLeaf).root().radius, std::numeric_limits<double>::infinity()) << size;
+    }
+    const std::vector<Bounds> boxes{boxAbout({0, 0, 0}, 1e-100)};
+    EXPECT_LT(Tree(TreeKind::Bvh, std::make_unique<GivenBoxes>(boxes), kLeaf).root().radius, 1.8e-100);
 }
 
 }  // namespace
