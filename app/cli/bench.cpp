@@ -28,7 +28,6 @@ struct BenchOptions {
 
 constexpr std::int64_t kMaxFrames     = 1'000'000;
 constexpr std::int64_t kMaxSamples    = 100'000'000;
-constexpr int          kRounds        = 5;  // unless told otherwise, or there are fewer frames, or memory is scarce: each run keeps its own until the last round
 constexpr std::size_t  kWarningsShown = 0;  // 'info' is the place for them; here they would part the table
 
 /// The suite that was asked for, or nullptr.
@@ -86,7 +85,6 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
         if (!frames) return frames.error();
         request.frames = static_cast<int>(*frames);
     }
-    if (!options.memoryLimit) request.rounds = std::min(kRounds, request.frames);
     if (options.rounds) {
         const auto rounds = wholeNumber(*options.rounds, "--rounds", 1, request.frames);
         if (!rounds) return rounds.error();
@@ -223,7 +221,7 @@ Command addBench(CLI::App& parent)
     option("--threads", options->threads, "N[,N...]", "Thread counts (default: one per core, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
-    option("--rounds", options->rounds, "N", "Turns that these frames are parted in, every run after the other in each (default 5, with --memory-limit 1)");
+    option("--rounds", options->rounds, "N", "Turns that these frames are parted in, every run after the other in each (default 1)");
     option("--path", options->path, "FILE.json", "Move the camera from key frame to key frame, as often as the timed frames need (docs/experiments.md)");
     option("--sample", options->sample, "N", "Check N random pixels of each picture instead of all");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
