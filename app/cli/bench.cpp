@@ -170,7 +170,7 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
     const auto scenes = benchScenesOf(options.scenes, *suite);
     if (!scenes) return scenes.error();
 
-    // The peers come after everybody's own runs: what their libraries leave in the process makes our frames up to half as long again.
+    // The peers come last: what their libraries leave in the process may make our later frames longer (docs/performance.md).
     std::vector<std::vector<BenchRow>> rowsOf(scenes->size());
     for (const bool ofPeers : {false, true}) {
         if (ofPeers && !options.peers) break;
