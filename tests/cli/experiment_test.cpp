@@ -66,6 +66,22 @@ TEST_F(Cli, ABenchTimesItsRunsInTurnIfTold)
     EXPECT_EQ(rounds({"--frames", "7", "--rounds", "3"}), (std::vector<std::size_t>{3, 3, 3, 3}));
 }
 
+TEST_F(Cli, ABenchTellsOfEachSceneItsOwnRunsFirstAndThePeersThen)
+{
+    const std::vector<std::string> scenes{"builtin:cubes", "builtin:teapot"};
+    const Answer answer = run({"bench", scenes[0], scenes[1], "--peers", "--size", "40x30", "--algorithms", "zbuffer", "--threads", "1", "--frames", "1", "--json", path("r.json")});
+    if (answer.err.find(kNobody) != std::string::npos) GTEST_SKIP() << answer.err;
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    std::vector<std::pair<std::string, bool>> told;  // scene, whether by a peer; the same ones side by side once
+    const Json rows = Json::parse(contentsOf(path("r.json")));
+    for (const Json& row : rows) {
+        const std::pair<std::string, bool> next{row["scene"].get<std::string>(), row["algorithm"].get<std::string>().starts_with("peer:")};
+        if (told.empty() || told.back() != next) told.push_back(next);
+    }
+    const std::vector<std::pair<std::string, bool>> expected{{scenes[0], false}, {scenes[0], true}, {scenes[1], false}, {scenes[1], true}};
+    EXPECT_EQ(told, expected);
+}
+
 constexpr const char* kTurn = R"({"unit":"scene","keys":[{"frame":0,"eye":[0,0.4,1.6],"target":[0,0,0]},
  {"frame":2,"cut":true,"eye":[0.4,0.4,-1.4],"target":[0,0,0]},{"frame":4,"eye":[0.4,0.4,-1.4],"target":[0,0,0]}]})";
 
