@@ -147,7 +147,8 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
     std::vector<std::string> inputs = options.scenes;
     for (const auto& file : {options.experiment, options.path}) inputs.push_back(file.value_or(""));
     inputs.push_back(options.view.cameraFile());
-    if (const auto checked = checkOutputs({{"--json", options.json}, {"--csv", options.csv}}, inputs); !checked) return checked.error();
+    const std::vector<Output> outputs{{"--json", options.json}, {"--csv", options.csv}};
+    if (const auto checked = checkOutputs(outputs, inputs); !checked) return checked.error();
     if (options.experiment) return benchExperiment(options, *words, session);
     if (options.shard) return Error{Trouble::Usage, "--shard parts the cases of an experiment: name one with --experiment"};
     const Result<const Suite*> suite = suiteOf(options);
@@ -179,6 +180,7 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
             request->load          = {};
             const auto scene       = cli::loadScene(each.word, session, request->memoryLimit, kWarningsShown, &request->load);
             if (!scene) return scene.error();
+            if (const auto checked = checkOutputs(outputs, (*scene)->files); !checked) return checked.error();
             const auto view = each.viewOf(**scene, *words);
             if (!view) return view.error();
             if (each.isStandIn && !ofPeers) session.note(fmt::format("'{}' stands in for a model that is not here: {}", each.word, each.title));

@@ -100,9 +100,11 @@ Result<Exit> compareOnSheet(const CompareOptions& options, Session& session)
     if (!words) return words.error();
     Result<CompareRequest> request = requestOf(options, session);
     if (!request) return request.error();
-    if (const auto checked = checkOutputs({{"-o", options.sheet}}, {options.scene.word(), options.view.cameraFile()}); !checked) return checked.error();
+    const std::vector<Output> outputs{{"-o", options.sheet}};
+    if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked) return checked.error();
     const Result<LoadedScene> scene = options.scene.prepare(session, request->memoryLimit);
     if (!scene) return scene.error();
+    if (const auto checked = checkOutputs(outputs, scene->scene->files); !checked) return checked.error();
     const auto view = words->of(*scene->scene);
     if (!view) return view.error();
     request->scene       = scene->prepared;

@@ -57,14 +57,16 @@ std::optional<Error> whyNotThere(const BenchScene& scene)
 Result<std::vector<BenchAlgorithm>> algorithmsFor(const ExperimentScene& scene, const ExperimentPart& part, const std::string& file)
 {
     std::vector<BenchAlgorithm> algorithms;
-    for (const std::string& word : part.algorithms) {
-        std::string all = word;
+    for (std::size_t i = 0; i < part.algorithms.size(); ++i) {
+        const std::string& word = part.algorithms[i];
+        const int          line = scene.choices.empty() ? part.algorithmLines[i] : scene.line;
+        std::string        all  = word;
         for (const std::string& choice : scene.choices) all += '+' + choice;
         const auto named = algorithmsOf(all);
-        if (!named) return at(file, scene.choices.empty() ? part.line : scene.line, named.error());
+        if (!named) return at(file, line, named.error());
         for (const NamedPipeline& each : *named) {
             if (const auto why = explainInvalid(each.pipeline))
-                return Error{Trouble::Input, fmt::format("'{}' cannot be drawn: {}", all, *why), file, part.line};
+                return Error{Trouble::Input, fmt::format("'{}' cannot be drawn: {}", all, *why), file, line};
             algorithms.push_back({scene.choices.empty() ? each.name : word, each.pipeline, each.claim});
         }
     }
@@ -97,7 +99,7 @@ Result<PreparedPart> prepare(const ExperimentPart& part, const std::string& file
         if (const auto there = checkPeers(); !there) return at(file, part.line, there.error());
     if (!part.path.empty()) {
         auto path = cameraPathOf(part.path);
-        if (!path) return at(file, part.line, path.error());
+        if (!path) return at(file, part.pathLine, path.error());
         prepared.path = *std::move(path);
     }
     return prepared;
@@ -153,8 +155,9 @@ private:
             if (part.path) inputs.push_back(part.path->file);
             for (const PreparedScene& each : part.scenes) inputs.insert(inputs.end(), {each.scene.word, each.scene.cameraFile});
         }
-        return checkOutputs({{"--json", m_options.json}, {"--csv", m_options.csv}}, inputs);
+        return checkOutputs(outputs(), inputs);
     }
+    std::vector<Output> outputs() const { return {{"--json", m_options.json}, {"--csv", m_options.csv}}; }
 
     Result<Done> checkBaseline() const
     {
@@ -199,7 +202,9 @@ private:
     Result<std::shared_ptr<const Scene>> load(const ExperimentCase& each, LoadTimes* times = nullptr) const
     {
         auto scene = cli::loadScene(preparedOf(each).scene.word, m_session, m_options.memoryLimit, 0, times);
-        return scene || scene.error().kind != Trouble::Usage ? scene : at(m_options.file, each.scene->line, scene.error());
+        if (!scene) return scene.error().kind != Trouble::Usage ? scene : at(m_options.file, each.scene->line, scene.error());
+        if (const auto checked = checkOutputs(outputs(), (*scene)->files); !checked) return checked.error();
+        return scene;
     }
 
     Result<Done> beginRecord()

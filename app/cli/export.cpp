@@ -48,9 +48,11 @@ Result<Exit> exportTriangles(const ExportOptions& options, Session& session)
         if (!given) return given.error();
         limit = *given;
     }
-    if (const auto checked = checkOutputs({{"--triangles", options.triangles}}, {options.scene.word()}); !checked) return checked.error();
+    const std::vector<Output> outputs{{"--triangles", options.triangles}};
+    if (const auto checked = checkOutputs(outputs, {options.scene.word()}); !checked) return checked.error();
     const auto scene = options.scene.load(session, limit);
     if (!scene) return scene.error();
+    if (const auto checked = checkOutputs(outputs, (*scene)->files); !checked) return checked.error();
     if (const auto done = writeTriangles(**scene, options.triangles, session); !done) return done.error();
     return Exit::Done;
 }

@@ -208,6 +208,7 @@ Result<Exit> render(const RenderOptions& options, Session& session)
 
     const Result<LoadedScene> scene = options.scene.prepare(session, how->memoryLimit);
     if (!scene) return scene.error();
+    if (const auto checked = checkOutputs(outputs, scene->scene->files); !checked) return checked.error();
     const auto view = words->of(*scene->scene);
     if (!view) return view.error();
 

@@ -63,10 +63,11 @@ Result<Exit> step(const StepOptions& options, Session& session)
     if (!words) return words.error();
     const Result<How> how = options.how.read();
     if (!how) return how.error();
-    if (const auto checked = checkOutputs({{"--state", options.state}, {"-o", options.picture}}, {options.scene.word(), options.view.cameraFile()}); !checked)
-        return checked.error();
+    const std::vector<Output> outputs{{"--state", options.state}, {"-o", options.picture}};
+    if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked) return checked.error();
     const Result<LoadedScene> scene = options.scene.prepare(session, how->memoryLimit);
     if (!scene) return scene.error();
+    if (const auto checked = checkOutputs(outputs, scene->scene->files); !checked) return checked.error();
     const auto view = words->of(*scene->scene);
     if (!view) return view.error();
 

@@ -135,11 +135,13 @@ private:
         const auto algorithm = [&](const JsonValue& each) {
             if (!each.text() || each.text()->empty()) return fail(each, "an algorithm is a text");
             part.algorithms.push_back(*each.text());
+            part.algorithmLines.push_back(each.line);
             return true;
         };
         if (!text(value, "title", part.title, true) || !text(value, "x", part.x, false) || !list(value, "algorithms", algorithm)) return false;
         if (!list(value, "scenes", [&](const JsonValue& each) { return oneScene(each, part); })) return false;
         if (!size(value, part) || !culling(value, part) || !threads(value, part)) return false;
+        if (const JsonValue* path = find(value, "path")) part.pathLine = path->line;
         if (!word(value, "path", part.path) || !truth(value, "shade", part.shade)) return false;
         std::optional<bool> peers;
         if (!truth(value, "peers", peers)) return false;

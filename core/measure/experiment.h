@@ -48,6 +48,8 @@ struct ExperimentPart {
     ExperimentText               title;
     std::vector<ExperimentScene> scenes;
     std::vector<std::string>     algorithms;
+    std::vector<int>             algorithmLines;  // of the file, for errors about them; likewise the next
+    int                          pathLine = 0;
     std::vector<int>             threads = {1};  // 0: one per core
     int                          width = 1280, height = 720;  // where a camera file does not say
     bool                         hasSize = false;

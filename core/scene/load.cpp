@@ -31,7 +31,9 @@ Result<Scene> loadObj(const std::string& path, const LoadOptions& options)
     Result<ObjImport> import = importObj(path, {.memoryLimit = options.memoryLimit, .progress = options.progress});
     if (!import) return import.error();
     Scene scene;
-    scene.name = path;
+    scene.name  = path;
+    scene.files = std::move(import->libraries);
+    scene.files.push_back(path);
     scene.meshes.push_back(std::move(import->mesh));
     scene.instances.push_back({MeshId{0}, Affine{}});
     scene.warnings = std::move(import->warnings);

@@ -38,6 +38,7 @@ struct NamedView {
 
 struct Scene {
     std::string                              name;    // the word or path it was loaded by
+    std::vector<std::string>                 files;   // all that it was read from; of a generated scene none
     std::vector<std::shared_ptr<const Mesh>> meshes;
     std::vector<Instance>                    instances;
     std::vector<std::uint32_t>               firstTriangle{0};  // instances + 1 entries

@@ -121,6 +121,7 @@ Result<Scene> SceneFileReader::read(const JsonValue& document)
             m_scene.warnings.push_back({m_path, material.line, fmt::format("the material '{}' is used by nothing", name)});
 
     m_scene.name = m_path;
+    m_scene.files.push_back(m_path);
     Stopwatch     watch;
     Result<Scene> scene = assemble(std::move(m_scene));
     if (m_options.times) m_options.times->checkMs += watch.lap();
@@ -260,6 +261,7 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
         return wrong(source, fmt::format("{} is a scene of {} instances, not one mesh; meshes are for example "
                                          "builtin cube, teapot and soccer-ball", shown(word), part->instances.size()));
     std::ranges::move(part->warnings, std::back_inserter(m_scene.warnings));
+    std::ranges::move(part->files, std::back_inserter(m_scene.files));
 
     const auto dressed = [this](const Material& material) { return m_materials.contains(material.name); };
     std::shared_ptr<const Mesh> mesh = part->meshes[0];

@@ -259,6 +259,9 @@ TEST_F(Cli, AnExperimentWithWordsNobodyKnowsIsRefusedBeforeItRuns)
         EXPECT_NE(answer.err.find(word), std::string::npos) << answer.err;
     };
     refused(R"("scenes":["builtin:cubes"],"algorithms":["nonsense"])", 3, "e.json:1: error: unknown algorithm 'nonsense'");
+    refused("\"scenes\":[\"builtin:cubes\"],\"algorithms\":[\"zbuffer\",\n\"nonsense\"]", 3, "e.json:2: error: unknown algorithm 'nonsense'");
+    refused("\"scenes\":[\n{\"scene\":\"builtin:cubes\",\"choices\":[\"no=such\"]}],\"algorithms\":[\n\"zbuffer\"]", 3, "e.json:2: error: ");
+    refused("\"scenes\":[\"builtin:cubes\"],\"algorithms\":[\"zbuffer\"],\n\"path\":\"nowhere.json\"", 3, "e.json:2: error: ");
     refused(R"("scenes":["builtin:cubes"],"algorithms":["zbuffer+cull=nodes"])", 3, "cannot be drawn");
     refused(R"("scenes":["builtin:nowhere"],"algorithms":["zbuffer"])", 3, "nowhere");
     refused("\"algorithms\":[\"zbuffer\"],\n\"scenes\":[\"builtin:cubes\",\n{\"scene\":\"builtin:city?blocks=2\",\"view\":\"aboev\"}]", 3,

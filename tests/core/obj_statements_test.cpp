@@ -324,7 +324,7 @@ TEST(ObjNothing, ToDrawIsOneClearError)
     EXPECT_EQ(sentence("\n\n# nothing\n"), "t.obj: nothing to draw: the file holds no vertices and no faces; is it an OBJ file?");
     EXPECT_EQ(sentence("v 1 2 3\nv 4 5 6\n"), "t.obj: nothing to draw: the file holds 2 vertices but no faces");
     EXPECT_EQ(sentence("v 1 2 3\nf 1 2 3\nf 4 5 6\n"),
-              "t.obj: nothing to draw: none of the 2 faces can be used (the first, line 2: face refers to vertex 2 of 1)");
+              "t.obj:2: nothing to draw: none of the 2 faces can be used (the first, line 2: face refers to vertex 2 of 1)");
 }
 
 TEST(ObjEncoding, Utf16IsRefusedWithASentence)

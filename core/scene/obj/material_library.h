@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/scene/mesh.h"
 #include "core/scene/obj/warning_list.h"
@@ -30,12 +31,14 @@ public:
     void read(std::string_view names, int line, WarningList& warnings);
     /// nullptr if no library read so far has it. Valid until the next read().
     const Material* find(const std::string& name) const;
+    /// The real paths of those that were looked into, whether or not they could be used.
+    std::vector<std::string> files() const { return {m_read.begin(), m_read.end()}; }
 
 private:
     void readFile(const std::string& path, int line, WarningList& warnings);
 
     std::string                     m_folder, m_objFile;
-    std::set<std::string>           m_read;  // real paths
+    std::set<std::string>           m_read;
     std::map<std::string, Material> m_materials;
 };
 

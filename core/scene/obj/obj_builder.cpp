@@ -95,7 +95,7 @@ template <class Sentence>
 void ObjBuilder::dropFace(int line, const Sentence& sentence)
 {
     ++m_counts.droppedFaces;
-    if (m_firstDrop.empty()) m_firstDrop = fmt::format("line {}: {}", line, sentence());
+    if (m_firstDrop.empty()) m_firstDrop = fmt::format("line {}: {}", line, sentence()), m_firstDropLine = line;
     m_warnings.add(m_file, line, [&] { return sentence() + "; the face is left out"; });
 }
 
@@ -274,9 +274,9 @@ Error ObjBuilder::nothingToDraw() const
         return {Trouble::Input, "nothing to draw: the file holds no vertices and no faces; is it an OBJ file?", m_file};
     if (m_counts.faces == 0)
         return {Trouble::Input, fmt::format("nothing to draw: the file holds {} {} but no faces", m_counts.vertices, m_counts.vertices == 1 ? "vertex" : "vertices"), m_file};
-    if (m_counts.faces == 1) return {Trouble::Input, fmt::format("nothing to draw: the only face cannot be used ({})", m_firstDrop), m_file};
+    if (m_counts.faces == 1) return {Trouble::Input, fmt::format("nothing to draw: the only face cannot be used ({})", m_firstDrop), m_file, m_firstDropLine};
     return {Trouble::Input, fmt::format("nothing to draw: none of the {} faces can be used (the first, {})", m_counts.faces, m_firstDrop),
-            m_file};
+            m_file, m_firstDropLine};
 }
 
 std::vector<Warning> ObjBuilder::skippedKinds(const StatementStream& stream) const
@@ -301,7 +301,7 @@ Result<ObjImport> ObjBuilder::finish(const StatementStream& stream) &&
     m_counts.objectNames       = m_objectNames.size();
     m_counts.materialNames     = m_materials.size();
     m_counts.skippedStatements = stream.skippedCount();
-    return ObjImport{.mesh = std::move(m_mesh), .warnings = std::move(m_warnings).finish(m_file, skippedKinds(stream)), .counts = m_counts};
+    return ObjImport{.mesh = std::move(m_mesh), .warnings = std::move(m_warnings).finish(m_file, skippedKinds(stream)), .counts = m_counts, .libraries = m_library.files()};
 }
 
 }  // namespace zscope::obj

@@ -74,6 +74,7 @@ private:
     std::vector<int>                  m_materialLine{0};  // where each was first used
     std::set<std::string>             m_groupNames, m_objectNames;
     std::string                       m_firstDrop;  // why the first face was dropped, for a file without any other
+    int                               m_firstDropLine = 0;
 };
 
 }  // namespace zscope::obj

@@ -50,6 +50,7 @@ struct ObjImport {
     /// At most obj::kMaxWarnings in file order, one per kind of skipped statement, and one that counts the rest.
     std::vector<Warning> warnings;
     ObjCounts            counts;
+    std::vector<std::string> libraries;  // real paths of the material libraries it names
     double               readMs = 0, parseMs = 0;  // how long each took
 };
 
