@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <type_traits>
 
 #include <nlohmann/json.hpp>
 
 #include "core/measure/series_json.h"
+#include "core/measure/strict_json.h"
 
 namespace zscope {
 namespace {
@@ -23,19 +25,20 @@ ErrorFigures figuresOf(const Json& json, std::uint64_t pixels)
 {
     ErrorFigures figures;
     figures.pixels = pixels;
-    json.at("covered").get_to(figures.covered);
-    json.at("holes").get_to(figures.holes);
-    json.at("spills").get_to(figures.spills);
-    json.at("near_ties").get_to(figures.nearTies);
-    json.at("real_wrong_surface").get_to(figures.realWrongSurface);
-    json.at("depth_bits_differ").get_to(figures.depthBitsDiffer);
+    const auto read = [&json](const char* name, auto& figure) { figure = wholeOf<std::remove_reference_t<decltype(figure)>>(json.at(name)); };
+    read("covered", figures.covered);
+    read("holes", figures.holes);
+    read("spills", figures.spills);
+    read("near_ties", figures.nearTies);
+    read("real_wrong_surface", figures.realWrongSurface);
+    read("depth_bits_differ", figures.depthBitsDiffer);
     json.at("exact_share").get_to(figures.exactShare);
-    json.at("p99_depth_steps").get_to(figures.p99DepthSteps);
-    json.at("max_depth_steps").get_to(figures.maxDepthSteps);
+    read("p99_depth_steps", figures.p99DepthSteps);
+    read("max_depth_steps", figures.maxDepthSteps);
     figures.distanceOnSameSurface  = distanceOf(json.at("distance_on_same_surface"));
     figures.distanceOnWrongSurface = distanceOf(json.at("distance_on_wrong_surface"));
-    json.at("lost_triangles").get_to(figures.lostTriangles);
-    json.at("false_culls").get_to(figures.falseCulls);
+    read("lost_triangles", figures.lostTriangles);
+    read("false_culls", figures.falseCulls);
     return figures;
 }
 
@@ -54,23 +57,23 @@ BenchRow rowOf(const Json& json)
     json.at("algorithm").get_to(row.algorithm);
     row.claim = valueOf(json.at("claim"), std::array{Claim::Exact, Claim::ExactByFace, Claim::Approximate});
     if (const Json& chosen = json.at("chosen"); chosen.is_string()) chosen.get_to(row.chosen);
-    json.at("threads").get_to(row.threads);
+    row.threads = wholeOf<int>(json.at("threads"));
     row.simd = valueOf(json.at("simd"), std::array{Simd::Auto, Simd::Scalar, Simd::Sse4, Simd::Avx2, Simd::Avx512});
     json.at("shaded").get_to(row.shaded);
-    json.at("pixels").get_to(row.pixels);
-    if (const Json& wrong = json.at("wrong_pixels"); !wrong.is_null()) row.wrongPixels = wrong.get<std::uint64_t>();
-    row.samples = json.value("samples", std::uint64_t{0});  // older records have none
+    row.pixels = wholeOf<std::uint64_t>(json.at("pixels"));
+    if (const Json& wrong = json.at("wrong_pixels"); !wrong.is_null()) row.wrongPixels = wholeOf<std::uint64_t>(wrong);
+    if (json.contains("samples")) row.samples = wholeOf<std::uint64_t>(json.at("samples"));  // older records have none
     if (const Json& figures = json.at("figures"); !figures.is_null()) row.figures = figuresOf(figures, row.pixels);
-    json.at("best_ms").get_to(row.bestMs);
-    json.at("median_ms").get_to(row.medianMs);
-    json.at("q1_ms").get_to(row.q1Ms);
-    json.at("q3_ms").get_to(row.q3Ms);
-    json.at("triangles").get_to(row.triangles);
-    json.at("read_ms").get_to(row.load.readMs);
-    json.at("parse_ms").get_to(row.load.parseMs);
-    json.at("check_ms").get_to(row.load.checkMs);
-    json.at("build_ms").get_to(row.buildMs);
-    json.at("bytes").get_to(row.bytes);
+    row.bestMs = amountOf(json.at("best_ms"));
+    row.medianMs = amountOf(json.at("median_ms"));
+    row.q1Ms = amountOf(json.at("q1_ms"));
+    row.q3Ms = amountOf(json.at("q3_ms"));
+    row.triangles = wholeOf<std::uint64_t>(json.at("triangles"));
+    row.load.readMs = amountOf(json.at("read_ms"));
+    row.load.parseMs = amountOf(json.at("parse_ms"));
+    row.load.checkMs = amountOf(json.at("check_ms"));
+    row.buildMs = amountOf(json.at("build_ms"));
+    row.bytes = wholeOf<std::uint64_t>(json.at("bytes"));
     for (const Stage stage : kStages) {
         const auto        at   = static_cast<std::size_t>(stage);
         const std::string word(wordOf(stage));
@@ -78,8 +81,8 @@ BenchRow rowOf(const Json& json)
         row.stageMs[at]        = json.at("stages").at(word).get<double>();
         row.stageQuartiles[at] = {quartiles.at("q1").get<double>(), quartiles.at("median").get<double>(), quartiles.at("q3").get<double>()};
     }
-    for (const auto& [name, value] : json.at("counters").items()) row.counters.push_back({name, value.get<std::uint64_t>()});
-    json.at("round_ms").get_to(row.roundMs);
+    for (const auto& [name, value] : json.at("counters").items()) row.counters.push_back({name, wholeOf<std::uint64_t>(value)});
+    for (const Json& each : listOf(json.at("round_ms"))) row.roundMs.push_back(amountOf(each));
     if (json.contains("series") && !json.at("series").is_null()) row.series = seriesOf(json.at("series"));  // older records have none
     return row;
 }
@@ -90,7 +93,7 @@ Result<std::vector<BenchRow>> benchFromJson(const std::string& json)
 {
     try {
         std::vector<BenchRow> rows;
-        for (const Json& each : Json::parse(json)) rows.push_back(rowOf(each));
+        for (const Json all = Json::parse(json); const Json& each : listOf(all)) rows.push_back(rowOf(each));
         return rows;
     } catch (const Json::exception& error) {
         return Error{Trouble::Input, std::string("these are no rows of a benchmark: ") + error.what()};

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/frame/faults.h"
+#include "core/io/json_document.h"
+#include "core/measure/strict_json.h"
 
 namespace zscope {
 namespace {
@@ -20,42 +22,75 @@ Json toJson(const ExperimentText& text) { return {{"en", text.english}, {"zh_CN"
 
 ExperimentText textOf(const Json& json) { return {json.at("en").get<std::string>(), json.at("zh_CN").get<std::string>()}; }
 
-Record recordOf(const Json& json)
-{
-    Record      record;
-    RecordHead& head       = record.head;
-    const Json& experiment = json.at("experiment");
-    head.title             = textOf(experiment.at("title"));
-    head.question          = textOf(experiment.at("question"));
-    experiment.at("baseline").get_to(head.baseline);
-    experiment.at("digest").get_to(head.digest);
-    json.at("program").at("version").get_to(head.version);
-    json.at("program").at("compiler").get_to(head.compiler);
-    json.at("machine").at("processor").get_to(head.processor);
-    json.at("machine").at("cores").get_to(head.cores);
-    json.at("case_count").get_to(head.caseCount);
-    for (const Json& each : json.at("cases")) {
-        RecordCase one{.index       = each.at("index").get<std::size_t>(),
-                       .part        = textOf(each.at("part")),
-                       .x           = textOf(each.at("x")),
-                       .scene       = each.at("scene").get<std::string>(),
-                       .sceneDigest = each.at("scene_digest").get<std::string>(),
-                       .place       = each.at("place").get<double>(),
-                       .width       = each.at("width").get<int>(),
-                       .height      = each.at("height").get<int>(),
-                       .pathDigest  = each.value("path_digest", std::string()),
-                       .rows        = each.at("rows").dump()};
-        if (each.contains("word")) {  // older records have no view
-            one.word        = each.at("word").get<std::string>();
-            one.faceCulling = each.at("cull") == "back" ? FaceCulling::Back : FaceCulling::None;
-            const auto camera = cameraFromJson(each.at("camera").dump(), "record");
-            if (!camera) throw Json::other_error::create(501, "no camera", &each);
+/// From JSON; knows which case it was reading when an exception ends it.
+class RecordReader {
+public:
+    Record read(const Json& json)
+    {
+        Record      record;
+        RecordHead& head       = record.head;
+        const Json& experiment = json.at("experiment");
+        head.title             = textOf(experiment.at("title"));
+        head.question          = textOf(experiment.at("question"));
+        experiment.at("baseline").get_to(head.baseline);
+        experiment.at("digest").get_to(head.digest);
+        json.at("program").at("version").get_to(head.version);
+        json.at("program").at("compiler").get_to(head.compiler);
+        json.at("machine").at("processor").get_to(head.processor);
+        head.cores     = wholeOf<unsigned>(json.at("machine").at("cores"));
+        head.caseCount = wholeOf<std::size_t>(json.at("case_count"), 1, kMaxCases);
+        const Json& cases = listOf(json.at("cases"));
+        for (m_case = 0; *m_case < cases.size(); ++*m_case) {
+            RecordCase one = caseOf(cases[*m_case], head.caseCount);
+            if (record.find(one.index)) throw Json::other_error::create(501, "the same case twice", &cases[*m_case]);
+            record.add(std::move(one));
+        }
+        return record;
+    }
+
+    /// Why it has stopped, where it knows.
+    const std::string& trouble() const { return m_trouble; }
+    /// And where, in the text.
+    int line(const std::string& text) const
+    {
+        const Result<JsonValue> whole = parseJson(text, {});
+        const auto*             top   = whole ? whole->object() : nullptr;
+        if (!top) return 0;
+        const auto cases = std::ranges::find(*top, "cases", &JsonMember::first);
+        const auto* list = cases == top->end() ? nullptr : cases->second.array();
+        return m_case && list && *m_case < list->size() ? (*list)[*m_case].line : whole->line;
+    }
+
+private:
+    RecordCase caseOf(const Json& json, std::size_t caseCount)
+    {
+        RecordCase one{.index       = wholeOf<std::size_t>(json.at("index"), 0, caseCount - 1),
+                       .part        = textOf(json.at("part")),
+                       .x           = textOf(json.at("x")),
+                       .scene       = json.at("scene").get<std::string>(),
+                       .sceneDigest = json.at("scene_digest").get<std::string>(),
+                       .place       = json.at("place").get<double>(),
+                       .width       = wholeOf(json.at("width"), 1, kMaxPictureSide),
+                       .height      = wholeOf(json.at("height"), 1, kMaxPictureSide),
+                       .pathDigest  = json.value("path_digest", std::string()),
+                       .rows        = json.at("rows").dump()};
+        if (const auto rows = rowsOf(one); !rows) {
+            m_trouble = rows.error().sentence;
+            throw Json::other_error::create(501, "no rows", &json);
+        }
+        if (json.contains("word")) {  // older records have no view
+            one.word        = json.at("word").get<std::string>();
+            one.faceCulling = json.at("cull") == "back" ? FaceCulling::Back : FaceCulling::None;
+            const auto camera = cameraFromJson(json.at("camera").dump(), "record");
+            if (!camera) throw Json::other_error::create(501, "no camera", &json);
             one.camera = *camera;
         }
-        record.add(std::move(one));
+        return one;
     }
-    return record;
-}
+
+    std::optional<std::size_t> m_case;
+    std::string                m_trouble = "something is missing in this record, or is not what it should be";
+};
 
 }  // namespace
 
@@ -87,7 +122,8 @@ std::string whyNotComparable(const RecordHead& a, const RecordHead& b)
     };
     if (a.digest != b.digest) return fmt::format("they answer different questions: '{}' and '{}'", a.title.english, b.title.english);
     for (const std::string& why : {differ("the program's version", a.version, b.version), differ("its compiler", a.compiler, b.compiler),
-                                   differ("the processor", a.processor, b.processor), differ("the number of cores", a.cores, b.cores)})
+                                   differ("the processor", a.processor, b.processor), differ("the number of cores", a.cores, b.cores),
+                                   differ("the number of cases", a.caseCount, b.caseCount)})
         if (!why.empty()) return why;
     return {};
 }
@@ -137,17 +173,19 @@ std::string recordToJson(const Record& record)
 
 Result<Record> recordFromJson(const std::string& text, const std::string& file)
 {
+    RecordReader reader;
     try {
         const Json json = Json::parse(text);
+        if (text.find('\0') != std::string::npos) return Error{Trouble::Input, "this is not JSON, or only part of it", file};  // the parser ends there
         if (!json.is_object() || !json.contains("record"))
-            return Error{Trouble::Input, "this is no record of an experiment: 'bench --experiment' makes them", file};
-        if (json.at("record") != kForm) return Error{Trouble::Input, "this record has a form that this version does not know", file};
-        return recordOf(json);
+            return Error{Trouble::Input, "this is no record of an experiment: 'bench --experiment' makes them", file, 1};
+        if (json.at("record") != kForm) return Error{Trouble::Input, "this record has a form that this version does not know", file, reader.line(text)};
+        return reader.read(json);
     } catch (const Json::parse_error& error) {
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())), '\n');
         return Error{Trouble::Input, "this is not JSON, or only part of it", file, static_cast<int>(line)};
     } catch (const Json::exception&) {
-        return Error{Trouble::Input, "something is missing in this record, or is not what it should be", file};
+        return Error{Trouble::Input, reader.trouble(), file, reader.line(text)};
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/measure/strict_json.h"
+
 namespace zscope {
 namespace {
 
@@ -61,19 +63,19 @@ Series seriesOf(const Json& json)
     Series series;
     const Json& counters = json.at("counters");
     for (const auto& [name, values] : counters.items()) series.counters.push_back(name);
-    for (std::size_t at = 0; at < json.at("ms").size(); ++at) {
+    for (std::size_t at = 0; at < listOf(json.at("ms")).size(); ++at) {
         SeriesFrame frame;
-        frame.ms = json.at("ms").at(at).get<double>();
-        json.at("covered").at(at).get_to(frame.covered);
-        if (const Json& wrong = json.at("wrong_pixels").at(at); !wrong.is_null()) frame.wrongPixels = wrong.get<std::uint64_t>();
+        frame.ms = amountOf(json.at("ms").at(at));
+        frame.covered = wholeOf<std::uint64_t>(json.at("covered").at(at));
+        if (const Json& wrong = json.at("wrong_pixels").at(at); !wrong.is_null()) frame.wrongPixels = wholeOf<std::uint64_t>(wrong);
         json.at("chosen").at(at).get_to(frame.chosen);
         for (std::size_t i = 0; i < kStages.size(); ++i) frame.stageMs[i] = json.at("stages").at(std::string(wordOf(kStages[i]))).at(at).get<double>();
-        for (const std::string& name : series.counters) frame.counts.push_back(counters.at(name).at(at).get<std::uint64_t>());
+        for (const std::string& name : series.counters) frame.counts.push_back(wholeOf<std::uint64_t>(counters.at(name).at(at)));
         series.frames.push_back(std::move(frame));
     }
-    for (const Json& lag : json.at("lags")) {
+    for (const Json& lag : listOf(json.at("lags"))) {
         const Json& frames = lag.at("wrong_frames");
-        series.lags.push_back({lag.at("cut").get<int>(), frames.is_null() ? std::nullopt : std::optional(frames.get<int>())});
+        series.lags.push_back({wholeOf<int>(lag.at("cut")), frames.is_null() ? std::nullopt : std::optional(wholeOf<int>(frames))});
     }
     return series;
 }

@@ -1,4 +1,6 @@
 // Experiments are read as they are written, records are gone on with and joined, and nothing that cannot be compared is mixed.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/measure/experiment.h"
@@ -187,6 +189,43 @@ TEST(Record, OfAPieceOfAFileOrOfSomethingElseIsRefused)
     }
 }
 
+TEST(Record, WithAValueThatNobodyWroteIsRefusedWithItsLine)
+{
+    BenchRow row;
+    row.simd        = Simd::Scalar;
+    row.wrongPixels = 0;
+    RecordCase one  = caseOf(1, "a");
+    one.rows        = benchToJson(std::vector{row});
+    const std::string whole = recordToJson(recordWith({caseOf(0, "a"), one}));
+    ASSERT_TRUE(recordFromJson(whole, "r.json"));
+    const auto lineOf = [&](const std::string& text, std::size_t at) { return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'); };
+    // `from` stands in the case of index 1; or before all cases, then the whole record is named.
+    const auto refused = [&](const std::string& from, const std::string& to, bool isInCase = true) {
+        std::string       text  = whole;
+        const std::size_t place = text.rfind(from);
+        ASSERT_NE(place, std::string::npos) << from;
+        text.replace(place, from.size(), to);
+        const auto read = recordFromJson(text, "r.json");
+        ASSERT_FALSE(read) << to;
+        EXPECT_EQ(read.error().file, "r.json");
+        EXPECT_EQ(read.error().line, isInCase ? lineOf(text, text.rfind("  {\n   \"index\"")) : 1) << to << '\n' << text;
+    };
+    for (const char* count : {"-1", "0", "1.5", "1", "1e30", "null"}) refused("\"case_count\": 3", std::string("\"case_count\": ") + count, std::string(count) == "1");
+    for (const char* index : {"-1", "3", "0", "1.5", "\"1\""}) refused("\"index\": 1", std::string("\"index\": ") + index);
+    refused("\"height\": 3", "\"height\": 1e308");
+    refused("\"width\": 4", "\"width\": 0");
+    refused("\"best_ms\": 0.0", "\"best_ms\": \"x\"");
+    refused("\"best_ms\": 0.0", "\"best_ms\": -1");
+    refused("\"wrong_pixels\": 0", "\"wrong_pixels\": -1");
+    refused("\"threads\": 1", "\"threads\": -1");
+    refused("\"claim\": \"exact\"", "\"claim\": \"x\"");
+    for (const char* nothing : {"null", "{}", "7"}) {
+        std::string text = whole.substr(0, whole.find("\"cases\": [")) + "\"cases\": " + nothing + "}";
+        EXPECT_FALSE(recordFromJson(text, "r.json")) << nothing;
+    }
+    EXPECT_FALSE(recordFromJson(whole + std::string("\0}", 2), "r.json"));
+}
+
 TEST(Record, JoinsWhatCanBeComparedAndNothingElse)
 {
     const NamedRecord a{"a.json", recordWith({caseOf(0, "a"), caseOf(2, "c")})}, b{"b.json", recordWith({caseOf(1, "b"), caseOf(2, "c")})};
@@ -207,7 +246,7 @@ TEST(Record, JoinsWhatCanBeComparedAndNothingElse)
     EXPECT_NE(otherWay.error().sentence.find("camera path"), std::string::npos) << otherWay.error().sentence;
 
     for (auto change : {+[](RecordHead& head) { head.digest = "0"; }, +[](RecordHead& head) { head.version = "0"; }, +[](RecordHead& head) { head.compiler = "0"; },
-                        +[](RecordHead& head) { head.processor = "abacus"; }, +[](RecordHead& head) { ++head.cores; }}) {
+                        +[](RecordHead& head) { head.processor = "abacus"; }, +[](RecordHead& head) { ++head.cores; }, +[](RecordHead& head) { ++head.caseCount; }}) {
         NamedRecord other = b;
         change(other.record.head);
         EXPECT_FALSE(joined(std::vector{a, other}));

@@ -408,6 +408,7 @@ private slots:
         record.head.caseCount = 1;
         RecordCase measured;
         measured.scene = "builtin:cube";
+        measured.width = 4, measured.height = 3;
         measured.rows  = "[{\"algorithm\": \"zbuffer\"}]";
         record.cases.push_back(measured);
         const std::string text = recordToJson(record);
