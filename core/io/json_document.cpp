@@ -116,7 +116,7 @@ public:
     template <class Exception>
     bool parse_error(std::size_t, const std::string& lastToken, const Exception& trouble_)
     {
-        if (trouble_.id == 406) return stop(fmt::format("the number {} is beyond the largest float64", lastToken));
+        if (trouble_.id == 406) return stop(fmt::format("the number {} is beyond the largest float64", shown(lastToken)));
         return stop("this is not JSON: " + clauseOf(trouble_.what()));
     }
 
@@ -190,6 +190,9 @@ Result<JsonValue> parseJson(const std::string& text, const std::string& file, st
     ReadPosition position;
     Builder      builder(position, file, effectiveMemoryLimit(memoryLimit));
     const char*  begin = text.data();
+    // The parser would take it for the end.
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
+        return Error{Trouble::Input, "this is not JSON: it holds a zero byte", file, static_cast<int>(1 + std::count(begin, begin + zero, '\n'))};
     const bool   read  = nlohmann::json::sax_parse(CountingIterator(begin, &position),
                                                    CountingIterator(begin + text.size(), &position), &builder);
     if (builder.trouble) return *std::move(builder.trouble);

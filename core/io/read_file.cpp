@@ -71,9 +71,11 @@ Result<std::string> readRegularFile(const std::string& path, std::uint64_t maxBy
     if (!S_ISREG(opened.st_mode)) return inputError(fmt::format("is {}, not a file", kindOf(opened.st_mode)), path);
 
     const auto size = static_cast<std::uint64_t>(opened.st_size);
-    if (size > maxBytes)
-        return Error{Trouble::Limit, fmt::format("has {}, and at most {} are read", megabytes(size), megabytes(maxBytes)),
-                     path};
+    if (size > maxBytes) {
+        const bool isClose = megabytes(size) == megabytes(maxBytes);
+        const auto shown   = [isClose](std::uint64_t bytes) { return isClose ? fmt::format("{} bytes", bytes) : megabytes(bytes); };
+        return Error{Trouble::Limit, fmt::format("has {}, and at most {} are read", shown(size), shown(maxBytes)), path};
+    }
     std::string text;
     try {
         text.resize(static_cast<std::size_t>(size));
@@ -103,12 +105,12 @@ Result<std::string> pathInside(const std::string& folder, const std::string& rel
     const fs::path written(relative);
     if (written.is_absolute())
         return Error{Trouble::Input, fmt::format("the path '{}' is absolute; it must be relative to the file that names it",
-                                                 printable(relative))};
+                                                 quotable(relative, 200))};
     std::error_code trouble;
     const fs::path  root = fs::canonical(folder, trouble);
     if (trouble) return Error{Trouble::Input, fmt::format("the folder cannot be read: {}", trouble.message()), folder};
     const auto outside = [&] {
-        return Error{Trouble::Input, fmt::format("the path '{}' leads out of the folder of the file that names it", printable(relative))};
+        return Error{Trouble::Input, fmt::format("the path '{}' leads out of the folder of the file that names it", quotable(relative, 200))};
     };
     const auto within = [&root](const fs::path& path) {
         return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
@@ -116,7 +118,7 @@ Result<std::string> pathInside(const std::string& folder, const std::string& rel
     // A path that leads out as written is refused before anything out there is looked at.
     if (!within((root / written).lexically_normal())) return outside();
     const fs::path real = fs::canonical(root / written, trouble);
-    if (trouble) return Error{Trouble::Input, fmt::format("'{}' cannot be opened: {}", printable(relative), trouble.message())};
+    if (trouble) return Error{Trouble::Input, fmt::format("'{}' cannot be opened: {}", quotable(relative, 200), trouble.message())};
     if (!within(real)) return outside();
     return real.string();
 }

@@ -300,6 +300,8 @@ TEST(CameraJson, WhatIsNoCameraIsRefusedWithFileAndLine)
         Case{"", 1, "not JSON"},
         Case{"{\"eye\":[1,2,3],\n", 2, "not JSON"},
         Case{"[1,2]", 1, "object"},
+        Case{cameraText("1") + std::string("\n\0x", 3), 5, "zero byte"},
+        Case{cameraText(std::string(100'000, '9')), 3, "999... is beyond"},
         Case{"{}", 1, "'eye' is missing"},
         Case{cameraText("1", ",\n\"zoom\":2"), 5, "no 'zoom'"},
         Case{cameraText("1", ",\n\"near\":2"), 5, "twice"},
