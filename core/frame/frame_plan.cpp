@@ -41,8 +41,9 @@ Result<FramePlan> planFrame(const DrawRequest& request)
                                          std::to_string(request.camera.height) + " needs " + std::to_string(needed >> 20) +
                                          " MiB, more than the limit of " + std::to_string(limit >> 20) + " MiB"};
     }
-    // What the last frame's pyramid hides would depend on where the borders between the stripes stood.
-    const bool isOneStripe = request.pipeline.coherence == Coherence::LastPyramid;
+    // What the last frame's pyramid hides would depend on where the borders between the stripes stood, and so would what a fault spoils: a sweep that
+    // begins in the middle of the picture does not make the mistake of the lines before it.
+    const bool isOneStripe = request.pipeline.coherence == Coherence::LastPyramid || request.pipeline.fault != Fault::None;
     const int  wanted      = isOneStripe ? 1 : request.threads > 0 ? request.threads : omp_get_num_procs();
     return FramePlan{std::clamp(wanted, 1, std::max(1, request.camera.height)), simd};
 }

@@ -61,6 +61,25 @@ TEST(Faults, EachMakesWrongPixelsWhereTheExactTextMakesNone)
     }
 }
 
+TEST(Faults, EachSpoilsTheSamePixelsWithAnyNumberOfThreads)
+{
+    for (const FaultEntry& entry : faults()) {
+        const auto  scene = prepared(sceneFor(entry.fault));
+        DrawRequest request{.scene = scene, .camera = cameraFor(scene->scene(), 333, 217), .pipeline = findPreset(entry.preset)->pipeline};
+        request.pipeline.fault = entry.fault;
+        const auto drawn       = [&request](int threads) {
+            request.threads = threads;
+            Frame frame;
+            EXPECT_TRUE(Renderer().draw(request, frame));
+            std::vector<std::int64_t> ids;
+            for (int y = 0; y < frame.visible.height(); ++y)
+                for (int x = 0; x < frame.visible.width(); ++x) ids.push_back(frame.visible.rankAt(x, y));
+            return ids;
+        };
+        EXPECT_EQ(drawn(1), drawn(3)) << entry.word;
+    }
+}
+
 TEST(Faults, FarFirstIsWrongWhereFacesCoincideAndDrawsInVainWhatIsHiddenTooLate)
 {
     Pipeline pipeline = findPreset("hzb-octree")->pipeline;
