@@ -64,8 +64,8 @@
         <translation>99% 的像素相差的步数不超过</translation>
     </message>
     <message>
-        <source>triangles lost</source>
-        <translation>丢失的三角形</translation>
+        <source>triangles of A that B shows nowhere</source>
+        <translation>A 中有、B 中哪里也看不到的三角形</translation>
     </message>
 </context>
 <context>
@@ -2118,6 +2118,10 @@
     <message>
         <source>Difference  %1, %2</source>
         <translation>差异  %1，%2</translation>
+    </message>
+    <message>
+        <source>Difference  %1, %2: no pixel</source>
+        <translation>差异  %1，%2：没有一个像素</translation>
     </message>
     <message>
         <source>Active edges</source>

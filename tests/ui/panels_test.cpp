@@ -106,6 +106,34 @@ private slots:
         QVERIFY(number->value() != before);
         QVERIFY(desk.settles());
     }
+    void whoHasChosenFromABoxByMouseStillPlaysWithSpace()
+    {
+        Desk desk("zbuffer", {1280, 800});
+        QVERIFY(desk.open("builtin:cubes"));
+        desk.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        desk.session.player().setSpeed(1);
+        int boxes = 0;
+        for (auto* box : desk.window.findChildren<QComboBox*>()) {
+            if (!box->isVisible() || !box->isEnabled() || box->count() < 2) continue;
+            ++boxes;
+            desk.window.setFocus();
+            QTest::mouseClick(box, Qt::LeftButton);
+            QVERIFY2(QTest::qWaitFor([&] { return box->view()->isVisible(); }, 2000), qPrintable(box->accessibleName()));
+            QTest::keyClick(box->view(), Qt::Key_Return);  // what was chosen before
+            QVERIFY(QTest::qWaitFor([&] { return !box->view()->isVisible(); }, 2000));
+            QVERIFY2(!box->hasFocus(), qPrintable(box->accessibleName()));
+        }
+        QVERIFY(boxes > 5);
+        desk.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        desk.session.goToStart();
+        QVERIFY(desk.settles());
+        desk.press(Qt::Key_Space);
+        QVERIFY(desk.session.player().isPlaying());
+        desk.press(Qt::Key_Space);
+        QVERIFY(!desk.session.player().isPlaying());
+    }
     void panelsThatTheAlgorithmDoesNotNeedFoldAway()
     {
         Desk desk("zbuffer");

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTreeView>
 
 #include "tests/ui/desk.h"
@@ -65,6 +66,22 @@ private slots:
             for (const PixelCandidate& candidate : panel.answer()->candidates) winners += candidate.fate == PixelFate::Winner;
             QCOMPARE(winners, 1);
         }
+    }
+    void depthsAreWholeHoweverManyRowsThereAre()
+    {
+        Desk desk("zbuffer", {1600, 900});
+        QVERIFY(desk.open("builtin:layers"));
+        WhyPanel& panel = panelOf(desk);
+        desk.session.pick(QPoint(160, 90));
+        QVERIFY(answers(panel));
+        auto* tree = panel.findChild<QTreeView*>();
+        QVERIFY(QTest::qWaitFor([&] { return tree->verticalScrollBar()->maximum() > 0; }, 2000));
+        QTest::qWait(20);
+        QVERIFY(tree->columnViewportPosition(WhyModel::Depth) + tree->columnWidth(WhyModel::Depth) <= tree->viewport()->width());
+        const QModelIndex depth = tree->model()->index(0, WhyModel::Depth);
+        QFont             bold  = tree->font();
+        bold.setBold(true);
+        QVERIFY(QFontMetrics(bold).horizontalAdvance(depth.data().toString()) < tree->columnWidth(WhyModel::Depth));
     }
     void aRowJumpsToItsMomentAndHighlightsItsNode()
     {

@@ -241,7 +241,7 @@ void FrameView::paintWipe(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing, true);
     painter.setPen(QPen(Qt::white, 4));
     painter.drawLine(QPointF(*at, 0), QPointF(*at, height()));
-    painter.setPen(QPen(theme.text, 1.5));
+    painter.setPen(QPen(Qt::black, 1.5));  // whatever the window's colours are: it lies on the picture
     painter.drawLine(QPointF(*at, 0), QPointF(*at, height()));
     const QRectF knob(*at - 2.25 * kStep, height() / 2.0 - 1.5 * kStep, 4.5 * kStep, 3 * kStep);
     painter.setPen(theme.border);
@@ -294,7 +294,11 @@ QStringList FrameView::chips() const
         case CompareShow::A: chips << tr("A  %1").arg(a); break;
         case CompareShow::B: chips << tr("B  %1").arg(b); break;
         case CompareShow::Wipe: chips << tr("A  %1  |  B  %2").arg(a, b); break;
-        case CompareShow::Difference: chips << tr("Difference  %1, %2").arg(a, b); break;
+        case CompareShow::Difference: {
+            const auto& result = m_shown.compare.result;
+            chips << (result && result->difference.differing() == 0 ? tr("Difference  %1, %2: no pixel") : tr("Difference  %1, %2")).arg(a, b);
+            break;
+        }
         }
     }
     if (m_shown.showsStep && !m_overlay.edges.empty()) chips << tr("Active edges");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The menus: which actions there are, their keys, and what they ask the session for.
 #include "ui/window/actions.h"
+#include "ui/parts/choice_box.h"
 #include "ui/session/course.h"
 #include "ui/window/layouts.h"
 #include "ui/window/settings.h"
@@ -406,8 +407,8 @@ void Actions::makeToolBar()
     m_toolBar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_toolBar->setIconSize({16, 16});
 
-    m_algorithmBox = new QComboBox;
-    m_algorithmBox->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a composed name is cut short
+    m_algorithmBox = new ChoiceBox;
+    m_algorithmBox->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_algorithmBox->setMinimumContentsLength(12);
     for (const Preset& preset : presets()) m_algorithmBox->addItem(text(preset.name));
     connect(m_algorithmBox, &QComboBox::activated, this, [this](int index) {

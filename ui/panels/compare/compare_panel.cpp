@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/compare/compare_words.h"
+#include "ui/parts/choice_box.h"
 #include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
@@ -30,7 +31,7 @@ QString wordOf(const Pipeline& pipeline) { return QString::fromStdString(nameOf(
 
 QComboBox* presetBox()
 {
-    auto* box = new QComboBox;
+    auto* box = new ChoiceBox;
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
     for (std::size_t i = 0; i < presets().size(); ++i)
@@ -60,7 +61,7 @@ void choose(QComboBox& box, const std::optional<Pipeline>& pipeline, int first)
 }  // namespace
 
 ComparePanel::ComparePanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_a(presetBox()), m_b(presetBox()), m_link(new QComboBox), m_swap(new QPushButton),
+    : Panel(session, parent), m_a(presetBox()), m_b(presetBox()), m_link(new ChoiceBox), m_swap(new QPushButton),
       m_keep(new QPushButton), m_worst(new QPushButton), m_wipe(new QSlider(Qt::Horizontal)),
       m_tolerance(new QSpinBox), m_linked(new QCheckBox), m_verdict(new QLabel), m_times(new QLabel),
       m_hint(new QLabel), m_linkNote(new QLabel), m_grid(new QGridLayout), m_body(new QWidget)

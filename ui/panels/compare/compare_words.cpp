@@ -40,7 +40,7 @@ CompareWords wordsOf(const Comparison& result)
         {Words::tr("same triangle, B farther"), grouped(count(PixelDifference::DepthFarther))},
         {Words::tr("most float32 steps on a triangle"), grouped(difference.mostSteps)},
         {Words::tr("steps at 99 of 100 pixels, at most"), grouped(figures.p99DepthSteps)},
-        {Words::tr("triangles lost"), grouped(figures.lostTriangles), isFinished && figures.lostTriangles > 0},
+        {Words::tr("triangles of A that B shows nowhere"), grouped(figures.lostTriangles), isFinished && figures.lostTriangles > 0},
     };
     return words;
 }

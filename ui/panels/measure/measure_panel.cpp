@@ -24,6 +24,7 @@
 #include "ui/charts/speed_error_chart.h"
 #include "ui/panels/measure/runs_model.h"
 #include "ui/panels/measure/stages_model.h"
+#include "ui/parts/choice_box.h"
 #include "ui/parts/row_delegate.h"
 #include "ui/parts/scrolling.h"
 #include "ui/text/numbers.h"
@@ -114,14 +115,14 @@ MeasurePanel::~MeasurePanel() = default;
 
 QWidget* MeasurePanel::makeControls()
 {
-    m_what     = new QComboBox;
+    m_what     = new ChoiceBox;
     m_frames   = new QSpinBox;
     m_checks   = new QCheckBox;
     m_start    = new QPushButton;
     m_stop     = new QPushButton;
     m_save     = new QPushButton;
     m_open     = new QPushButton;
-    m_cases    = new QComboBox;
+    m_cases    = new ChoiceBox;
     m_progress = new QProgressBar;
     m_doing    = new QLabel;
     for (int i = 0; i < 3; ++i) m_what->addItem(QString(), i);
@@ -200,7 +201,7 @@ QWidget* MeasurePanel::makeChart()
 {
     m_chart   = new SpeedErrorChart;
     m_chart->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
-    m_measure = new QComboBox;
+    m_measure = new ChoiceBox;
     m_measure->addItem(QString(), static_cast<int>(ErrorMeasure::WrongPixels));
     m_measure->addItem(QString(), static_cast<int>(ErrorMeasure::DepthDistance));
     m_measure->setObjectName("compact");

@@ -10,6 +10,7 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
+#include "ui/parts/choice_box.h"
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
@@ -68,7 +69,7 @@ void PipelinePanel::addAxes(QGridLayout& grid)
     for (std::size_t i = 0; i < axes().size(); ++i) {
         const AxisEntry& axis  = axes()[i];
         auto*            name  = new QLabel;
-        auto*            combo = new QComboBox;
+        auto*            combo = new ChoiceBox;
         name->setObjectName("soft");
         spoken(*combo, [combo, name, &axis] {
             name->setText(said(axis.word));

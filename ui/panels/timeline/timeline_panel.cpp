@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/timeline/step_track.h"
+#include "ui/parts/choice_box.h"
 #include "ui/text/grains.h"
 #include "ui/predict/predictions.h"
 #include "ui/text/numbers.h"
@@ -50,8 +51,8 @@ QString timelineText(const std::optional<Session::Position>& at, const Marks& ma
 
 TimelinePanel::TimelinePanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_first(new QPushButton), m_back(new QPushButton),
-      m_play(new QPushButton), m_forward(new QPushButton), m_last(new QPushButton), m_grain(new QComboBox),
-      m_speed(new QComboBox), m_bookmark(new QToolButton), m_position(new QLabel), m_track(new StepTrack), m_sentence(new QLabel)
+      m_play(new QPushButton), m_forward(new QPushButton), m_last(new QPushButton), m_grain(new ChoiceBox),
+      m_speed(new ChoiceBox), m_bookmark(new QToolButton), m_position(new QLabel), m_track(new StepTrack), m_sentence(new QLabel)
 {
     m_play->setObjectName("strong");
     m_forward->setLayoutDirection(Qt::RightToLeft);  // the arrow after the word

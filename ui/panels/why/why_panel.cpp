@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QRegularExpressionValidator>
+#include <QScrollBar>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -82,6 +83,8 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
 
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& at) { showRow(at); });
     connect(m_tree, &QTreeView::activated, this, &WhyPanel::jump);
+    // A scroll bar that comes or goes with the rows leaves the columns another width.
+    connect(m_tree->verticalScrollBar(), &QScrollBar::rangeChanged, this, &WhyPanel::fitColumns, Qt::QueuedConnection);
     connect(m_jump, &QPushButton::clicked, this, [this] { jump(m_tree->currentIndex()); });
     connect(m_triangle, &QLineEdit::returnPressed, this, [this] {
         bool       isNumber = false;
