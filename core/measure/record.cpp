@@ -176,7 +176,7 @@ Result<Record> recordFromJson(const std::string& text, const std::string& file)
     RecordReader reader;
     try {
         const Json json = Json::parse(text);
-        if (text.find('\0') != std::string::npos) return Error{Trouble::Input, "this is not JSON, or only part of it", file};  // the parser ends there
+        if (text.find('\0') != std::string::npos) return parseJson(text, file).error();  // this parser would take it for the end
         if (!json.is_object() || !json.contains("record"))
             return Error{Trouble::Input, "this is no record of an experiment: 'bench --experiment' makes them", file, 1};
         if (json.at("record") != kForm) return Error{Trouble::Input, "this record has a form that this version does not know", file, reader.line(text)};

@@ -3702,6 +3702,10 @@
         <translation>近似</translation>
     </message>
     <message>
+        <source>with a fault</source>
+        <translation>带错误</translation>
+    </message>
+    <message>
         <source>1 thread</source>
         <translation>1 个线程</translation>
     </message>

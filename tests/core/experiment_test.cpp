@@ -223,7 +223,9 @@ TEST(Record, WithAValueThatNobodyWroteIsRefusedWithItsLine)
         std::string text = whole.substr(0, whole.find("\"cases\": [")) + "\"cases\": " + nothing + "}";
         EXPECT_FALSE(recordFromJson(text, "r.json")) << nothing;
     }
-    EXPECT_FALSE(recordFromJson(whole + std::string("\0}", 2), "r.json"));
+    const auto beyond = recordFromJson(whole + std::string("\0}", 2), "r.json");
+    ASSERT_FALSE(beyond);
+    EXPECT_EQ(beyond.error().line, 1 + std::ranges::count(whole, '\n'));
 }
 
 TEST(Record, JoinsWhatCanBeComparedAndNothingElse)

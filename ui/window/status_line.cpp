@@ -66,7 +66,10 @@ void StatusLine::present(const Snapshot& shown, Changes what)
         m_time->setToolTip(tr("One frame at full speed; replaying up to this step took %1")
                                .arg(shown.step ? milliseconds(shown.step->replayMs) : QStringLiteral("–")));
         const Claim claim = claimOf(frame.pipeline);
-        m_exact->setText(claim == Claim::Exact ? tr("exact") : claim == Claim::ExactByFace ? tr("exact by face") : tr("approximate"));
+        m_exact->setText(frame.pipeline.fault != Fault::None ? tr("with a fault")
+                         : claim == Claim::Exact           ? tr("exact")
+                         : claim == Claim::ExactByFace     ? tr("exact by face")
+                                                           : tr("approximate"));
         const std::size_t triangles = shown.scene ? shown.scene->scene().triangleCount() : 0;
         m_triangles->setText(tr("%1 of %2 seen in %3")
                                  .arg(grouped(frame.visibleTriangles), counted(triangles, tr("1 triangle"), tr("%1 triangles")),

@@ -9,7 +9,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QRegularExpressionValidator>
-#include <QScrollBar>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -29,6 +28,7 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
       m_trouble(new QLabel), m_jump(new QPushButton), m_triangle(new QLineEdit), m_worker(std::make_unique<Worker>())
 {
     m_tree->setModel(m_model);
+    m_tree->viewport()->installEventFilter(this);
     m_tree->setItemDelegate(new RowDelegate(m_tree));
     m_tree->setUniformRowHeights(true);
     m_tree->setFrameShape(QFrame::NoFrame);
@@ -83,8 +83,6 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
 
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& at) { showRow(at); });
     connect(m_tree, &QTreeView::activated, this, &WhyPanel::jump);
-    // A scroll bar that comes or goes with the rows leaves the columns another width.
-    connect(m_tree->verticalScrollBar(), &QScrollBar::rangeChanged, this, &WhyPanel::fitColumns, Qt::QueuedConnection);
     connect(m_jump, &QPushButton::clicked, this, [this] { jump(m_tree->currentIndex()); });
     connect(m_triangle, &QLineEdit::returnPressed, this, [this] {
         bool       isNumber = false;
@@ -248,10 +246,11 @@ void WhyPanel::fitColumns()
     m_tree->setColumnWidth(WhyModel::What, std::max(76, room - depth - fate));
 }
 
-void WhyPanel::resizeEvent(QResizeEvent* event)
+/// Of the panel's width scroll bars take some, which come and go with what is said.
+bool WhyPanel::eventFilter(QObject* object, QEvent* event)
 {
-    Panel::resizeEvent(event);
-    fitColumns();
+    if (object == m_tree->viewport() && event->type() == QEvent::Resize) fitColumns();
+    return Panel::eventFilter(object, event);
 }
 
 void WhyPanel::showEvent(QShowEvent* event)
