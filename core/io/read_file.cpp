@@ -72,9 +72,8 @@ Result<std::string> readRegularFile(const std::string& path, std::uint64_t maxBy
 
     const auto size = static_cast<std::uint64_t>(opened.st_size);
     if (size > maxBytes) {
-        const bool isClose = megabytes(size) == megabytes(maxBytes);
-        const auto shown   = [isClose](std::uint64_t bytes) { return isClose ? fmt::format("{} bytes", bytes) : megabytes(bytes); };
-        return Error{Trouble::Limit, fmt::format("has {}, and at most {} are read", shown(size), shown(maxBytes)), path};
+        const std::string most = megabytes(maxBytes), all = megabytes(size) == most ? fmt::format("{} bytes", size) : megabytes(size);
+        return Error{Trouble::Limit, fmt::format("has {}, and at most {} are read", all, most), path};
     }
     std::string text;
     try {

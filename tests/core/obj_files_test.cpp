@@ -178,7 +178,7 @@ TEST(MaterialLibraries, ThatAreNoFilesAreAWarningAndDoNotHang)
     folder.write("wide.mtl", std::string("\xFF\xFEn\0e\0w\0", 8));
     expectWithoutLibrary(folder.write("c.obj", "mtllib wide.mtl\n" + kFaces), "UTF-16");
     folder.write("large.mtl", std::string(obj::kMaxLibraryBytes + 1, '\n'));
-    expectWithoutLibrary(folder.write("d.obj", "mtllib large.mtl\n" + kFaces), "at most 16 MiB");
+    expectWithoutLibrary(folder.write("d.obj", "mtllib large.mtl\n" + kFaces), "has 16777217 bytes, and at most 16 MiB are read");
 }
 
 TEST(MaterialLibraries, WithBadNumbersSayWhereAndKeepTheRest)
