@@ -1,3 +1,4 @@
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -53,6 +54,17 @@ Result<Done> applyOrFault(const std::string& setting, std::vector<NamedPipeline>
         Pipeline faulty = algorithm.pipeline;
         faulty.fault    = fault->fault;
         rename(algorithm, faulty);
+    }
+    return Done{};
+}
+
+/// Of two choices for one axis nobody could say which was meant.
+Result<Done> eachAxisOnce(const std::vector<std::string>& settings)
+{
+    std::set<std::string, std::less<>> axes;
+    for (const std::string& setting : settings) {
+        const std::string axis = setting.substr(0, setting.find('='));
+        if (!axes.insert(axis).second) return Error{Trouble::Usage, fmt::format("'{}' is chosen twice", axis)};
     }
     return Done{};
 }
@@ -126,12 +138,15 @@ Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words)
         const Preset* preset = findPreset(word.substr(0, plus));
         if (!preset) return unknownWord("algorithm", word.substr(0, plus), presetNames());
         std::vector<NamedPipeline> one{{std::string(preset->name), preset->pipeline, preset->claim}};
+        std::vector<std::string>   settings;
         while (plus != std::string::npos) {
             const std::size_t next = word.find('+', plus + 1);
-            const std::string setting = word.substr(plus + 1, next - plus - 1);
-            if (const Result<Done> done = applyOrFault(setting, one); !done) return done.error();
+            settings.push_back(word.substr(plus + 1, next - plus - 1));
             plus = next;
         }
+        if (const Result<Done> once = eachAxisOnce(settings); !once) return once.error();
+        for (const std::string& setting : settings)
+            if (const Result<Done> done = applyOrFault(setting, one); !done) return done.error();
         algorithms.push_back(std::move(one.front()));
     }
     return algorithms;
@@ -180,6 +195,7 @@ Result<How> HowOptions::read() const
     auto algorithms = algorithmsOf(algorithm);
     if (!algorithms) return algorithms.error();
     how.algorithms = *std::move(algorithms);
+    if (const Result<Done> once = eachAxisOnce(m_set); !once) return once.error();
     for (const std::string& setting : m_set)
         if (const Result<Done> done = apply(setting, how.algorithms); !done) return done.error();
     if (fault) {

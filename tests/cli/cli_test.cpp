@@ -79,6 +79,8 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         {{"render", kScene, "--algorithm", "zbuffer,scanline"}, "algorithm"},
         {{"render", kScene, "--set", "scan"}, "axis=choice"},
         {{"render", kScene, "--set", "scan=magic"}, "magic"},
+        {{"render", kScene, "--set", "snap=4-bits", "--set", "snap=12-bits"}, "'snap' is chosen twice"},
+        {{"render", kScene, "--algorithm", "zbuffer+snap=4-bits+snap=12-bits"}, "'snap' is chosen twice"},
         {{"render", kScene, "--algorithm", "zbuffer+depth"}, "axis=choice"},
         {{"render", kScene, "--algorithm", "zbuffer+depth=soon"}, "deferred, late, early, zcull, prepass"},
         {{"render", kScene, "--algorithm", "zbuffer+depth=zcull+scan=edge-walk"}, "knows no tiles"},

@@ -355,6 +355,7 @@ private slots:
         QVERIFY(desk.settles());
         QVERIFY(desk.window.messages().sentence().contains("missing.obj"));
         QCOMPARE(desk.session.now().scene->word, QString("builtin:cubes"));
+        QCOMPARE(desk.settings.recentFiles(), QStringList());
     }
     void everythingThatCanBeSeenHasAName()
     {

@@ -256,7 +256,10 @@ void MainWindow::present(Changes what)
     if (what & (Change::Scene | Change::Busy)) m_centre->setCurrentWidget(shown.scene || !shown.busy.isEmpty() ? static_cast<QWidget*>(m_view) : m_start);
     if (what & Change::Selection) showWhy(shown);
     if ((what & Change::Scene) && shown.scene) {
-        if (std::exchange(m_sceneShown, shown.scene) != shown.scene) m_messages->hide();  // something went right
+        if (std::exchange(m_sceneShown, shown.scene) != shown.scene) {
+            m_messages->hide();  // something went right
+            if (shown.scene->word == m_fileAwaited) addRecentFile(std::exchange(m_fileAwaited, {}));
+        }
         m_sceneName->setText(tr("%1 — %2").arg(shown.scene->title, counted(shown.scene->scene().triangleCount(), tr("1 triangle"), tr("%1 triangles"))));
         setWindowTitle(tr("%1 — ZScope").arg(shown.scene->title));
         menuBar()->setCornerWidget(m_sceneName);  // lays the corner out again for the longer text

@@ -36,7 +36,7 @@ public:
     MainWindow(Session& session, Settings& settings, const QPalette& systemPalette);
     ~MainWindow() override;
 
-    /// Files are added to the recent ones; builtin scenes are not.
+    /// A file that can be shown is added to the recent ones; builtin scenes are not.
     void open(const QString& word, const Session::ViewOf& viewOf = {});
     /// A teacher's lessons, remembered.
     void openLessons(const QString& folder);
@@ -93,6 +93,7 @@ private:
     void saveSession();
     void restoreLayout();
     void applyAppearance(Appearance appearance);
+    void addRecentFile(const QString& file);
     void chooseFile();
     void chooseLessons();
     void showPanel(const QString& word);
@@ -126,6 +127,7 @@ private:
     QString                 m_layout;  // the word of the one chosen last
     std::optional<QPoint>   m_lastPick;
     std::shared_ptr<const LoadedScene> m_sceneShown;
+    QString                 m_fileAwaited;  // what was opened last, until it is there
     CameraPath              m_path;   // recorded key by key; no key: none yet
     SheetMaker*             m_sheets = nullptr;
     QTimer                  m_held;   // from pressing Shift until it counts as held

@@ -36,13 +36,16 @@ void MainWindow::open(const QString& word, const Session::ViewOf& viewOf)
 {
     if (word.endsWith(QString(".") + kSessionSuffix, Qt::CaseInsensitive)) return openSession(word);
     QString name = word;
-    if (!word.startsWith("builtin:")) {
-        name = QFileInfo(word).absoluteFilePath();
-        m_settings.addRecentFile(name);
-        m_actions->showRecent(m_settings.recentFiles());
-    }
+    m_fileAwaited.clear();
+    if (!word.startsWith("builtin:")) m_fileAwaited = name = QFileInfo(word).absoluteFilePath();
     m_session.player().setPlaying(false);
     m_session.open(name, viewOf);
+}
+
+void MainWindow::addRecentFile(const QString& file)
+{
+    m_settings.addRecentFile(file);
+    m_actions->showRecent(m_settings.recentFiles());
 }
 
 void MainWindow::chooseFile()
@@ -116,8 +119,7 @@ void MainWindow::openSession(const QString& file)
     if (!text) return m_messages->tell(text.error());
     const auto session = sessionFromJson(*text, file);
     if (!session) return m_messages->tell(session.error());
-    m_settings.addRecentFile(QFileInfo(file).absoluteFilePath());
-    m_actions->showRecent(m_settings.recentFiles());
+    addRecentFile(QFileInfo(file).absoluteFilePath());
     if (!session->layout.state.isEmpty()) applyLayout(session->layout);
     restore(m_session, *session);
 }
@@ -144,8 +146,7 @@ void MainWindow::saveSessionTo(const QString& file)
     session->layout    = layoutNow();
     const auto written = writeFile(file.toStdString(), sessionToJson(*session, file));
     if (!written) return m_messages->tell(written.error());
-    m_settings.addRecentFile(QFileInfo(file).absoluteFilePath());
-    m_actions->showRecent(m_settings.recentFiles());
+    addRecentFile(QFileInfo(file).absoluteFilePath());
     m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
 }
 
