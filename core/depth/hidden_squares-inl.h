@@ -1,7 +1,7 @@
 // Hidden squares from the visibility buffer, lines side by side; and questions about the boxes of several triangles side by side.
 //
 // Promise    a yes is true of every triangle of the batch whose pixels lie in the box: each loses all of them. A no says nothing
-// Cost       one comparison per pixel of the reach, then for each side four ands per 32 pixels of a line; per vector of boxes one gather
+// Cost       one comparison per pixel of the reach, then for each side four ands per 32 pixels of a line; per vector of boxes one load for each
 // Source     core/depth/hidden_squares.h
 #if defined(ZSCOPE_HIDDEN_SQUARES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_HIDDEN_SQUARES_INL_H
@@ -22,6 +22,7 @@
 #include "core/depth/hidden_squares.h"
 #include "core/depth/tile_plane.h"
 #include "core/depth/visibility_buffer.h"
+#include "core/geometry/lane_loads-inl.h"
 #include "core/geometry/lane_order-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -230,10 +231,10 @@ class HiddenBoxes {
 public:
     explicit HiddenBoxes(const HiddenSquares& squares) : m_squares(squares) {}
 
-    /// Which of the boxes [left, right) x [above, below) that `asked` names, all of them in the reach and not empty, are hidden.
-    hn::Mask<D> operator()(hn::Mask<D> asked, V left, V above, V right, V below) const
+    /// Which of the boxes that `asked` names, all of them in the reach and not empty, are hidden.
+    hn::Mask<D> operator()(hn::Mask<D> asked, V left, V above, V width, V height) const
     {
-        const auto side    = hn::Max(right - left, below - above);
+        const auto side    = hn::Max(width, height);
         const auto isLarge = side > all(HiddenSquares::kSides.back());
         const auto level   = levelOf(hn::IfThenElse(isLarge, all(1), side));
         const auto known   = hn::And(hn::AndNot(isLarge, asked), level < all(m_squares.levels));
@@ -241,13 +242,13 @@ public:
     }
 
     /// The same of boxes with sides of up to twice the largest square: by four of these, one in each corner.
-    hn::Mask<D> ofLarge(hn::Mask<D> asked, V left, V above, V right, V below) const
+    hn::Mask<D> ofLarge(hn::Mask<D> asked, V left, V above, V width, V height) const
     {
         constexpr int kSide = HiddenSquares::kSides.back();
-        const auto    side  = hn::Max(right - left, below - above);
+        const auto    side  = hn::Max(width, height);
         const auto    isLarge = hn::And(hn::And(asked, side > all(kSide)), side < all(2 * kSide + 1));
         if (static_cast<std::size_t>(m_squares.levels) < HiddenSquares::kSides.size() || hn::AllFalse(D(), isLarge)) return hn::And(asked, all(1) < all(0));
-        const auto level = all(static_cast<int>(HiddenSquares::kSides.size()) - 1), x = hn::Max(left, right - all(kSide)), y = hn::Max(above, below - all(kSide));
+        const auto level = all(static_cast<int>(HiddenSquares::kSides.size()) - 1), x = left + hn::Max(width - all(kSide), hn::Zero(D())), y = above + hn::Max(height - all(kSide), hn::Zero(D()));
         auto       hidden = isLarge;
         for (const auto& [atX, atY] : {std::pair(left, above), std::pair(x, above), std::pair(left, y), std::pair(x, y)}) hidden = squaresAt(hidden, level, atX, atY);
         return hidden;
@@ -261,7 +262,10 @@ private:
     {
         const auto x = left - all(m_squares.left), y = above - all(m_squares.reach.y0);
         const auto place = hn::ShiftLeftSame(level, m_squares.levelShift) + hn::ShiftLeftSame(hn::ShiftRight<std::bit_width(kLastBit)>(x), m_squares.lineShift) + y;
-        const auto word  = hn::GatherIndex(D(), reinterpret_cast<const std::int32_t*>(m_squares.words.data()), hn::IfThenElseZero(asked, place));
+        HWY_ALIGN std::array<std::int32_t, hn::MaxLanes(D())> places;
+        hn::Store(hn::IfThenElseZero(asked, place), D(), places.data());
+        const auto* words = reinterpret_cast<const std::int32_t*>(m_squares.words.data());
+        const auto  word  = loadLanes(D(), [words, &places](std::size_t i) { return words + places[i]; });
         const auto bit   = all(1) << hn::And(x, all(kLastBit));
         return hn::And(asked, hn::TestBit(word, bit));
     }

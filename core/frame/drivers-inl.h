@@ -234,7 +234,7 @@ private:
             return askPyramid(*occlusion.pyramid, triangles.box(i), triangles.nearest[i], shape, rules, probe);
         };
         const PyramidQuery query = occlusion.asksByShape ? ask(TriangleCover(triangles[i], rules.notOwned())) : ask(WholeBox{});
-        const TriangleId   id{triangles.id[i]};
+        const TriangleId   id = triangles.id(i);
         probe(PyramidAsked{query, nullptr, id});
         if (query.hidden)
             probe(TriangleHidden{id, query});

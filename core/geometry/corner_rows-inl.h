@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/geometry/lane_loads-inl.h"
 #include "core/geometry/screen_vertices.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,11 +23,11 @@ struct CornerColumns {
     hn::Vec<hn::ScalableTag<double>> x, y, d;
 };
 
-/// Lane i is the vertex places[i]; there are as many places as lanes, all below ScreenVertices::kCapacity.
-HWY_INLINE CornerColumns cornersAt(const ScreenVertices& vertices, const std::int32_t* places)
+/// Lane i is the vertex places[2 * i]; there are as many such places as lanes, all below ScreenVertices::kCapacity.
+HWY_INLINE CornerColumns cornersAt(const ScreenVertices& vertices, const std::uint16_t* places)
 {
     const hn::ScalableTag<double> d64;
-    const auto row = [&](int i) { return vertices.rows.data() + ScreenVertices::kRow * static_cast<std::size_t>(places[i]); };
+    const auto row = [&](int i) { return vertices.rows.data() + ScreenVertices::kRow * places[2 * i]; };
 #if HWY_TARGET == HWY_SCALAR
     return {hn::LoadU(d64, row(0)), hn::LoadU(d64, row(0) + 1), hn::LoadU(d64, row(0) + 2)};
 #elif HWY_TARGET == HWY_AVX3
@@ -49,6 +50,14 @@ HWY_INLINE CornerColumns cornersAt(const ScreenVertices& vertices, const std::in
     return {hn::InterleaveLower(d64, a, b), hn::InterleaveUpper(d64, a, b),
             hn::InterleaveLower(d64, hn::LoadU(d64, row(0) + 2), hn::LoadU(d64, row(1) + 2))};
 #endif
+}
+
+/// Lane i is what stands of the snapped position of vertex places[i]: all of its bits, or the lower half of them (ScreenVertices::snappedBits()).
+template <class D>
+HWY_INLINE hn::Vec<D> snappedAt(D d, const ScreenVertices& vertices, const std::uint16_t* places)
+{
+    const double* const last = vertices.rows.data() + ScreenVertices::kRow - 1;
+    return loadLanes(d, [last, places](std::size_t i) { return reinterpret_cast<const hn::TFromD<D>*>(last + ScreenVertices::kRow * std::size_t{places[i]}); });
 }
 
 }  // namespace zscope::HWY_NAMESPACE

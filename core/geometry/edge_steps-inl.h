@@ -2,8 +2,8 @@
 //
 // Steps      from a pixel to the next in the lower half of a lane, to the one below in the upper, each of 16 bits: what compact triangles have
 //            (core/geometry/triangle_list.h)
-// Way        so many pixels to the right in the lower half, so many lines down in the upper. Both products and their sum are one instruction, in
-//            every instruction set
+// Way        so many pixels to the right in the lower half, so many lines down in the upper (core/geometry/pixel_way.h). Both products and their sum are
+//            one instruction, in every instruction set
 // Promise    exact: integers
 #if defined(ZSCOPE_EDGE_STEPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_EDGE_STEPS_INL_H
@@ -16,28 +16,80 @@
 
 #include <hwy/highway.h>
 
+#include "core/geometry/pixel_way.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A way, or steps that are known beforehand; each part fits in 16 bits.
-constexpr std::int32_t pixelsAndLines(int pixels, int lines)
-{
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(lines) << 16 | (static_cast<std::uint32_t>(pixels) & 0xFFFF));
-}
-
-/// The same, lane by lane.
+/// A way or steps, lane by lane: of each part the lower 16 bits.
 template <class V>
-HWY_INLINE V stepsOf(V perPixel, V perLine)
+HWY_INLINE V inHalves(V lower, V upper)
 {
-    return hn::Or(hn::ShiftLeft<16>(perLine), hn::And(perPixel, hn::Set(hn::DFromV<V>(), 0xFFFF)));
+    return hn::Or(hn::ShiftLeft<16>(upper), hn::And(lower, hn::Set(hn::DFromV<V>(), 0xFFFF)));
+}
+template <class V>
+HWY_INLINE V lowerHalf(V both)
+{
+    return hn::ShiftRight<16>(hn::ShiftLeft<16>(both));
+}
+template <class V>
+HWY_INLINE V upperHalf(V both)
+{
+    return hn::ShiftRight<16>(both);
 }
 
 #if HWY_TARGET == HWY_SCALAR
-inline std::int32_t lowerStep(std::int32_t both) { return static_cast<std::int16_t>(both); }
-inline std::int32_t upperStep(std::int32_t both) { return both >> 16; }
+/// of(a, b), half by half.
+template <class V, class Of>
+HWY_INLINE V halfByHalf(V a, V b, const Of& of)
+{
+    const std::int32_t x = hn::GetLane(a), y = hn::GetLane(b);
+    return hn::Set(hn::DFromV<V>(), pixelsAndLines(of(pixelsOf(x), pixelsOf(y)), of(linesOf(x), linesOf(y))));
+}
+template <class V>
+HWY_INLINE V minusHalves(V a, V b) { return halfByHalf(a, b, [](int x, int y) { return x - y; }); }
+template <class V>
+HWY_INLINE V leastHalves(V a, V b) { return halfByHalf(a, b, [](int x, int y) { return HWY_MIN(x, y); }); }
+template <class V>
+HWY_INLINE V mostHalves(V a, V b) { return halfByHalf(a, b, [](int x, int y) { return HWY_MAX(x, y); }); }
+#else
+template <class V>
+using Halves = hn::Repartition<std::int16_t, hn::DFromV<V>>;
+template <class V>
+HWY_INLINE V minusHalves(V a, V b) { return hn::BitCast(hn::DFromV<V>(), hn::BitCast(Halves<V>(), a) - hn::BitCast(Halves<V>(), b)); }
+template <class V>
+HWY_INLINE V leastHalves(V a, V b) { return hn::BitCast(hn::DFromV<V>(), hn::Min(hn::BitCast(Halves<V>(), a), hn::BitCast(Halves<V>(), b))); }
+template <class V>
+HWY_INLINE V mostHalves(V a, V b) { return hn::BitCast(hn::DFromV<V>(), hn::Max(hn::BitCast(Halves<V>(), a), hn::BitCast(Halves<V>(), b))); }
 #endif
+
+/// a + b, half by half.
+template <class V>
+HWY_INLINE V plusHalves(V a, V b)
+{
+#if HWY_TARGET == HWY_SCALAR
+    return halfByHalf(a, b, [](int x, int y) { return x + y; });
+#else
+    return hn::BitCast(hn::DFromV<V>(), hn::BitCast(Halves<V>(), a) + hn::BitCast(Halves<V>(), b));
+#endif
+}
+
+/// The steps of the edge that runs that way: it grows to the right by as much as it falls, down by as much as it runs to the right.
+template <class V>
+HWY_INLINE V acrossEdge(V way)
+{
+    const hn::DFromV<V> d;
+#if HWY_TARGET == HWY_SCALAR
+    const std::int32_t w = hn::GetLane(way);
+    return hn::Set(d, pixelsAndLines(-linesOf(w), pixelsOf(w)));
+#else
+    // The lower half's complement, and one more.
+    const auto lower = hn::Set(d, 0xFFFF);
+    return minusHalves(hn::Xor(hn::BitCast(d, hn::RotateRight<16>(hn::BitCast(hn::RebindToUnsigned<decltype(d)>(), way))), lower), lower);
+#endif
+}
 
 /// By how much an edge grows over `way`.
 template <class V>
@@ -46,7 +98,7 @@ HWY_INLINE V growth(V steps, V way)
     const hn::DFromV<V> d;
 #if HWY_TARGET == HWY_SCALAR
     const std::int32_t s = hn::GetLane(steps), w = hn::GetLane(way);
-    return hn::Set(d, lowerStep(s) * lowerStep(w) + upperStep(s) * upperStep(w));
+    return hn::Set(d, pixelsOf(s) * pixelsOf(w) + linesOf(s) * linesOf(w));
 #else
     const hn::Repartition<std::int16_t, decltype(d)> i16;
     auto       rest = hn::Zero(d);
@@ -67,7 +119,7 @@ HWY_INLINE V upwards(V steps)
     const hn::DFromV<V> d;
 #if HWY_TARGET == HWY_SCALAR
     const std::int32_t s = hn::GetLane(steps);
-    return hn::Set(d, pixelsAndLines(HWY_MAX(lowerStep(s), 0), HWY_MAX(upperStep(s), 0)));
+    return hn::Set(d, pixelsAndLines(HWY_MAX(pixelsOf(s), 0), HWY_MAX(linesOf(s), 0)));
 #else
     const hn::Repartition<std::int16_t, decltype(d)> i16;
     return hn::BitCast(d, hn::Max(hn::BitCast(i16, steps), hn::Zero(i16)));

@@ -127,7 +127,7 @@ public:
     float    nearestOf(std::size_t patch) const { return m_depths[patch]; }
     PixelBox pixelsOf(std::size_t patch) const { return {m_left[patch], m_above[patch], m_right[patch], m_below[patch]}; }
 
-    /// Of patches(), those whose boxes are hidden: hidden(asked, left, above, right, below) says which of several boxes are.
+    /// Of patches(), those whose boxes are hidden: hidden(asked, left, above, width, height) says which of several boxes are.
     template <class Hidden>
     PatchBits hiddenAmong(const Hidden& hidden) const
     {
@@ -135,9 +135,9 @@ public:
         PatchBits found = 0;
         for (std::size_t i = 0; i < kMost && m_patches >> i != 0; i += hn::Lanes(i32)) {
             const auto at = [&](const Column& column) HWY_ATTR { return hn::Load(i32, column.data() + i); };
-            const auto left = at(m_left), above = at(m_above), right = at(m_right), below = at(m_below);
+            const auto left = at(m_left), above = at(m_above), width = at(m_right) - left, height = at(m_below) - above;
             const auto asked = maskOf(i32, m_patches >> i);
-            found |= bitsOf(i32, hn::Or(hidden(asked, left, above, right, below), hidden.ofLarge(asked, left, above, right, below))) << i;
+            found |= bitsOf(i32, hn::Or(hidden(asked, left, above, width, height), hidden.ofLarge(asked, left, above, width, height))) << i;
         }
         return found;
     }

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "core/geometry/batches.h"
+#include "core/geometry/pixel_way.h"
 #include "core/geometry/screen_triangle.h"
 
 namespace zscope {
@@ -19,9 +20,15 @@ struct ScreenVertices {
     static constexpr std::size_t kCapacity = kBatchVertices + kBatchPadding;
     static constexpr std::size_t kRow      = 4;  // numbers per vertex in `rows`
 
-    // Per vertex x, y (unsnapped, pixels), d (n / z), and by exact rules the bits of its snapped position.
+    // Per vertex x, y (unsnapped, pixels), d (n / z), and by exact rules the bits of its snapped position (snappedBits()).
     alignas(64) std::array<double, kRow * kCapacity> rows;
     alignas(64) std::array<double, kCapacity>        xs, ys;  // snapped, 1/256 pixel, by other rules
+
+    /// By exact rules, and if all are plain: from the least to the most of their snapped positions.
+    struct Reach {
+        std::int32_t left, above, right, below;
+    };
+    Reach reach;
 
     /// No vertex lies behind the near plane and none beyond the guard band. If false, those that do hold numbers without meaning (by exact rules
     /// all but the snapped position, kNowhere), and triangles are set up carefully from their positions instead: those that have one, or all.
@@ -33,11 +40,20 @@ struct ScreenVertices {
     /// Added to a number between -2^31 and 2^31 it rounds it to a whole one, ties to even, which is then the lower half of the sum's bits.
     static constexpr double kWhole = 0x1.8p52;
 
-    /// The snapped position of vertex i by exact rules: x in the lower, y in the upper half, each an int32.
+    /// A snapped position as it stands in a row: as a way (pixel_way.h) the lower 16 bits of x and y, and in the upper half of the 64 bits their upper 16. Whoever
+    /// knows what all vertices lie near to fetches the lower half only.
+    static constexpr std::uint64_t snappedBits(std::int32_t x, std::int32_t y)
+    {
+        return std::uint64_t{static_cast<std::uint32_t>(pixelsAndLines(x >> 16, y >> 16))} << 32 | static_cast<std::uint32_t>(pixelsAndLines(x, y));
+    }
+    static constexpr std::int32_t xOf(std::uint64_t bits) { return static_cast<std::int32_t>((bits >> 16 & 0xFFFF'0000) | (bits & 0xFFFF)); }
+    static constexpr std::int32_t yOf(std::uint64_t bits) { return static_cast<std::int32_t>((bits >> 32 & 0xFFFF'0000) | (bits >> 16 & 0xFFFF)); }
+
+    /// The bits of vertex i by exact rules.
     std::uint64_t snapped(std::size_t i) const { return std::bit_cast<std::uint64_t>(rows[kRow * i + kRow - 1]); }
 
     /// By exact rules.
-    bool isPlain(std::size_t i) const { return static_cast<std::int32_t>(snapped(i)) != kNowhere; }
+    bool isPlain(std::size_t i) const { return xOf(snapped(i)) != kNowhere; }
 
     /// `Rules` are those that it was transformed by.
     template <class Rules>
@@ -46,14 +62,16 @@ struct ScreenVertices {
         const double* row = rows.data() + kRow * i;
         if constexpr (Rules::kExact) {
             const std::uint64_t both = snapped(i);
-            return {row[0], row[1], row[2], static_cast<double>(static_cast<std::int32_t>(both)), static_cast<double>(static_cast<std::int32_t>(both >> 32))};
+            return {row[0], row[1], row[2], static_cast<double>(xOf(both)), static_cast<double>(yOf(both))};
         } else {
             return {row[0], row[1], row[2], xs[i], ys[i]};
         }
     }
 
-    /// out[k][i] becomes the snapped position of vertex places[k][i], for all i < count; places are below kCapacity.
-    void fetchSnapped(const std::array<const std::uint16_t*, 3>& places, std::size_t count, const std::array<std::uint64_t*, 3>& out) const;
+    /// out[k][i] becomes the bits of the snapped position of vertex places[k][i], or the lower half of them, for all i < count, and some that follow: whole fours
+    /// are read and written. Places are below kCapacity.
+    template <class Bits>
+    void fetchSnapped(const std::array<const std::uint16_t*, 3>& places, std::size_t count, const std::array<Bits*, 3>& out) const;
 };
 
 }  // namespace zscope

@@ -2,7 +2,9 @@
 //
 // Sieve      in int32 lanes, from snapped corners: turn, box, and whether any pixel centre lies in it. Most triangles end here.
 //            What is left is written densely, so that the lanes that follow have work
-// Edges      in int32 lanes: exact, because the sides of compact triangles are short
+// Together   where all vertices of a batch lie within 126 pixels, inside the region, a lane's halves hold both coordinates: half as much to fetch, and most of the
+//            sieve takes half as many instructions
+// Edges      of compact triangles, by corners in halves of lanes: products of 16 bits, sums of 32, exact because the sides are short
 // Planes     in float64 lanes, in the order of depthPlane() (core/geometry/screen_triangle.h), nothing fused
 // One by one triangles with a long side, those with a corner that is not plain, and all of them where rules are chosen at run time (corners need not be
 //            whole then)
@@ -19,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <limits>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -45,7 +46,7 @@ struct LeftOut {
     std::uint64_t pixels    = 0;  // of their boxes
 };
 
-/// `Hidden`: hidden(asked, left, above, right, below) says which of those boxes can show nothing of the batch any more.
+/// `Hidden`: hidden(asked, left, above, width, height) says which of those boxes can show nothing of the batch any more.
 template <class Rules, class Probe, class Hidden = NoHiddenBoxes>
 class BatchSetUp {
 public:
@@ -68,17 +69,15 @@ public:
         const std::uint32_t first = m_place.batch.firstTriangle, end = first + m_place.batch.triangleCount;
         if constexpr (Rules::kExact) {
             m_finished = m_out.count;
+            const bool areNear = lieTogether();
             for (PatchBits left = m_place.patches & m_place.batch.patches(); left != 0;) {
                 const BitRun        run = takeRun(left);
                 const std::uint32_t t0 = first + kPatchTriangles * run.first, stop = std::min(end, t0 + kPatchTriangles * run.count);
-                for (std::uint32_t t = t0; t < stop; t += kFetched) {
-                    fetchCorners(t, std::min(stop - t, kFetched));
-                    for (std::uint32_t i = 0; i < kFetched && t + i < stop; i += static_cast<std::uint32_t>(hn::Lanes(D()))) sieve(t, i, stop);
-                }
+                for (std::uint32_t t = t0; t < stop; t += static_cast<std::uint32_t>(hn::Lanes(D()))) areNear ? sieveNear(t, stop) : sieve(t, stop);
             }
             finish();
-            m_out.compactReach = {hn::GetLane(hn::MinOfLanes(D(), m_left)), hn::GetLane(hn::MinOfLanes(D(), m_above)),
-                                  hn::GetLane(hn::MaxOfLanes(D(), m_right)), hn::GetLane(hn::MaxOfLanes(D(), m_below))};
+            m_out.compactReach = {hn::GetLane(hn::MinOfLanes(D(), lowerHalf(m_start))), hn::GetLane(hn::MinOfLanes(D(), upperHalf(m_start))),
+                                  hn::GetLane(hn::MaxOfLanes(D(), lowerHalf(m_end))), hn::GetLane(hn::MaxOfLanes(D(), upperHalf(m_end)))};
         } else {
             for (std::uint32_t t = first; t < end; ++t) setUpAlone(t, m_vertices.plain);
         }
@@ -103,44 +102,56 @@ private:
     /// First pixel whose centre is at or beyond a snapped position.
     static V firstCentreFrom(V snapped) { return hn::ShiftRight<8>(snapped + all(127)); }
 
-    /// Snapped corners of the triangles [first, first + count), and of as many more as a vector may hold.
-    void fetchCorners(std::uint32_t first, std::uint32_t count)
+    /// To the centre of a pixel, in subpixels: the lower 16 bits of both parts.
+    static V centreOf(V pixel) { return inHalves(hn::ShiftLeft<8>(pixel), hn::ShiftLeft<8>(upperHalf(pixel))) + all(pixelsAndLines(128, 128)); }
+
+    /// Whether all vertices are plain and lie so near to each other, and so far inside the region, that the lower halves of their positions say all:
+    /// triangles are compact, boxes need no cutting, and windows begin at their boxes.
+    bool lieTogether() const
     {
-        static_assert(hn::MaxLanes(D()) <= kBatchPadding && kFetched % hn::MaxLanes(D()) == 0);
-        const std::size_t whole = (count + hn::Lanes(D()) - 1) / hn::Lanes(D()) * hn::Lanes(D());
-        const auto& corners = m_place.mesh.corners;
-        m_vertices.fetchSnapped({corners[0].data() + first, corners[1].data() + first, corners[2].data() + first}, whole,
-                                {m_fetched[0].data(), m_fetched[1].data(), m_fetched[2].data()});
+        if (Probe::listens || hn::MaxLanes(D()) == 1 || !m_vertices.plain) return false;
+        const ScreenVertices::Reach& r = m_vertices.reach;
+        const auto firstCentre = [](std::int32_t snapped) { return (snapped + 127) >> 8; };
+        return r.right - r.left < kNearSide && r.below - r.above < kNearSide && firstCentre(r.left) >= m_region.x0 && firstCentre(r.right) <= m_region.x1 &&
+               firstCentre(r.above) >= m_region.y0 && firstCentre(r.below) + kWindowSide - 1 <= m_region.y1;
+    }
+    /// Subpixels. From the pixel that holds the first of such vertices 15 bits hold the way to any, and half a pixel more.
+    static constexpr std::int32_t kNearSide = 0x8000 - 256 - 128;
+    static_assert(kNearSide <= kCompactSide<false>);
+
+    /// Where in the batch the k-th corners of the triangles from t on stand: as many triangles as a vector holds, even if there are fewer.
+    const std::uint16_t* corners(std::size_t k, std::uint32_t t) const
+    {
+        static_assert(hn::MaxLanes(D()) <= kBatchPadding);
+        return m_place.mesh.corners[k].data() + t;
     }
 
-    /// x and y of the snapped positions that stand from `from` on.
-    static std::pair<V, V> halves(const std::uint64_t* from)
+    /// x and y of their snapped positions.
+    std::pair<V, V> positions(std::size_t k, std::uint32_t t) const
     {
-#if HWY_TARGET == HWY_SCALAR
-        return {all(static_cast<std::int32_t>(*from)), all(static_cast<std::int32_t>(*from >> 32))};
-#else
         const hn::ScalableTag<std::uint64_t> u64;
-        const auto lower = hn::BitCast(D(), hn::Load(u64, from)), upper = hn::BitCast(D(), hn::Load(u64, from + hn::Lanes(u64)));
-        return {hn::ConcatEven(D(), upper, lower), hn::ConcatOdd(D(), upper, lower)};
+        const auto first = snappedAt(u64, m_vertices, corners(k, t));
+#if HWY_TARGET == HWY_SCALAR
+        return {all(ScreenVertices::xOf(hn::GetLane(first))), all(ScreenVertices::yOf(hn::GetLane(first)))};
+#else
+        const auto second = snappedAt(u64, m_vertices, corners(k, t) + hn::MaxLanes(u64));
+        const auto lower  = hn::ConcatEven(D(), hn::BitCast(D(), second), hn::BitCast(D(), first));
+        const auto upper  = hn::ConcatOdd(D(), hn::BitCast(D(), second), hn::BitCast(D(), first));
+        const auto lowerY = hn::BitCast(D(), hn::ShiftRight<16>(hn::BitCast(hn::RebindToUnsigned<D>(), lower)));
+        return {inHalves(lower, upper), hn::Or(lowerY, hn::And(upper, all(-0x10000)))};
 #endif
     }
 
-    /// The triangles that were fetched from place i on, as far as they come before `end`; the first one that was fetched is `first`.
-    void sieve(std::uint32_t first, std::uint32_t i, std::uint32_t end)
+    /// The triangles from t on, as far as they come before `end`.
+    void sieve(std::uint32_t t, std::uint32_t end)
     {
-        const std::uint32_t t = first + i;
-        const hn::Rebind<std::uint16_t, D> u16;
-        Three vertex, x, y;
-        for (std::size_t k = 0; k < 3; ++k) {
-            vertex[k]             = hn::PromoteTo(D(), hn::LoadU(u16, m_place.mesh.corners[k].data() + t));
-            std::tie(x[k], y[k]) = halves(m_fetched[k].data() + i);
-        }
+        Three x, y;
+        for (std::size_t k = 0; k < 3; ++k) std::tie(x[k], y[k]) = positions(k, t);
         const auto x0 = least(x), x1 = most(x), y0 = least(y), y1 = most(y);
         const auto isThere   = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - t));
         const auto isPlain   = x1 < all(ScreenVertices::kNowhere);
         const auto isCompact = hn::And(hn::And(isThere, isPlain), hn::Max(x1 - x0, y1 - y0) < all(kCompactSide<Probe::listens>));
         const auto area      = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
-        const auto isBack    = area > hn::Zero(D());
 
         const auto left = hn::Max(all(m_region.x0), firstCentreFrom(x0)), right = hn::Min(all(m_region.x1), firstCentreFrom(x1));
         const auto above = hn::Max(all(m_region.y0), firstCentreFrom(y0)), below = hn::Min(all(m_region.y1), firstCentreFrom(y1));
@@ -151,37 +162,15 @@ private:
         const auto top   = hn::Min(above, all(m_region.y1) - lines);
         const auto fits  = hn::Not(top < all(m_region.y0));
         const auto drawn = hn::And(hn::And(isCompact, hasCentre), hn::And(isTurned, fits));
-        const auto kept  = leaveOutHidden(drawn, left, above, right, below);
+        const auto kept  = leaveOutHidden(drawn, left, above, right - left, below - above);
         // To be set up one by one: whoever listens is told there what becomes of them.
         const auto mayReach = Probe::listens ? isThere : hn::And(isThere, hn::Or(hn::Not(isPlain), hasCentre));
         const auto alone    = hn::AndNot(hn::And(isCompact, fits), mayReach);
 
         if (!hn::AllFalse(D(), kept)) {
-            const auto id   = hn::LoadU(hn::RebindToUnsigned<D>(), m_place.mesh.meshTriangle.data() + t);
-            const auto kind = hn::IfThenElse(isBack, all(TriangleList::kCompact), all(TriangleList::kCompact | TriangleList::kFront));
-            // The order that puts them side by side, found once: to compress each column by itself costs more.
-            const auto        order = hn::IndicesFromVec(D(), keptFirst(D(), kept));
-            // Read before the first store, which could change them for all the compiler knows.
-            TriangleList&     out   = m_out;
-            const std::size_t count = out.count;
-            const auto        keep  = [&, order, count](V values, auto& column) HWY_ATTR {
-                hn::StoreU(hn::TableLookupLanes(values, order), D(), reinterpret_cast<std::int32_t*>(column.data()) + count);
-            };
-            keep(x[0], out.sx[0]), keep(hn::IfThenElse(isBack, x[1], x[2]), out.sx[1]), keep(hn::IfThenElse(isBack, x[2], x[1]), out.sx[2]);
-            keep(y[0], out.sy[0]), keep(hn::IfThenElse(isBack, y[1], y[2]), out.sy[1]), keep(hn::IfThenElse(isBack, y[2], y[1]), out.sy[2]);
-            for (std::size_t k = 0; k < 3; ++k) keep(vertex[k], out.vertex[k]);
-            keep(left, out.x0), keep(above, out.y0), keep(right, out.x1), keep(below, out.y1);
-            keep(top, out.top);
-            keep(kind, out.kind);
-            const auto own = hn::BitCast(D(), id + hn::Set(hn::RebindToUnsigned<D>(), m_place.firstTriangle));
-            keep(own, out.id);
-            keep(all(-2) - own, out.notRank);  // ~(own + 1)
-            const auto grow = [&](V& least, V& most, V from, V to) HWY_ATTR {
-                least = hn::Min(least, hn::IfThenElse(kept, from, least)), most = hn::Max(most, hn::IfThenElse(kept, to, most));
-            };
-            grow(m_left, m_right, left, right), grow(m_above, m_below, above, below);
-            out.count = count + hn::CountTrue(D(), kept);
-            if (!m_place.mesh.patterned.empty()) markPatterned(t, kept, count);
+            const auto start  = inHalves(left, above), centre = centreOf(start), raised = hn::ShiftLeft<TriangleList::kRaised>(above - top);
+            const auto corner = [&](std::size_t k) HWY_ATTR { return minusHalves(inHalves(x[k], y[k]), centre); };
+            list(t, kept, {corner(0), corner(1), corner(2)}, area > hn::Zero(D()), start, inHalves(right, below), raised);
         }
         if constexpr (Probe::listens) {
             static_assert(!Probe::listens || hn::MaxLanes(D()) == 1, "a run that is listened to uses one lane");
@@ -200,6 +189,61 @@ private:
         m_finished = m_out.count;
     }
 
+    /// The same where all vertices lie together: both coordinates in the halves of a lane, seen from the pixel that holds the first of the vertices.
+    void sieveNear(std::uint32_t t, std::uint32_t end)
+    {
+        const int  column = m_vertices.reach.left >> 8, line = m_vertices.reach.above >> 8;
+        const auto origin = all(pixelsAndLines(256 * column, 256 * line));
+        const auto at     = [&](std::size_t k) HWY_ATTR { return minusHalves(snappedAt(D(), m_vertices, corners(k, t)), origin); };
+        const Three p{at(0), at(1), at(2)};
+        const auto  nearly = all(pixelsAndLines(127, 127));  // to the next centre
+        const auto  first  = inPixels(plusHalves(leastHalves(leastHalves(p[0], p[1]), p[2]), nearly));
+        const auto  size   = minusHalves(inPixels(plusHalves(mostHalves(mostHalves(p[0], p[1]), p[2]), nearly)), first);
+        // Twice the area, above 0 of a front.
+        const auto turned    = growth(minusHalves(p[1], p[0]), acrossEdge(minusHalves(p[2], p[0])));
+        const auto isTurned  = m_culling == FaceCulling::Back ? turned > hn::Zero(D()) : turned != hn::Zero(D());
+        const auto belowOne  = hn::And(minusHalves(size, all(pixelsAndLines(1, 1))), all(pixelsAndLines(-0x8000, -0x8000)));
+        const auto isThere   = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - t));
+        const auto drawn     = hn::And(hn::And(isThere, isTurned), belowOne == hn::Zero(D()));
+        if (hn::AllFalse(D(), drawn)) return;
+        const auto start = plusHalves(first, all(pixelsAndLines(column, line)));
+        const auto kept  = leaveOutHidden(drawn, lowerHalf(start), upperHalf(start), lowerHalf(size), upperHalf(size));
+        if (hn::AllFalse(D(), kept)) return;
+        const auto centre = centreOf(first);
+        const Three corner{minusHalves(p[0], centre), minusHalves(p[1], centre), minusHalves(p[2], centre)};
+        list(t, kept, corner, turned < hn::Zero(D()), start, plusHalves(start, size), hn::Zero(D()));
+    }
+
+    /// Subpixels to pixels, half by half, of numbers that are not negative.
+    static V inPixels(V subpixels) { return hn::And(hn::ShiftRight<8>(subpixels), all(pixelsAndLines(0xFF, 0xFF))); }
+
+    /// Puts the triangles that `kept` names, of those from t on, at the end of the list. `raised`: what of their kind says where their windows begin.
+    HWY_INLINE void list(std::uint32_t t, M kept, const Three& corner, M isBack, V start, V end, V raised)
+    {
+        const hn::Rebind<std::uint16_t, D> u16;
+        const hn::RebindToUnsigned<D>      u32;
+        const auto vertex = [&](std::size_t k) HWY_ATTR { return hn::PromoteTo(D(), hn::LoadU(u16, corners(k, t))); };
+        const auto id     = hn::LoadU(u32, m_place.mesh.meshTriangle.data() + t);
+        const auto kind   = hn::Or(raised, hn::IfThenElse(isBack, all(TriangleList::kCompact), all(TriangleList::kCompact | TriangleList::kFront)));
+        const auto pair   = hn::Or(vertex(0), hn::ShiftLeft<16>(vertex(1))), last = vertex(2);
+        // The order that puts them side by side, found once: to compress each column by itself costs more.
+        const auto        order = hn::IndicesFromVec(D(), keptFirst(D(), kept));
+        // Read before the first store, which could change them for all the compiler knows.
+        TriangleList&     out   = m_out;
+        const std::size_t count = out.count;
+        const auto        keep  = [&, order, count](V values, auto& column) HWY_ATTR {
+            hn::StoreU(hn::TableLookupLanes(values, order), D(), reinterpret_cast<std::int32_t*>(column.data()) + count);
+        };
+        keep(corner[0], out.corner[0]), keep(hn::IfThenElse(isBack, corner[1], corner[2]), out.corner[1]), keep(hn::IfThenElse(isBack, corner[2], corner[1]), out.corner[2]);
+        keep(start, out.start), keep(end, out.end), keep(kind, out.kind);
+        const auto own = hn::BitCast(D(), id + hn::Set(u32, m_place.firstTriangle));
+        keep(all(-2) - own, out.notRank);  // ~(own + 1)
+        keep(pair, out.vertices[0]), keep(last, out.vertices[1]);
+        m_start = leastHalves(m_start, hn::IfThenElse(kept, start, m_start)), m_end = mostHalves(m_end, hn::IfThenElse(kept, end, m_end));
+        out.count = count + hn::CountTrue(D(), kept);
+        if (!m_place.mesh.patterned.empty()) markPatterned(t, kept, count);
+    }
+
     void setUpAlone(std::uint32_t t, bool isPlain)
     {
         if (isPlain)
@@ -209,16 +253,16 @@ private:
     }
 
     /// Those of `drawn` that may be seen.
-    M leaveOutHidden(M drawn, V left, V above, V right, V below)
+    M leaveOutHidden(M drawn, V left, V above, V width, V height)
     {
         if constexpr (std::is_same_v<Hidden, NoHiddenBoxes>) {
             return drawn;
         } else {
             static_assert(!Probe::listens);
             if (hn::AllFalse(D(), drawn)) return drawn;
-            const auto hidden = m_hidden(drawn, left, above, right, below);
+            const auto hidden = m_hidden(drawn, left, above, width, height);
             m_leftOut       = m_leftOut + hn::IfThenElseZero(hidden, all(1));
-            m_leftOutPixels = m_leftOutPixels + hn::IfThenElseZero(hidden, (right - left) * (below - above));
+            m_leftOutPixels = m_leftOutPixels + hn::IfThenElseZero(hidden, width * height);
             return hn::AndNot(hidden, drawn);
         }
     }
@@ -254,17 +298,15 @@ private:
     void findEdges(std::size_t i)
     {
         const auto at = [i](const auto& column) HWY_ATTR { return hn::LoadU(D(), column.data() + i); };
-        const Three x{at(m_out.sx[0]), at(m_out.sx[1]), at(m_out.sx[2])}, y{at(m_out.sy[0]), at(m_out.sy[1]), at(m_out.sy[2])};
-        const auto  left = at(m_out.x0), top = at(m_out.top);
-        const auto  px = hn::ShiftLeft<8>(left) + all(128), py = hn::ShiftLeft<8>(top) + all(128);
-        const auto  corner = hn::Or(left, hn::ShiftLeft<16>(top));
+        const Three corner{at(m_out.corner[0]), at(m_out.corner[1]), at(m_out.corner[2])};
+        const auto  start = at(m_out.start);
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            const auto        dx = x[next] - x[k], dy = y[next] - y[k];
-            const auto        owns = hn::Or(dy < hn::Zero(D()), hn::And(dy == hn::Zero(D()), dx > hn::Zero(D())));
-            const auto        edge = dx * (py - y[k]) - dy * (px - x[k]) - hn::IfThenElse(owns, hn::Zero(D()), all(1));
-            const auto        steps = stepsOf(hn::Zero(D()) - dy, dx);
-            const auto        here = hn::ShiftRight<8>(edge), risen = growth(steps, corner);
+            const auto way   = minusHalves(corner[(k + 1) % 3], corner[k]);
+            const auto steps = acrossEdge(way);
+            // Runs up, or level and to the right: of the way, which is not 0, the upper half is below 0, or all of it a lower half above 0.
+            const auto owns = way < all(0x8000);
+            const auto edge = hn::IfThenElse(owns, hn::Zero(D()), all(-1)) - growth(steps, corner[k]);  // at the centre of the box's first pixel
+            const auto here = hn::ShiftRight<8>(edge), risen = growth(steps, start);
             hn::StoreU(steps, D(), m_out.steps[k].data() + i);
             if (k < 2)
                 hn::StoreU(risen - here, D(), m_out.leastRise[k].data() + i);
@@ -276,7 +318,7 @@ private:
     void findPlanes(std::size_t i)
     {
         const F64  d64;
-        const auto corner = [&](std::size_t k) HWY_ATTR { return cornersAt(m_vertices, m_out.vertex[k].data() + i); };
+        const auto corner = [&](std::size_t k) HWY_ATTR { return cornersAt(m_vertices, m_out.vertices[k / 2].data() + k % 2 + 2 * i); };
         const auto first = corner(0), second = corner(1), third = corner(2);
         const auto d0 = first.d, d1 = second.d, d2 = third.d;
         auto       x0 = first.x, y0 = first.y;
@@ -290,13 +332,13 @@ private:
             const auto snapped = [&](std::size_t k) HWY_ATTR {
                 const hn::Rebind<std::uint64_t, F64> u64;
                 const hn::Rebind<std::uint32_t, F64> u32;
-                const auto vertex = hn::PromoteTo(I64(), hn::LoadU(I32(), m_out.vertex[k].data() + i));
+                const auto pair   = hn::LoadU(I32(), reinterpret_cast<const std::int32_t*>(m_out.vertices[k / 2].data()) + i);
+                const auto vertex = hn::PromoteTo(I64(), k == 1 ? upperHalf(pair) : lowerHalf(pair));
                 const auto last   = hn::ShiftLeft<std::countr_zero(ScreenVertices::kRow)>(vertex) + hn::Set(I64(), ScreenVertices::kRow - 1);
                 const auto both   = hn::BitCast(u64, hn::GatherIndex(d64, m_vertices.rows.data(), last));
-                const auto pixels = [&](auto half) HWY_ATTR {
-                    return hn::PromoteTo(d64, hn::BitCast(I32(), hn::TruncateTo(u32, half))) * hn::Set(d64, 1 / kSubpixels);
-                };
-                return std::pair(pixels(both), pixels(hn::ShiftRight<32>(both)));
+                const auto lower = hn::BitCast(I32(), hn::TruncateTo(u32, both)), upper = hn::BitCast(I32(), hn::TruncateTo(u32, hn::ShiftRight<32>(both)));
+                const auto pixels = [&](auto whole) HWY_ATTR { return hn::PromoteTo(d64, whole) * hn::Set(d64, 1 / kSubpixels); };
+                return std::pair(pixels(inHalves(lower, upper)), pixels(inHalves(upperHalf(lower), upperHalf(upper))));
             };
             const auto choose = [&](V64 thin, V64& other) HWY_ATTR { other = hn::IfThenElse(isThin, thin, other); };
             const auto [sx, sy] = snapped(0);
@@ -330,14 +372,10 @@ private:
     [[no_unique_address]] Hidden m_hidden;
     std::size_t           m_finished = 0;  // entries of the list whose edges and planes are there
 
-    // Edges of the boxes of all that the sieve has left, lane by lane.
-    V m_left = all(std::numeric_limits<std::int32_t>::max()), m_above = m_left;
-    V m_right = all(std::numeric_limits<std::int32_t>::min()), m_below = m_right;
+    // The boxes of all that the sieve has left, lane by lane: ways to the first pixel of all, and behind the last.
+    V m_start = all(pixelsAndLines(0x7FFF, 0x7FFF)), m_end = all(pixelsAndLines(-0x8000, -0x8000));
 
     V m_leftOut = hn::Zero(D()), m_leftOutPixels = m_leftOut;  // see LeftOut
-
-    static constexpr std::uint32_t kFetched = 64;
-    alignas(64) std::array<std::array<std::uint64_t, kFetched>, 3> m_fetched;  // snapped corners of the triangles at hand
 };
 
 }  // namespace zscope::HWY_NAMESPACE

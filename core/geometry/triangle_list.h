@@ -20,6 +20,7 @@
 #include <span>
 
 #include "core/geometry/batches.h"
+#include "core/geometry/pixel_way.h"
 #include "core/geometry/screen_triangle.h"
 #include "core/scene/view.h"
 
@@ -49,35 +50,37 @@ struct TriangleList {
         kWide      = 2,
         kPatterned = 4,
         kHidden    = 8,   // found hidden after set-up: is not to be drawn
-        kCompact   = 16,  // its corners are in sx and sy, not in x and y, and its edges, top and centres are there
+        kCompact   = 16,  // its corners are in `corner`, not in x and y, and its edges are there
     };
+    /// So many bits above the kind of a compact triangle stand the lines, fewer than kWindowSide, by which its first windows begin above its box.
+    static constexpr int kRaised = 5;
 
+    static constexpr std::size_t kRoom = kCapacity + kBatchPadding;
     template <class T>
-    using Column = std::array<T, kCapacity + kBatchPadding>;
+    using Column = std::array<T, kRoom>;
 
     std::size_t count = 0;
     bool        startsNearest = false;  // whatever is drawn one after another: the nearest first
     PixelBox    compactReach;           // the boxes of all that are compact; empty if none is
 
-    alignas(64) std::array<Column<std::int32_t>, 3> sx, sy;  // snapped corners of compact triangles
-    alignas(64) std::array<Column<double>, 3> x, y;          // of the others
-    alignas(64) Column<double> a, b, c;                      // of the depth plane
-    alignas(64) Column<float> farthest, nearest;             // likewise
-    alignas(64) Column<std::uint32_t> id;
-    alignas(64) Column<std::int32_t> x0, y0, x1, y1;         // box
+    alignas(64) Column<std::int32_t> start, end;     // box, as ways (pixel_way.h): its first pixel, and the one right of and below its last
     alignas(64) Column<std::int32_t> kind;
+    alignas(64) Column<std::uint32_t> notRank;       // complement of the rank, id + 1: what pixels hold of it
+    alignas(64) Column<double> a, b, c;              // of the depth plane
+    alignas(64) Column<float> farthest, nearest;     // likewise
+    alignas(64) std::array<Column<double>, 3> x, y;  // snapped corners of those that are not compact
 
     // Of compact triangles.
-    alignas(64) Column<std::int32_t> top;                               // first line of their windows
-    alignas(64) Column<std::uint32_t> notRank;                          // complement of the rank, id + 1: what pixels hold of it
+    // Snapped corners, by how many subpixels they lie to the right of the centre of the box's first pixel and below it: less than kCompactSide either way.
+    alignas(64) std::array<Column<std::int32_t>, 3> corner;
     // Edges, as above: what they rise by from pixel to pixel (edge_steps-inl.h). Where a pixel is covered, each of the first two has risen by leastRise or more on the
     // way from the picture's first pixel, and both together by mostRise or less: the three add up to the same everywhere.
     alignas(64) std::array<Column<std::int32_t>, 3> steps;
     alignas(64) std::array<Column<std::int32_t>, 2> leastRise;
     alignas(64) Column<std::int32_t> mostRise;
-    // Corners as they were given: positions in the batch. All entries are, from the first on: the lanes of a vector that lie beyond the last
-    // triangle look their corners up like the others.
-    alignas(64) std::array<Column<std::int32_t>, 3> vertex{};
+    // Corners as they were given: positions in the batch, the first two of triangle i side by side at 2i, and the third. All entries are, from the first on: the
+    // lanes of a vector that lie beyond the last triangle look their corners up like the others.
+    alignas(64) std::array<std::array<std::uint16_t, 2 * kRoom>, 2> vertices{};
 
     bool isEmpty() const { return count == 0; }
     void clear() { count = 0, m_inTurn = 0, startsNearest = false, compactReach = {}; }
@@ -95,11 +98,9 @@ struct TriangleList {
         c[count]        = t.depth.c;
         farthest[count] = t.depth.farthest;
         nearest[count]  = t.depth.nearest;
-        id[count]       = t.id.value;
-        x0[count]       = t.box.x0;
-        y0[count]       = t.box.y0;
-        x1[count]       = t.box.x1;
-        y1[count]       = t.box.y1;
+        notRank[count]  = ~(t.id.value + 1);
+        start[count]    = pixelsAndLines(t.box.x0, t.box.y0);
+        end[count]      = pixelsAndLines(t.box.x1, t.box.y1);
         kind[count]     = (t.front ? kFront : 0) | (t.wide ? kWide : 0) | (t.patterned ? kPatterned : 0);
         listAlone(count);
         ++count;
@@ -119,7 +120,7 @@ struct TriangleList {
         // One that is hidden saves more pixels than its place costs. The parts of a clipped triangle stay together, because all of them reach the near plane.
         if (startsNearest)
             std::ranges::sort(listed, [this](std::uint32_t i, std::uint32_t k) {
-                return nearest[i] != nearest[k] ? nearest[i] > nearest[k] : id[i] != id[k] ? id[i] < id[k] : i < k;
+                return nearest[i] != nearest[k] ? nearest[i] > nearest[k] : notRank[i] != notRank[k] ? notRank[i] > notRank[k] : i < k;
             });
         return listed;
     }
@@ -128,20 +129,25 @@ struct TriangleList {
     bool areLarge() const
     {
         std::int64_t pixels = 0;
-        for (std::size_t i = 0; i < count; ++i) pixels += std::int64_t{x1[i] - x0[i]} * (y1[i] - y0[i]);
+        for (std::size_t i = 0; i < count; ++i) pixels += std::int64_t{width(i)} * height(i);
         return pixels >= kLarge * static_cast<std::int64_t>(count);
     }
     /// True if one of them has a box of kLarge pixels or more.
     bool hasLarge() const
     {
         std::int64_t largest = 0;
-        for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::int64_t{x1[i] - x0[i]} * (y1[i] - y0[i]));
+        for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::int64_t{width(i)} * height(i));
         return largest >= kLarge;
     }
-    PixelBox box(std::size_t i) const { return {x0[i], y0[i], x1[i], y1[i]}; }
+    TriangleId id(std::size_t i) const { return {~notRank[i] - 1}; }
+    PixelBox   box(std::size_t i) const { return {pixelsOf(start[i]), linesOf(start[i]), pixelsOf(end[i]), linesOf(end[i])}; }
+    int        width(std::size_t i) const { return pixelsOf(end[i]) - pixelsOf(start[i]); }
+    int        height(std::size_t i) const { return linesOf(end[i]) - linesOf(start[i]); }
+    /// Of a compact triangle: the first line of its windows.
+    int top(std::size_t i) const { return linesOf(start[i]) - (kind[i] >> kRaised); }
     bool     is(Kind what, std::size_t i) const { return (kind[i] & what) != 0; }
-    double   cornerX(std::size_t k, std::size_t i) const { return is(kCompact, i) ? sx[k][i] : x[k][i]; }
-    double   cornerY(std::size_t k, std::size_t i) const { return is(kCompact, i) ? sy[k][i] : y[k][i]; }
+    double   cornerX(std::size_t k, std::size_t i) const { return is(kCompact, i) ? pixelsOf(corner[k][i]) + 256 * pixelsOf(start[i]) + 128 : x[k][i]; }
+    double   cornerY(std::size_t k, std::size_t i) const { return is(kCompact, i) ? linesOf(corner[k][i]) + 256 * linesOf(start[i]) + 128 : y[k][i]; }
     bool     isHidden(std::size_t i) const { return is(kHidden, i); }
 
     ScreenTriangle operator[](std::size_t i) const
@@ -150,7 +156,7 @@ struct TriangleList {
         return {.x         = {cornerX(0, i), cornerX(1, i), cornerX(2, i)},
                 .y         = {cornerY(0, i), cornerY(1, i), cornerY(2, i)},
                 .depth     = {a[i], b[i], c[i], farthest[i], nearest[i]},
-                .id        = {id[i]},
+                .id        = id(i),
                 .box       = box(i),
                 .wide      = is(kWide, i),
                 .front     = is(kFront, i),

@@ -73,15 +73,15 @@ private:
     void addWindows(std::size_t i, hn::Mask<D> mask)
     {
         if (hn::AllFalse(D(), mask)) return;
-        const auto width  = load(m_triangles.x1, i) - load(m_triangles.x0, i);
-        const auto height = load(m_triangles.y1, i) - load(m_triangles.top, i);
+        const auto start = load(m_triangles.start, i), size = minusHalves(load(m_triangles.end, i), start), raised = hn::ShiftRight<TriangleList::kRaised>(load(m_triangles.kind, i));
+        const auto width = lowerHalf(size), height = upperHalf(size) + raised;
         const auto isWide = width > all(kWindowSide), isHigh = height > all(kWindowSide);
         const auto hasMore = hn::Max(width, height) > all(2 * kWindowSide), hasMany = hn::Max(width, height) > all(WindowList::Some::kMost * kWindowSide);
         const auto hasFew  = hn::And(hn::AndNot(hasMore, mask), hn::Max(width, height) > all(kTinySide));
         if (hn::AllFalse(D(), hn::Or(hasFew, hn::And(hasMore, mask)))) return;
 
         const Edges steps{load(m_triangles.steps[0], i), load(m_triangles.steps[1], i), load(m_triangles.steps[2], i)};
-        const auto  corner = load(m_triangles.x0, i) + hn::ShiftLeft<16>(load(m_triangles.top, i));
+        const auto  corner = start - hn::ShiftLeft<16>(raised);
         const Edges first = edgesAt(corner, steps, {load(m_triangles.leastRise[0], i), load(m_triangles.leastRise[1], i), load(m_triangles.mostRise, i)});
         const Reach reach(steps);
         WindowChunk& chunk = m_list.withRoomFor(4 * hn::Lanes(D()));
@@ -204,13 +204,14 @@ private:
     /// The windows of one triangle, line of windows after line of windows.
     void addMany(std::size_t t)
     {
-        const int columns = (m_triangles.x1[t] - m_triangles.x0[t] + kWindowSide - 1) / kWindowSide;
-        const int lines   = (m_triangles.y1[t] - m_triangles.top[t] + kWindowSide - 1) / kWindowSide;
+        const int top     = m_triangles.top(t);
+        const int columns = (m_triangles.width(t) + kWindowSide - 1) / kWindowSide;
+        const int lines   = (m_triangles.box(t).y1 - top + kWindowSide - 1) / kWindowSide;
         const int count   = columns * lines, step = static_cast<int>(hn::Lanes(DF()));
         WindowChunk& chunk = m_list.withRoomFor(static_cast<std::size_t>(count + step));
 
         const auto owner  = hn::Set(DU(), static_cast<std::uint32_t>(t));
-        const auto  corner = all(pixelsAndLines(m_triangles.x0[t], m_triangles.top[t]));
+        const auto  corner = all(pixelsAndLines(m_triangles.box(t).x0, top));
         const Edges rises{all(m_triangles.leastRise[0][t]), all(m_triangles.leastRise[1][t]), all(m_triangles.mostRise[t])};
         const Edges steps{all(m_triangles.steps[0][t]), all(m_triangles.steps[1][t]), all(m_triangles.steps[2][t])};
         const Reach reach(steps);

@@ -194,10 +194,10 @@ HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::ui
             PixelKey* const row = first + line * to.stride + column;
 #if HWY_TARGET == HWY_SCALAR
             const auto     z       = hn::Min(hn::Max(depth(0), farthest), nearest);
-            const auto     offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id[t] + 1)));
+            const auto     offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id(t).value + 1)));
             const PixelKey rival   = *row;
             offerKeys<kKeep, kNormal>(offered, to.empty, row, to.stride);
-            probe(PixelTested{static_cast<int>(x) + column, static_cast<int>(y) + line, TriangleId{triangles.id[t]}, depthOf(hn::GetLane(offered)),
+            probe(PixelTested{static_cast<int>(x) + column, static_cast<int>(y) + line, triangles.id(t), depthOf(hn::GetLane(offered)),
                               !hn::AllFalse(I64(), winners<kKeep>(offered, hn::Set(I64(), rival), to.empty)), rankOf(rival), depthOf(rival), kKeep, false,
                               false});
 #else
@@ -241,6 +241,17 @@ HWY_INLINE void storeKeysOf(V uppers, V lowers, Order order, PixelKey* to)
 #endif
 }
 
+/// The lower half of lanes of 32 bits, or the one that begins at `from`.
+template <class V>
+HWY_INLINE hn::Vec<I32> halfOf(V all, [[maybe_unused]] std::size_t from)
+{
+#if HWY_TARGET == HWY_SCALAR
+    return all;
+#else
+    return from == 0 ? hn::LowerHalf(I32(), all) : hn::UpperHalf(I32(), all);
+#endif
+}
+
 /// The tiny triangles among [first, end), from their edges to the picture.
 template <Keep kKeep, class Probe>
 void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples, VisibilityBuffer& visible,
@@ -259,30 +270,29 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     std::size_t          count   = 0;
     for (std::size_t i = first; i < end; i += hn::Lanes(f32)) {
         const auto load   = [&, i](const TriangleList::Column<std::int32_t>& column) HWY_ATTR { return hn::LoadU(i32, column.data() + i); };
-        const auto kind   = hn::And(load(triangles.kind), hn::Set(i32, TriangleList::kPatterned | TriangleList::kCompact | TriangleList::kHidden));
-        const auto x = load(triangles.x0), y = load(triangles.top), width = load(triangles.x1) - x, height = load(triangles.y1) - y;
-        const auto isTiny = hn::And(kind == hn::Set(i32, TriangleList::kCompact), hn::Not(hn::Max(width, height) > hn::Set(i32, kTinySide)));
+        const auto kind = load(triangles.kind), judged = hn::And(kind, hn::Set(i32, TriangleList::kPatterned | TriangleList::kCompact | TriangleList::kHidden));
+        const auto start = load(triangles.start), size = minusHalves(load(triangles.end), start), raised = hn::ShiftRight<TriangleList::kRaised>(kind);
+        const auto x = lowerHalf(start), y = upperHalf(start) - raised, width = lowerHalf(size), height = upperHalf(size) + raised;
+        const auto isTiny = hn::And(judged == hn::Set(i32, TriangleList::kCompact), hn::Not(hn::Max(width, height) > hn::Set(i32, kTinySide)));
         const auto isDrawn = hn::And(isTiny, countFrom(i32, 0) < hn::Set(i32, static_cast<std::int32_t>(end - i)));
         if (hn::AllFalse(i32, isDrawn)) continue;
 
         const auto farthest = hn::LoadU(f32, triangles.farthest.data() + i), nearest = hn::LoadU(f32, triangles.nearest.data() + i);
         const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::LoadU(u32, triangles.notRank.data() + i);
         const auto place = hn::BitCast(u32, x) + hn::BitCast(u32, y) * hn::Set(u32, stride);
-        const auto corner = x + hn::ShiftLeft<16>(y);
+        const auto corner = start - hn::ShiftLeft<16>(raised);
         // In float64, of half of these triangles at a time.
         const auto numbers = [&, i](const auto& column, std::size_t from) HWY_ATTR { return hn::LoadU(d64, column.data() + i + from); };
-        const auto centres = [&, i](const TriangleList::Column<std::int32_t>& column, std::size_t from) HWY_ATTR {
-            return hn::PromoteTo(d64, hn::LoadU(I32(), column.data() + i + from)) + hn::Set(d64, 0.5);
-        };
+        const auto centres = [&](auto pixels, std::size_t from) HWY_ATTR { return hn::PromoteTo(d64, halfOf(pixels, from)) + hn::Set(d64, 0.5); };
         const auto lineOf = [&](int down, std::size_t from) HWY_ATTR {
-            return numbers(triangles.b, from) * (centres(triangles.top, from) + hn::Set(d64, down)) + numbers(triangles.c, from);
+            return numbers(triangles.b, from) * (centres(y, from) + hn::Set(d64, down)) + numbers(triangles.c, from);
         };
         // a * (i + 0.5), of both halves: found before the first store, which could change what it is found from for all the compiler knows.
         std::array<std::array<Vec64, 2>, kTinySide> columns;
         for (std::size_t right = 0; right < kTinySide; ++right)
             for (const std::size_t other : {0, 1}) {
                 const std::size_t from = other * kOtherHalf;
-                columns[right][other]  = numbers(triangles.a, from) * (centres(triangles.x0, from) + hn::Set(d64, static_cast<double>(right)));
+                columns[right][other]  = numbers(triangles.a, from) * (centres(x, from) + hn::Set(d64, static_cast<double>(right)));
             }
         for (int down = 0; down < kTinySide; ++down) {
             const auto line = lineOf(down, 0), otherLine = lineOf(down, kOtherHalf);
@@ -315,7 +325,7 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
             assert(end - first == 1);
             const PixelKey rival = held;
             if (won) held = offered;
-            probe(PixelTested{static_cast<int>(places[i] % stride), static_cast<int>(places[i] / stride), TriangleId{triangles.id[first]},
+            probe(PixelTested{static_cast<int>(places[i] % stride), static_cast<int>(places[i] / stride), triangles.id(first),
                               depthOf(offered), won, rankOf(rival), depthOf(rival), kKeep, false, false});
         } else {
             held = won ? offered : held;

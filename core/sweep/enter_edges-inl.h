@@ -17,6 +17,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/geometry/edge_steps-inl.h"
 #include "core/geometry/triangle_list.h"
 #include "core/sweep/edge_table.h"
 
@@ -122,13 +123,15 @@ private:
         HWY_ALIGN Lanes<double>                      tallest;
         auto                                         most = hn::Zero(d);
         const auto isCompact = hn::PromoteTo(d, hn::And(hn::LoadU(i32, &triangles.kind[at]), hn::Set(i32, TriangleList::kCompact))) > hn::Zero(d);
-        const auto corners   = [&](const TriangleList::Column<std::int32_t>& whole, const TriangleList::Column<double>& other) HWY_ATTR {
-            return hn::IfThenElse(isCompact, hn::PromoteTo(d, hn::LoadU(i32, &whole[at])), hn::LoadU(d, &other[at]));
+        const auto start     = hn::LoadU(i32, &triangles.start[at]);
+        const auto from      = [&](auto pixels, auto subpixels, const TriangleList::Column<double>& other) HWY_ATTR {
+            return hn::IfThenElse(isCompact, hn::PromoteTo(d, hn::ShiftLeft<8>(pixels) + hn::Set(i32, 128) + subpixels), hn::LoadU(d, &other[at]));
         };
+        const auto xOf = [&](std::size_t k) HWY_ATTR { return from(lowerHalf(start), lowerHalf(hn::LoadU(i32, &triangles.corner[k][at])), triangles.x[k]); };
+        const auto yOf = [&](std::size_t k) HWY_ATTR { return from(upperHalf(start), upperHalf(hn::LoadU(i32, &triangles.corner[k][at])), triangles.y[k]); };
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t to = k < 2 ? k + 1 : 0;
-            const auto xa = corners(triangles.sx[k], triangles.x[k]), ya = corners(triangles.sy[k], triangles.y[k]);
-            const auto xb = corners(triangles.sx[to], triangles.x[to]), yb = corners(triangles.sy[to], triangles.y[to]);
+            const auto xa = xOf(k), ya = yOf(k), xb = xOf(to), yb = yOf(to);
             const auto runsDown = ya < yb;
             const Falling<hn::Vec<D>> edge{hn::IfThenElse(runsDown, xa, xb), hn::Min(ya, yb), hn::IfThenElse(runsDown, xb, xa), hn::Max(ya, yb)};
             const auto top = hn::Max(firstLineFrom(edge.yTop), hn::Set(d, m_table.firstLine()));
@@ -149,7 +152,7 @@ private:
                 continue;
             }
             const std::uint32_t part = m_table.add(SweepPolygon{{triangles.a[i], triangles.b[i], triangles.c[i], triangles.farthest[i], triangles.nearest[i]},
-                                                                {triangles.id[i]}, (triangles.kind[i] & TriangleList::kPatterned) != 0});
+                                                                triangles.id(i), (triangles.kind[i] & TriangleList::kPatterned) != 0});
             for (std::size_t k = 0; k < 3; ++k) {
                 if (!(first[k][lane] < end[k][lane])) continue;
                 const std::size_t to = k < 2 ? k + 1 : 0;

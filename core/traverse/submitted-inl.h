@@ -34,11 +34,23 @@ inline constexpr std::uint64_t kWorthLooking = 16;
 /// The vertices of some patches are transformed by themselves if that leaves out one in so many of their batch's.
 inline constexpr std::size_t kWorthChoosing = 8;
 
+/// Of vertices that may lie anywhere.
+inline constexpr ScreenVertices::Reach kAnyReach{-ScreenVertices::kNowhere / 2, -ScreenVertices::kNowhere / 2, ScreenVertices::kNowhere / 2, ScreenVertices::kNowhere / 2};
+
+/// Where the vertices of patches lie whose pixels lie in the box, as PatchReach finds it in the region.
+inline ScreenVertices::Reach reachAround(const PixelBox& box, const PixelBox& region)
+{
+    // A box that may have been cut at the region's edge says nothing of what lies beyond. Else they lie between the centres before its first pixels and behind its last.
+    if (box.x0 <= region.x0 || box.y0 <= region.y0 || box.x1 >= region.x1 || box.y1 >= region.y1) return kAnyReach;
+    return {256 * box.x0 - 128, 256 * box.y0 - 128, 256 * box.x1 + 128, 256 * box.y1 + 128};
+}
+
 /// What of a batch may be seen, asked before any of its vertices is transformed.
 struct BatchSeen {
-    PatchBits  patches;
-    HiddenPart hidden;   // Squares: they are known of these patches
-    LeftOut    leftOut;  // patches, because nothing of them can be seen
+    PatchBits             patches;
+    HiddenPart            hidden;             // Squares: they are known of these patches
+    LeftOut               leftOut;            // patches, because nothing of them can be seen
+    ScreenVertices::Reach reach = kAnyReach;  // of the patches' vertices
 };
 
 /// The same of patches with so many pixels that the pyramid is asked about them, one by one if that is often answered with "hidden".
@@ -75,11 +87,12 @@ inline BatchSeen seenOf(const BatchPlace& place, const PlacedView& view, const S
     if (pixels > kWorthLooking * triangles(reach.patches())) return seenOfLarge(reach, WidePyramid(scratch.pyramid), patchQuestions);
     const HiddenPart part = HiddenSquaresFinder::find(stripe.visible, reach.pixels(), reach.nearest(), scratch.hidden);
     if (part == HiddenPart::Everything) return {0, part, {triangles(reach.patches()), pixels}};
-    if (part == HiddenPart::Nothing) return {reach.patches(), part, {}};
+    const ScreenVertices::Reach around = reachAround(reach.pixels(), stripe.region());
+    if (part == HiddenPart::Nothing) return {reach.patches(), part, {}, around};
     const PatchBits hidden = reach.hiddenAmong(HiddenBoxes(scratch.hidden));
     LeftOut         leftOut{triangles(hidden), 0};
     for (PatchBits left = hidden; left != 0; left &= left - 1) leftOut.pixels += reach.pixelsOf(static_cast<std::size_t>(std::countr_zero(left))).area();
-    return {reach.patches() & ~hidden, part, leftOut};
+    return {reach.patches() & ~hidden, part, leftOut, around};
 }
 
 /// Transforms one batch and leaves its screen triangles in `scratch.triangles`.
@@ -113,7 +126,8 @@ LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe&
 
     BatchPlace place = whole;
     place.patches    = seen.patches;
-    transformGroups(place.mesh, place.batch, vertexGroupsOf(place.mesh, place.batch, place.patches), place.toWorld, stripe.projection, rules, scratch.vertices);
+    transformGroups(place.mesh, place.batch, vertexGroupsOf(place.mesh, place.batch, place.patches), place.toWorld, stripe.projection, rules, scratch.vertices,
+                    KnownReach{seen.reach});
     clock.lap(Stage::Transform);
     const PixelBox region = stripe.region();
     if (seen.hidden == HiddenPart::Squares) {

@@ -2,6 +2,7 @@
 // all of them give the reference's picture.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -94,6 +95,43 @@ TEST_P(CompactTriangles, AreTheSameAtTheFarEndOfTheLargestPictures)
         covered += expectAgreement(scene, camera, FaceCulling::None, std::to_string(width) + " x " + std::to_string(height), {.threads = {1, 2}});
     }
     EXPECT_GT(covered, GetParam() == Shape::Tiny ? 500 : 2'000);
+}
+
+/// Batches about as wide as the halves of a lane hold, and about at the edges of the picture and of stripes: which of the sieves works them off must not be seen.
+TEST(TrianglesThatLieTogether, EveryPresetDrawsWhatTheReferenceDraws)
+{
+    constexpr int kMost = 0x8000 - 256 - 128;
+    Random        random(53);
+    const auto    between = [&random](int least, int most) { return least + static_cast<int>(random.below(static_cast<std::uint64_t>(most - least + 1))); };
+    std::uint64_t covered = 0;
+    for (const auto& [width, height] : {std::pair{160, 256}, {131, 140}, {400, 64}}) {
+        const Camera camera = plainCamera(width, height);
+        for (std::uint64_t i = 0; i < shareOf(24); ++i) {
+            std::array<int, 2> first{}, side{};
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                const int pixels = axis == 0 ? width : height;
+                side[axis]       = random.below(2) == 0 ? kMost + between(-2, 300) : between(3 * 256, kMost);
+                const int last   = 256 * pixels - side[axis];  // there it ends where the picture does
+                switch (random.below(4)) {
+                    case 0: first[axis] = between(-3 * 256, 2 * 256); break;
+                    case 1: first[axis] = last + between(-5 * 256, 256); break;
+                    case 2: first[axis] = 256 * (pixels / 2) - (random.below(2) == 0 ? 0 : side[axis]) + between(-5 * 256, 256); break;  // two stripes may meet there
+                    default: first[axis] = between(0, std::max(1, last)); break;
+                }
+            }
+            std::vector<Corners> all(40);
+            for (std::size_t t = 0; t < all.size(); ++t)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const bool isEnd = k == 0 && t < 2;  // the least of all, and the most
+                    const auto at    = [&](std::size_t axis) { return (first[axis] + (isEnd ? static_cast<int>(t) * side[axis] : between(0, side[axis]))) / 256.0; };
+                    const double x = at(0), y = at(1);
+                    all[t][k] = pointAt(camera, x, y, i % 3 == 0 ? 2 : random.between(1.5, 5));
+                }
+            const auto what = std::to_string(i) + " in " + std::to_string(width) + " x " + std::to_string(height);
+            covered += expectAgreement(std::make_shared<const PreparedScene>(sceneOf(all)), camera, i % 2 == 0 ? FaceCulling::None : FaceCulling::Back, what, {.threads = {1, 2}});
+        }
+    }
+    EXPECT_GT(covered, shareOf(24) * 10'000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, CompactTriangles, testing::Values(Shape::AtLimit, Shape::Slivers, Shape::Windows, Shape::Tiny));

@@ -29,8 +29,9 @@ std::vector<std::int32_t> hiddenAmong(const HiddenSquares& squares, const std::v
     for (std::size_t i = 0; i < boxes.size(); i += hn::Lanes(d)) {
         const auto load    = [&](const std::vector<std::int32_t>& column) HWY_ATTR { return hn::LoadU(d, column.data() + i); };
         const auto isThere = hn::Iota(d, 0) < hn::Set(d, static_cast<std::int32_t>(boxes.size() - i));
-        const auto byOne   = HiddenBoxes(squares)(isThere, load(left), load(above), load(right), load(below));
-        const auto byFour  = HiddenBoxes(squares).ofLarge(isThere, load(left), load(above), load(right), load(below));
+        const auto width = load(right) - load(left), height = load(below) - load(above);
+        const auto byOne   = HiddenBoxes(squares)(isThere, load(left), load(above), width, height);
+        const auto byFour  = HiddenBoxes(squares).ofLarge(isThere, load(left), load(above), width, height);
         hn::StoreU(hn::IfThenElseZero(byOne, hn::Set(d, 1)) + hn::IfThenElseZero(byFour, hn::Set(d, 2)), d, hidden.data() + i);
     }
     hidden.resize(boxes.size());
