@@ -23,11 +23,12 @@ struct CornerColumns {
     hn::Vec<hn::ScalableTag<double>> x, y, d;
 };
 
-/// Lane i is the vertex places[2 * i]; there are as many such places as lanes, all below ScreenVertices::kCapacity.
-HWY_INLINE CornerColumns cornersAt(const ScreenVertices& vertices, const std::uint16_t* places)
+/// Lane i is the vertex whose place stands in the lower or the upper half of pairs[i]; there are as many pairs as lanes, all places below ScreenVertices::kCapacity.
+template <bool isUpper>
+HWY_INLINE CornerColumns cornersAt(const ScreenVertices& vertices, const std::uint32_t* pairs)
 {
     const hn::ScalableTag<double> d64;
-    const auto row = [&](int i) { return vertices.rows.data() + ScreenVertices::kRow * places[2 * i]; };
+    const auto row = [&](int i) { return vertices.rows.data() + ScreenVertices::kRow * (isUpper ? pairs[i] >> 16 : pairs[i] & 0xFFFF); };
 #if HWY_TARGET == HWY_SCALAR
     return {hn::LoadU(d64, row(0)), hn::LoadU(d64, row(0) + 1), hn::LoadU(d64, row(0) + 2)};
 #elif HWY_TARGET == HWY_AVX3
@@ -56,8 +57,12 @@ HWY_INLINE CornerColumns cornersAt(const ScreenVertices& vertices, const std::ui
 template <class D>
 HWY_INLINE hn::Vec<D> snappedAt(D d, const ScreenVertices& vertices, const std::uint16_t* places)
 {
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(d, static_cast<hn::TFromD<D>>(vertices.snapped(*places)));
+#else
     const double* const last = vertices.rows.data() + ScreenVertices::kRow - 1;
     return loadLanes(d, [last, places](std::size_t i) { return reinterpret_cast<const hn::TFromD<D>*>(last + ScreenVertices::kRow * std::size_t{places[i]}); });
+#endif
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -238,7 +238,7 @@ private:
         keep(start, out.start), keep(end, out.end), keep(kind, out.kind);
         const auto own = hn::BitCast(D(), id + hn::Set(u32, m_place.firstTriangle));
         keep(all(-2) - own, out.notRank);  // ~(own + 1)
-        keep(pair, out.vertices[0]), keep(last, out.vertices[1]);
+        keep(pair, out.firstTwo), keep(last, out.third);
         m_start = leastHalves(m_start, hn::IfThenElse(kept, start, m_start)), m_end = mostHalves(m_end, hn::IfThenElse(kept, end, m_end));
         out.count = count + hn::CountTrue(D(), kept);
         if (!m_place.mesh.patterned.empty()) markPatterned(t, kept, count);
@@ -318,8 +318,8 @@ private:
     void findPlanes(std::size_t i)
     {
         const F64  d64;
-        const auto corner = [&](std::size_t k) HWY_ATTR { return cornersAt(m_vertices, m_out.vertices[k / 2].data() + k % 2 + 2 * i); };
-        const auto first = corner(0), second = corner(1), third = corner(2);
+        const std::uint32_t* const pairs = m_out.firstTwo.data() + i;
+        const auto first = cornersAt<false>(m_vertices, pairs), second = cornersAt<true>(m_vertices, pairs), third = cornersAt<false>(m_vertices, m_out.third.data() + i);
         const auto d0 = first.d, d1 = second.d, d2 = third.d;
         auto       x0 = first.x, y0 = first.y;
         auto       e1x = second.x - x0, e1y = second.y - y0;
@@ -332,11 +332,11 @@ private:
             const auto snapped = [&](std::size_t k) HWY_ATTR {
                 const hn::Rebind<std::uint64_t, F64> u64;
                 const hn::Rebind<std::uint32_t, F64> u32;
-                const auto pair   = hn::LoadU(I32(), reinterpret_cast<const std::int32_t*>(m_out.vertices[k / 2].data()) + i);
+                const auto pair   = hn::BitCast(I32(), hn::LoadU(u32, (k < 2 ? m_out.firstTwo : m_out.third).data() + i));
                 const auto vertex = hn::PromoteTo(I64(), k == 1 ? upperHalf(pair) : lowerHalf(pair));
                 const auto last   = hn::ShiftLeft<std::countr_zero(ScreenVertices::kRow)>(vertex) + hn::Set(I64(), ScreenVertices::kRow - 1);
                 const auto both   = hn::BitCast(u64, hn::GatherIndex(d64, m_vertices.rows.data(), last));
-                const auto lower = hn::BitCast(I32(), hn::TruncateTo(u32, both)), upper = hn::BitCast(I32(), hn::TruncateTo(u32, hn::ShiftRight<32>(both)));
+                const auto lower  = hn::BitCast(I32(), hn::TruncateTo(u32, both)), upper = hn::BitCast(I32(), hn::TruncateTo(u32, hn::ShiftRight<32>(both)));
                 const auto pixels = [&](auto whole) HWY_ATTR { return hn::PromoteTo(d64, whole) * hn::Set(d64, 1 / kSubpixels); };
                 return std::pair(pixels(inHalves(lower, upper)), pixels(inHalves(upperHalf(lower), upperHalf(upper))));
             };

@@ -55,9 +55,8 @@ struct TriangleList {
     /// So many bits above the kind of a compact triangle stand the lines, fewer than kWindowSide, by which its first windows begin above its box.
     static constexpr int kRaised = 5;
 
-    static constexpr std::size_t kRoom = kCapacity + kBatchPadding;
     template <class T>
-    using Column = std::array<T, kRoom>;
+    using Column = std::array<T, kCapacity + kBatchPadding>;
 
     std::size_t count = 0;
     bool        startsNearest = false;  // whatever is drawn one after another: the nearest first
@@ -78,9 +77,9 @@ struct TriangleList {
     alignas(64) std::array<Column<std::int32_t>, 3> steps;
     alignas(64) std::array<Column<std::int32_t>, 2> leastRise;
     alignas(64) Column<std::int32_t> mostRise;
-    // Corners as they were given: positions in the batch, the first two of triangle i side by side at 2i, and the third. All entries are, from the first on: the
-    // lanes of a vector that lie beyond the last triangle look their corners up like the others.
-    alignas(64) std::array<std::array<std::uint16_t, 2 * kRoom>, 2> vertices{};
+    // Corners as they were given: positions in the batch, the first in the lower 16 bits, the second in the upper; the third by itself. All entries are, from the
+    // first on: the lanes of a vector that lie beyond the last triangle look their corners up like the others.
+    alignas(64) Column<std::uint32_t> firstTwo{}, third{};
 
     bool isEmpty() const { return count == 0; }
     void clear() { count = 0, m_inTurn = 0, startsNearest = false, compactReach = {}; }
