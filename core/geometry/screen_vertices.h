@@ -67,11 +67,6 @@ struct ScreenVertices {
             return {row[0], row[1], row[2], xs[i], ys[i]};
         }
     }
-
-    /// out[k][i] becomes the bits of the snapped position of vertex places[k][i], or the lower half of them, for all i < count, and some that follow: whole fours
-    /// are read and written. Places are below kCapacity.
-    template <class Bits>
-    void fetchSnapped(const std::array<const std::uint16_t*, 3>& places, std::size_t count, const std::array<Bits*, 3>& out) const;
 };
 
 }  // namespace zscope

@@ -234,7 +234,8 @@ private:
         const auto        keep  = [&, order, count](V values, auto& column) HWY_ATTR {
             hn::StoreU(hn::TableLookupLanes(values, order), D(), reinterpret_cast<std::int32_t*>(column.data()) + count);
         };
-        keep(corner[0], out.corner[0]), keep(hn::IfThenElse(isBack, corner[1], corner[2]), out.corner[1]), keep(hn::IfThenElse(isBack, corner[2], corner[1]), out.corner[2]);
+        keep(corner[0], out.corner[0]);
+        keep(hn::IfThenElse(isBack, corner[1], corner[2]), out.corner[1]), keep(hn::IfThenElse(isBack, corner[2], corner[1]), out.corner[2]);
         keep(start, out.start), keep(end, out.end), keep(kind, out.kind);
         const auto own = hn::BitCast(D(), id + hn::Set(u32, m_place.firstTriangle));
         keep(all(-2) - own, out.notRank);  // ~(own + 1)

@@ -73,8 +73,9 @@ private:
     void addWindows(std::size_t i, hn::Mask<D> mask)
     {
         if (hn::AllFalse(D(), mask)) return;
-        const auto start = load(m_triangles.start, i), size = minusHalves(load(m_triangles.end, i), start), raised = hn::ShiftRight<TriangleList::kRaised>(load(m_triangles.kind, i));
-        const auto width = lowerHalf(size), height = upperHalf(size) + raised;
+        const auto start  = load(m_triangles.start, i), size = minusHalves(load(m_triangles.end, i), start);
+        const auto raised = hn::ShiftRight<TriangleList::kRaised>(load(m_triangles.kind, i));
+        const auto width  = lowerHalf(size), height = upperHalf(size) + raised;
         const auto isWide = width > all(kWindowSide), isHigh = height > all(kWindowSide);
         const auto hasMore = hn::Max(width, height) > all(2 * kWindowSide), hasMany = hn::Max(width, height) > all(WindowList::Some::kMost * kWindowSide);
         const auto hasFew  = hn::And(hn::AndNot(hasMore, mask), hn::Max(width, height) > all(kTinySide));
