@@ -26,6 +26,7 @@
 #include "ui/panels/pyramid/level_view.h"
 #include "ui/panels/pyramid/pyramid_words.h"
 #include "ui/panels/registry.h"
+#include "ui/parts/choice_box.h"
 #include "ui/theme/theme.h"
 #include "ui/view/overlay.h"
 #include "ui/window/layouts.h"
@@ -105,6 +106,25 @@ private slots:
         turn(*number->findChild<QLineEdit*>());
         QVERIFY(number->value() != before);
         QVERIFY(desk.settles());
+    }
+    void aBoxAsWideAsItsLongestNameShortensNone()
+    {
+        QWidget window;
+        window.setStyleSheet("QComboBox { padding: 3px 20px 3px 8px; border: 1px solid }");
+        for (double points = 7; points < 20; points += 0.25) {
+            ChoiceBox box(&window);
+            QFont     font = box.font();
+            font.setPointSizeF(points);
+            box.setFont(font);
+            box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
+            for (const char* name : {"triangle", "vertex", "pixel"}) box.addItem(name);
+            box.ensurePolished();
+            box.resize(box.sizeHint());
+            QStyleOptionComboBox option;
+            option.initFrom(&box);
+            const int room = box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width() - 2;
+            QCOMPARE(box.fontMetrics().elidedText("triangle", Qt::ElideRight, room), QString("triangle"));
+        }
     }
     void whoHasChosenFromABoxByMouseStillPlaysWithSpace()
     {

@@ -25,7 +25,7 @@ public:
         QStyleOptionComboBox option;
         initStyleOption(&option);
         option.rect = QRect(QPoint(0, 0), hint);
-        hint.rwidth() += std::max(0, longest - roomIn(option));
+        hint.rwidth() += std::max(0, longest + 1 - roomIn(option));  // advances are rounded, and who shortens a name compares exactly
         return hint;
     }
 
