@@ -3686,8 +3686,16 @@
         <translation>停止正在进行的载入、绘制或重放（Esc）</translation>
     </message>
     <message>
-        <source>One frame at full speed; replaying up to this step took %1</source>
-        <translation>全速绘制一帧的时间；重放到本步用了 %1</translation>
+        <source>One frame at full speed</source>
+        <translation>全速绘制一帧的时间</translation>
+    </message>
+    <message>
+        <source>The median of %1 frames at full speed</source>
+        <translation>全速绘制 %1 帧的时间中位数</translation>
+    </message>
+    <message>
+        <source>; replaying up to this step took %1</source>
+        <translation>；重放到本步用了 %1</translation>
     </message>
     <message>
         <source>exact</source>

@@ -194,6 +194,18 @@ private slots:
         QCOMPARE(session->now().grain, Grain::Pixel);
         QVERIFY(session->now().showsStep);
     }
+    void theTimeToldIsTheMedianOfSomeFramesButWhileTheCameraMovesOfOne()
+    {
+        const auto session = teapot();
+        QVERIFY(session);
+        QVERIFY(session->now().frame->framesTimed > 1);
+        session->moveCamera([](CameraControl& camera) { camera.orbit(0.4, 0.1); });
+        QVERIFY(settles(*session));
+        QCOMPARE(session->now().frame->framesTimed, std::size_t{1});
+        session->setPipeline(pipelineOf("zbuffer"));
+        QVERIFY(settles(*session));
+        QVERIFY(session->now().frame->framesTimed > 1);
+    }
     void everyAlgorithmEndsOnTheSamePicture()
     {
         const auto session = teapot();

@@ -91,6 +91,19 @@ private slots:
         }
         QVERIFY(bars > 0);
     }
+    void theTableGivesWayBeforeThePanelScrolls()
+    {
+        Desk desk("hzb-octree", {1600, 940});
+        QVERIFY(desk.open("builtin:teapot"));
+        WhyPanel& panel = panelOf(desk);
+        desk.session.pick(QPoint(160, 90));
+        QVERIFY(answers(panel));
+        QTest::qWait(50);
+        const auto* area = panel.findChild<QScrollArea*>();
+        QVERIFY(panel.findChild<QTreeView*>()->height() < panel.findChild<QTreeView*>()->sizeHint().height());  // else this would show nothing
+        QVERIFY(!area->verticalScrollBar()->isVisible());
+        for (const auto* button : panel.findChildren<QPushButton*>()) QVERIFY(!button->visibleRegion().isEmpty());
+    }
     void aRowJumpsToItsMomentAndHighlightsItsNode()
     {
         Desk desk("hzb-octree", {1920, 1080});

@@ -20,6 +20,7 @@
 #include "ui/session/engine.h"
 #include "ui/view/frame_view.h"
 #include "ui/window/dock.h"
+#include "ui/window/layouts.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 
@@ -173,6 +174,13 @@ private slots:
             };
             QVERIFY(isMarked(tool == Tool::Camera ? camera : inspect) > isMarked(tool == Tool::Camera ? inspect : camera) + 8);
         }
+    }
+    void itsFirstSizeIsMostOfTheScreenAndNeverMore()
+    {
+        QCOMPARE(firstSize({800, 600}), QSize(800, 600));
+        QCOMPARE(firstSize({1366, 728}), QSize(1280, 728));
+        QCOMPARE(firstSize({1900, 1000}), QSize(1710, 900));
+        QCOMPARE(firstSize({3840, 2160}), QSize(1920, 1200));
     }
     void theKeypadIsTheSameWithoutNumLockAndItsEnterResets()
     {

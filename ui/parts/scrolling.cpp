@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parts/scrolling.h"
 
+#include <QLayout>
 #include <QScrollArea>
 
 namespace zscope::ui {
 
-QWidget* scrolling(QWidget* inside)
+int ScrolledPart::heightForWidth(int width) const { return layout()->totalMinimumHeightForWidth(width); }
+
+QWidget* scrolling(ScrolledPart* inside)
 {
     constexpr int kLowest = 88;
     auto* area = new QScrollArea;

@@ -41,6 +41,8 @@ public:
 private:
     /// The step of wish.grain that the wish means, in [0, count).
     Result<std::uint64_t> resolve(const StepWish& wish, std::uint64_t count);
+    /// Up to so many frames more of the same, and the report of that whose time is the median.
+    Result<FrameReport> drawAgain(const DrawRequest& request, std::size_t most, DrawnFrame& drawn);
     std::shared_ptr<DrawnFrame> unusedFrame();
 
     Renderer                                 m_renderer;

@@ -63,7 +63,8 @@ struct DrawnFrame {
     Camera        camera;
     Pipeline      pipeline;
     Frame         frame;
-    FrameReport   report;
+    FrameReport   report;               // of the median of so many frames
+    std::size_t   framesTimed = 1;
     Look          look;
     Grid<std::uint32_t> painted;  // the chosen layer; empty: the frame's own colours
     DepthSpread   spread;

@@ -65,7 +65,7 @@ std::vector<BenchAlgorithm> SheetMaker::ask(QWidget* parent, const Session& sess
     dialog.setWindowTitle(tr("Comparison sheet"));
     auto* about = new QLabel(tr("Which algorithms stand side by side? The first is what the others are held against."));
     about->setWordWrap(true);
-    auto* list = new QWidget;
+    auto* list = new ScrolledPart;
     list->setAccessibleName(tr("Algorithms of the sheet"));
     auto* rows = new QVBoxLayout(list);
     rows->setContentsMargins(0, 0, 0, 0);

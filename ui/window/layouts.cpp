@@ -62,4 +62,10 @@ const LayoutEntry& layoutEntry(const QString& word)
     return kLayouts.front();
 }
 
+QSize firstSize(const QSize& room)
+{
+    constexpr QSize kLeast{1280, 800}, kMost{1920, 1200};
+    return (room * 9 / 10).boundedTo(kMost).expandedTo(kLeast).boundedTo(room);
+}
+
 }  // namespace zscope::ui

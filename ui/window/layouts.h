@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <QSize>
 #include <QString>
 
 namespace zscope::ui {
@@ -32,5 +33,8 @@ struct LayoutEntry {
 /// Teach, the first, has the panels of the registry where that says, but for those that belong to another layout.
 std::span<const LayoutEntry> layoutEntries();
 const LayoutEntry&           layoutEntry(const QString& word);  // the first, if there is none of that word
+
+/// Of a window that nobody has sized yet: most of the room on the screen, for the picture's sake, but no wall of it. Logical pixels.
+QSize firstSize(const QSize& room);
 
 }  // namespace zscope::ui

@@ -46,6 +46,7 @@
 #include "ui/window/dock.h"
 #include "ui/window/keypad.h"
 #include "ui/window/keys_dialog.h"
+#include "ui/window/layouts.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/start_page.h"
 #include "ui/window/status_line.h"
@@ -152,7 +153,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     m_actions->showAppearance(settings.appearance());
     m_actions->showLanguage(settings.language());
     applyAppearance(settings.appearance());
-    resize(QSize(1280, 800).boundedTo(roomOn(*screen())));
+    resize(firstSize(roomOn(*screen())));
     useLayout(settings.layoutName());
     restoreLayout();
     present(kEverything);

@@ -201,7 +201,7 @@ void MainWindow::useLayout(const QString& word)
         PanelDock* below = dock(place.panel);  // else as high as what stood there in the layout before
         resizeDocks({below}, {layout.bottom > 0 ? height() * layout.bottom / 100 : below->sizeHint().height()}, Qt::Vertical);
     }
-    if (dock("scene")->isWanted()) divideHeight(*this, {dock("scene"), dock("pipeline")}, {50, 50});
+    if (dock("scene")->isWanted()) divideHeight(*this, {dock("scene"), dock("pipeline")}, {57, 43});
     shareHeights();
     m_actions->showLayout(m_layout);
     QTimer::singleShot(0, this, [this] { keepTabsOffTheEdge(); });

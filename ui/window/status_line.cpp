@@ -63,8 +63,8 @@ void StatusLine::present(const Snapshot& shown, Changes what)
         m_algorithm->setToolTip(!frame.report.why.empty() ? said(frame.report.why)
                                 : preset ? said(preset->title) : QString());
         m_time->setText(milliseconds(frame.report.frameMs));
-        m_time->setToolTip(tr("One frame at full speed; replaying up to this step took %1")
-                               .arg(shown.step ? milliseconds(shown.step->replayMs) : QStringLiteral("–")));
+        m_time->setToolTip(counted(frame.framesTimed, tr("One frame at full speed"), tr("The median of %1 frames at full speed")) +
+                           (shown.step ? tr("; replaying up to this step took %1").arg(milliseconds(shown.step->replayMs)) : QString()));
         const Claim claim = claimOf(frame.pipeline);
         m_exact->setText(frame.pipeline.fault != Fault::None ? tr("with a fault")
                          : claim == Claim::Exact           ? tr("exact")

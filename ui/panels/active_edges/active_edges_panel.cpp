@@ -67,7 +67,7 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
     m_tableOrHint->addWidget(m_table);
     m_tableOrHint->addWidget(m_hint);
 
-    m_room       = new QWidget;
+    m_room       = new ScrolledPart;
     auto* layout = new QVBoxLayout(m_room);
     layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     layout->setSpacing(6);

@@ -16,6 +16,7 @@ namespace zscope::ui {
 class BucketChart;
 class EdgeTableModel;
 class LineStrip;
+class ScrolledPart;
 
 class ActiveEdgesPanel final : public Panel {
     Q_OBJECT
@@ -41,7 +42,7 @@ private:
     QLabel*         m_polygons;
     QString         m_polygonText;  // before it is made to fit
     QLabel*         m_hint;
-    QWidget*        m_room = nullptr;  // of all of them, scrolled where the panel is low
+    ScrolledPart*   m_room = nullptr;  // of all of them, scrolled where the panel is low
     LineStrip*      m_strip;
     BucketChart*    m_buckets;
     QStackedLayout* m_tableOrHint;

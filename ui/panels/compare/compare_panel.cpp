@@ -138,7 +138,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     body->addLayout(links);
     body->addWidget(m_linkNote);
 
-    auto* inside = new QWidget;
+    auto* inside = new ScrolledPart;
     auto* layout = new QVBoxLayout(inside);
     layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     layout->setSpacing(kStep);

@@ -53,7 +53,7 @@ FaultsPanel::FaultsPanel(Session& session, QWidget* parent)
     m_hint->setMargin(2 * kStep);
     m_switch->setFocusPolicy(Qt::TabFocus);
 
-    auto* body   = new QWidget;
+    auto* body   = new ScrolledPart;
     auto* inside = new QVBoxLayout(body);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(6);

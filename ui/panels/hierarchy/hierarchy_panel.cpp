@@ -53,7 +53,7 @@ HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setMargin(2 * kStep);
 
-    auto* tree   = new QWidget;
+    auto* tree   = new ScrolledPart;
     auto* inside = new QVBoxLayout(tree);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(6);

@@ -109,7 +109,7 @@ QWidget* LessonsPanel::makePage()
     m_next     = new QPushButton;
     m_next->setObjectName("strong");
 
-    auto* reading = new QWidget;
+    auto* reading = new ScrolledPart;
     auto* inside  = new QVBoxLayout(reading);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(kStep);

@@ -86,7 +86,7 @@ MeasurePanel::MeasurePanel(Session& session, QWidget* parent)
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setMargin(2 * kStep);
 
-    auto* inside = new QWidget;
+    auto* inside = new ScrolledPart;
     auto* layout = new QVBoxLayout(inside);
     layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     layout->setSpacing(kStep);

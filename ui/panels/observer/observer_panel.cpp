@@ -42,7 +42,7 @@ ObserverPanel::ObserverPanel(Session& session, QWidget* parent)
     row->addWidget(m_freeze);
     row->addStretch(1);
     row->addWidget(m_reset);
-    auto* view   = new QWidget;
+    auto* view   = new ScrolledPart;
     auto* inside = new QVBoxLayout(view);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(6);

@@ -29,7 +29,7 @@ QRect ThumbLayout::placeOf(int index, int gap) const
 
 ThumbLayout thumbLayout(int count, int width, QSize picture, int gap)
 {
-    constexpr int kNarrowest = 88, kLowest = 44, kHighest = 72;
+    constexpr int kNarrowest = 72, kLowest = 44, kHighest = 72;
     ThumbLayout layout;
     if (count <= 0) return layout;
     layout.columns     = std::clamp((width + gap) / (kNarrowest + gap), 1, count);

@@ -45,7 +45,7 @@ PyramidPanel::PyramidPanel(Session& session, QWidget* parent)
     row->addStretch(1);
     row->addWidget(m_follow);
 
-    auto* levels = new QWidget;
+    auto* levels = new ScrolledPart;
     auto* inside = new QVBoxLayout(levels);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(kStep);

@@ -28,7 +28,7 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_title(new QLabel), m_hint(new QLabel), m_facts(new QWidget), m_turning(new QWidget),
       m_normalise(new QPushButton), m_warningsTitle(new QLabel), m_warnings(new QListWidget)
 {
-    auto* inside = new QWidget;
+    auto* inside = new ScrolledPart;
     auto* layout = new QVBoxLayout(inside);
     layout->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     layout->setSpacing(kStep);

@@ -66,7 +66,7 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
     row->addWidget(m_jump);
     row->addStretch(1);
     row->addWidget(m_triangle);
-    auto* answer = new QWidget;
+    auto* answer = new ScrolledPart;
     auto* inside = new QVBoxLayout(answer);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(6);
