@@ -61,6 +61,26 @@ QSize roomOn(const QScreen& screen)
     return screen.availableSize() - kFrame;
 }
 
+/// What the docks leave; a step off each edge of the window where no dock is.
+class Centre final : public QWidget {
+public:
+    explicit Centre(QMainWindow& window) : QWidget(&window), m_window(window) {}
+
+protected:
+    void moveEvent(QMoveEvent*) override { keepOffTheEdges(); }
+    void resizeEvent(QResizeEvent*) override { keepOffTheEdges(); }
+
+private:
+    void keepOffTheEdges() const
+    {
+        const QRect at = geometry();
+        layout()->setContentsMargins(at.left() <= 0 ? kStep : 0, 0, at.right() + 1 >= m_window.width() ? kStep : 0,
+                                     at.bottom() + 1 >= m_window.statusBar()->y() ? kStep : 0);
+    }
+
+    QMainWindow& m_window;
+};
+
 }  // namespace
 
 MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& systemPalette)
@@ -170,7 +190,7 @@ MainWindow::~MainWindow()
 
 void MainWindow::makeCentre()
 {
-    auto* centre = new QWidget;
+    auto* centre = new Centre(*this);
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kStep);
