@@ -96,10 +96,24 @@ Pipeline ranIn(const Snapshot& shown)
 /// Whether it takes part in how wide its side is.
 bool isThere(const PanelDock& dock) { return dock.isWanted() && dock.isNeeded() && !dock.isFloating(); }
 
-/// Docks one below the other get their parts of the height that they have together: that of the picture beside them.
+/// The height that docks one below the other have together: that of the picture beside them.
+int roomOf(const QMainWindow& window)
+{
+    return window.isVisible() ? window.centralWidget()->height() : window.height() * 2 / 3;  // about as much, before it is known
+}
+
+/// What a scene has to tell needs no more than this; choices and faults take what is left.
+QList<int> sceneAndPipeline(int room)
+{
+    constexpr int kFacts = 290, kOfHundred = 57;
+    const int     scene  = std::min(kFacts, room * kOfHundred / 100);
+    return {scene, room - scene};
+}
+
+/// Docks one below the other get their parts of it.
 void divideHeight(QMainWindow& window, const QList<QDockWidget*>& docks, QList<int> parts)
 {
-    const int room  = window.isVisible() ? window.centralWidget()->height() : window.height() * 2 / 3;  // about as much, before it is known
+    const int room  = roomOf(window);
     const int whole = std::accumulate(parts.begin(), parts.end(), 0);
     for (int& part : parts) part = part * room / whole;
     window.resizeDocks(docks, parts, Qt::Vertical);
@@ -201,7 +215,7 @@ void MainWindow::useLayout(const QString& word)
         PanelDock* below = dock(place.panel);  // else as high as what stood there in the layout before
         resizeDocks({below}, {layout.bottom > 0 ? height() * layout.bottom / 100 : below->sizeHint().height()}, Qt::Vertical);
     }
-    if (dock("scene")->isWanted()) divideHeight(*this, {dock("scene"), dock("pipeline")}, {57, 43});
+    if (dock("scene")->isWanted()) divideHeight(*this, {dock("scene"), dock("pipeline")}, sceneAndPipeline(roomOf(*this)));
     shareHeights();
     m_actions->showLayout(m_layout);
     QTimer::singleShot(0, this, [this] { keepTabsOffTheEdge(); });

@@ -31,7 +31,7 @@ FaultsPanel::FaultsPanel(Session& session, QWidget* parent)
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setTabKeyNavigation(false);
-    m_table->setMinimumHeight(96);
+    m_table->setMinimumHeight(112);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setMinimumSectionSize(22);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // names wrap where the panel is narrow
@@ -58,9 +58,9 @@ FaultsPanel::FaultsPanel(Session& session, QWidget* parent)
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(6);
     inside->addWidget(m_table, 1);
+    inside->addWidget(m_switch);  // above what may have to be scrolled to
     inside->addWidget(m_picture);
     inside->addWidget(m_words);
-    inside->addWidget(m_switch);
     m_bodyOrHint = new QStackedLayout(this);
     m_bodyOrHint->addWidget(scrolling(body));
     m_bodyOrHint->addWidget(m_hint);
