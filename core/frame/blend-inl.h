@@ -57,7 +57,7 @@ void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours
                  const Probe& probe)
 {
     BlendScratch& blend = scratch.blend;
-    blend.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), EdgeTable::Sides::OfWide);
+    blend.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), EdgeTable::Sides::OfWide, stripe.memory);
     blend.paints.clear();
     clock.countAllAs(Stage::Shade);
     const auto batchesOf = [&surfaces](MeshId mesh) -> const MeshBatches& { return surfaces.of(mesh); };

@@ -426,7 +426,7 @@ template <class Rules, class Probe>
 void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
                    const Probe& probe)
 {
-    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), Probe::listens ? EdgeTable::Sides::All : EdgeTable::Sides::OfWide);
+    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), Probe::listens ? EdgeTable::Sides::All : EdgeTable::Sides::OfWide, stripe.memory);
     const EnterEdges<Rules> enter{stripe, scratch.edges, scratch.faces.waiting, clock, rules};
     scratch.faces.waiting.clear();
     if (drawsFaces(pipeline)) {
@@ -435,7 +435,7 @@ void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch
     } else {
         visitAsSubmitted(stripe, scratch, clock, enter, rules, probe);
     }
-    scratch.edges.fillBuckets();
+    if (!stripe.progress.cancelled()) scratch.edges.fillBuckets();
 }
 
 template <class Resolve, class Rules, class Probe>
@@ -446,6 +446,7 @@ void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& sc
     clock.lap(Stage::Clear);
     probe(StageStarted{Stage::Setup});
     if (!probe.isOnTheWay()) fillEdgeTable(pipeline, stripe, scratch, clock, rules, probe);  // otherwise it is still full
+    if (stripe.progress.cancelled()) return;  // to sort the edges of millions of triangles takes seconds
     if (!probe.leavesOut(Checkpoint::EdgeTable)) probe(EdgeTableReady{scratch.edges});
     clock.lap(Stage::Setup);
     probe(StageFinished{Stage::Setup});

@@ -101,6 +101,14 @@ std::optional<Error> whyTooLarge(const std::vector<NamedCount>& bytes, const Dra
                                      " MiB, more than the limit of " + std::to_string(limit / kMebibyte) + " MiB"};
 }
 
+/// A frame that nobody got need not keep what the next one may want: gigabytes of edges, for example.
+void giveBackLarge(std::vector<StripeScratch>& scratch)
+{
+    constexpr std::uint64_t kLarge = std::uint64_t{256} << 20;
+    for (StripeScratch& each : scratch)
+        if (each.bytes() > kLarge) each = {};
+}
+
 FrameCost costOf(const FrameReport& report)
 {
     const auto ms = [&report](Stage stage) { return report.stages[static_cast<std::size_t>(stage)].ms; };
@@ -198,7 +206,8 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         StageClock              clock;
         const auto [first, end] = m_workspace->borders.stripe(i);
         const Stripe stripe{*request.scene, projection, request.faceCulling, frame.visible, first, end, {.cancel = request.cancel},
-                            shadesFragments(request.pipeline.depth) && painter ? &*painter : nullptr};
+                            shadesFragments(request.pipeline.depth) && painter ? &*painter : nullptr,
+                            effectiveMemoryLimit(request.memoryLimit) / static_cast<std::uint64_t>(plan->threads)};
         try {
             if (exact)
                 kernels.drawStripe(request.pipeline, stripe, m_workspace->scratch[index], clock);
@@ -219,8 +228,12 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         stageMs[index]  = clock.ms();
         stripeMs[index] = msSince(stripeStart);
     }
-    if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "the frame was cancelled"};
-    if (outOfMemory) return Error{Trouble::Limit, "there is not enough memory to draw this scene with " + nameOf(request.pipeline)};
+    const bool isCancelled = request.cancel && request.cancel->load();
+    if (isCancelled || outOfMemory) giveBackLarge(m_workspace->scratch);
+    if (isCancelled) return Error{Trouble::Cancelled, "the frame was cancelled"};
+    if (outOfMemory)
+        return Error{Trouble::Limit, "drawing this scene with " + nameOf(request.pipeline) + " takes more memory than there is, or than the limit of " +
+                                         std::to_string(effectiveMemoryLimit(request.memoryLimit) >> 20) + " MiB"};
     m_workspace->borders.rebalance(stripeMs);
 
     FrameReport report;

@@ -13,6 +13,7 @@
 
 #include <optional>
 
+#include "core/base/memory.h"
 #include "core/frame/blend-inl.h"
 #include "core/frame/drivers-inl.h"
 #include "core/frame/frame_plan.h"
@@ -61,7 +62,7 @@ void runSerially(const DrawRequest& asked, Frame& frame, StripeScratch& scratch,
     if (withFragments) painter.emplace(painterOf(request, frame));
     StageClock   clock;
     const Stripe whole{*request.scene, projection, request.faceCulling, frame.visible, 0, camera.height,
-                       {.report = {}, .cancel = request.cancel}, painter ? &*painter : nullptr};
+                       {.report = {}, .cancel = request.cancel}, painter ? &*painter : nullptr, effectiveMemoryLimit(request.memoryLimit)};
     if (request.pipeline.coherence != Coherence::None && !probe.isOnTheWay()) drawUnobserved(request, whole, scratch, clock);
     if (request.pipeline.usesExactRules())
         drawStripe(request.pipeline, whole, scratch, clock, ExactRules{}, probe);

@@ -6,6 +6,7 @@
 // Sides      of wide edges, which are placed from them on every line; of the others only if somebody looks on
 // Polygons   triangles after set-up (one that the near plane cut in two is two parts with one id), or faces as they were read
 // Cost       two counting sorts of places: linear in edges, lines and columns
+// Errors     std::bad_alloc where it would take more bytes than it may
 #pragma once
 
 #include <algorithm>
@@ -27,8 +28,10 @@ class EdgeTable {
 public:
     enum class Sides { OfWide, All };  // whose are kept
 
-    void clear(int firstLine, int endLine, int width, Sides sides)
+    /// `memory`: bytes it may take.
+    void clear(int firstLine, int endLine, int width, Sides sides, std::uint64_t memory)
     {
+        m_memory     = memory;
         m_keepsSides = sides == Sides::All;
         m_firstLine  = firstLine;
         m_endLine    = endLine;
@@ -41,10 +44,15 @@ public:
     /// Room for so many more polygons and edges; add() needs it.
     void reserve(std::size_t polygons, std::size_t edges)
     {
-        if (m_partCount + polygons > kMost || m_edgeCount + edges > kMost) throw std::bad_alloc();  // some 100 GiB of edges
-        if (m_partCount + polygons > m_parts.size()) m_parts.resize(2 * (m_partCount + polygons));
-        if (m_edgeCount + edges <= m_edges.size()) return;
-        m_edges.resize(2 * (m_edgeCount + edges));
+        const std::size_t parts = m_partCount + polygons, all = m_edgeCount + edges;
+        if (parts > kMost || all > kMost) throw std::bad_alloc();  // some 100 GiB of edges
+        if (parts > m_parts.size()) {
+            mayHold(2 * parts, m_edges.size());
+            m_parts.resize(2 * parts);
+        }
+        if (all <= m_edges.size()) return;
+        mayHold(m_parts.size(), 2 * all);
+        m_edges.resize(2 * all);
         m_starts.resize(m_edges.size());
     }
     /// Its place among the parts.
@@ -125,6 +133,13 @@ public:
     }
 
 private:
+    /// With what fillBuckets() will need, and the sides that are there.
+    void mayHold(std::size_t parts, std::size_t edges) const
+    {
+        constexpr std::size_t kPerEdge = sizeof(ActiveEdge) + sizeof(Start) + 2 * sizeof(std::uint32_t);
+        if (parts * sizeof(SweepPolygon) + edges * kPerEdge + m_sides.size() * sizeof(ScreenSide) > m_memory) throw std::bad_alloc();
+    }
+
     static constexpr std::size_t kMost = ActiveEdge::kMaxSide;
     static constexpr int         kColumnBits = 2;
     static_assert(kMaxPictureSide <= 0xFFFF);
@@ -148,6 +163,7 @@ private:
     int                        m_endLine    = 0;
     int                        m_columns    = 0;  // of the picture
     bool                       m_keepsSides = false;
+    std::uint64_t              m_memory     = 0;
     std::size_t                m_partCount  = 0;
     std::size_t                m_edgeCount  = 0;
     // Each may have more entries than are in use, so that entering an edge is storing it.

@@ -37,6 +37,7 @@ struct Stripe {
     int                  endRow;
     Progress             progress;  // only its cancel flag is read
     const Painter*       painter = nullptr;  // of fragments that are shaded as they come; nullptr: none are
+    std::uint64_t        memory  = ~std::uint64_t{0};  // bytes that its edge table may take
 
     PixelBox region() const { return {0, firstRow, visible.width(), endRow}; }
 };

@@ -198,6 +198,12 @@ TEST_F(Cli, WhatAFrameTakesTogetherIsHeldAgainstTheLimit)
     EXPECT_NE(answer.err.find(" MiB, more than the limit of 120 MiB"), std::string::npos) << answer.err;
     EXPECT_EQ(filesInFolder(), 0u);
     EXPECT_EQ(drawn("zbuffer", "120").status, 0) << "what it takes is less";
+    std::filesystem::remove(path("s.json"));
+    // Far below, it does not come so far as to know what the whole would have taken.
+    const Answer soon = drawn("interval", "60");
+    EXPECT_EQ(soon.status, 5) << soon.err;
+    EXPECT_NE(soon.err.find("takes more memory than there is, or than the limit of 60 MiB"), std::string::npos) << soon.err;
+    EXPECT_EQ(filesInFolder(), 0u);
 }
 
 TEST_F(Cli, AnInterruptEndsWithOneHundredAndThirtyAndLeavesNothing)
