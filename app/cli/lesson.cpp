@@ -26,10 +26,11 @@ std::string answerText(const LessonQuestion& question, const LessonAnswer& answe
 std::optional<Error> checkPage(const LessonPage& page, std::size_t number, const std::string& file, Session& session)
 {
     auto scene = loadScene(page.scene, session, 0, 0);
-    if (!scene) return Error{scene.error().kind, scene.error().text(), file, page.fileLine};
+    const auto inLesson = [](Trouble kind) { return kind == Trouble::Usage ? Trouble::Input : kind; };  // what it says is the file's fault, not the command's
+    if (!scene) return Error{inLesson(scene.error().kind), scene.error().text(), file, page.fileLine};
     const ViewRequest view   = viewOfPage(page, **scene);
     const auto        camera = makeCamera(view, (*scene)->bounds);
-    if (!camera) return Error{camera.error().kind, camera.error().sentence, file, page.fileLine};
+    if (!camera) return Error{inLesson(camera.error().kind), camera.error().sentence, file, page.fileLine};
     const DrawRequest request{.scene = std::make_shared<PreparedScene>(*scene), .camera = *camera, .faceCulling = view.faceCulling.value_or(FaceCulling::None), .pipeline = page.pipeline};
     const auto        run = runPage(page, file, request);
     if (!run) return run.error();

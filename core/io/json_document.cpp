@@ -185,14 +185,14 @@ Error inputError(const JsonValue& value, const std::string& file, std::string se
 
 }  // namespace
 
-Result<JsonValue> parseJson(const std::string& text, const std::string& file, std::uint64_t memoryLimit)
+Result<JsonValue> parseJson(std::string_view text, const std::string& file, std::uint64_t memoryLimit, int firstLine)
 {
-    ReadPosition position;
+    ReadPosition position{.line = firstLine};
     Builder      builder(position, file, effectiveMemoryLimit(memoryLimit));
     const char*  begin = text.data();
     // The parser would take it for the end.
-    if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
-        return Error{Trouble::Input, "this is not JSON: it holds a zero byte", file, static_cast<int>(1 + std::count(begin, begin + zero, '\n'))};
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+        return Error{Trouble::Input, "this is not JSON: it holds a zero byte", file, static_cast<int>(firstLine + std::count(begin, begin + zero, '\n'))};
     const bool   read  = nlohmann::json::sax_parse(CountingIterator(begin, &position),
                                                    CountingIterator(begin + text.size(), &position), &builder);
     if (builder.trouble) return *std::move(builder.trouble);

@@ -26,9 +26,8 @@ bool Accepted::holds(const FactValue& value) const
 namespace {
 
 struct Section {
-    std::string word;
-    std::string body;  // with as many newlines before it as there are lines, so that positions in it are those in the file
-    int         line = 0;
+    std::string_view word, body;
+    int              line = 0;  // of the word; the body begins on the next
 };
 
 std::string_view trimmed(std::string_view text)
@@ -39,17 +38,18 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-std::vector<Section> sectionsOf(const std::string& text)
+/// Of a text that outlives them.
+std::vector<Section> sectionsOf(std::string_view text)
 {
     std::vector<Section> sections;
     int                  line = 0;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end  = std::min(text.find('\n', at), text.size());
-        const std::string_view one = std::string_view(text).substr(at, end - at);
+        const std::size_t      end = std::min(text.find('\n', at), text.size());
+        const std::string_view one = text.substr(at, end - at);
         ++line;
-        at = end + 1;
-        if (one.starts_with("=== ")) sections.push_back({std::string(trimmed(one.substr(4))), std::string(static_cast<std::size_t>(line), '\n'), line});
-        else if (!sections.empty()) sections.back().body.append(one).push_back('\n');
+        at = std::min(end + 1, text.size());
+        if (one.starts_with("=== ")) sections.push_back({trimmed(one.substr(4)), text.substr(at, 0), line});
+        else if (!sections.empty()) sections.back().body = {sections.back().body.data(), text.data() + at};
     }
     return sections;
 }
@@ -484,7 +484,7 @@ public:
     std::optional<Error> add(const Section& section)
     {
         if (section.word == "lesson" || section.word == "page" || section.word == "question") {
-            const auto json = parseJson(section.body, m_reader.file());
+            const auto json = parseJson(section.body, m_reader.file(), 0, section.line + 1);
             if (!json) return json.error();
             return addJson(section, *json);
         }

@@ -1,6 +1,7 @@
 #include "core/measure/experiment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <initializer_list>
 
@@ -12,7 +13,6 @@
 namespace zscope {
 namespace {
 
-constexpr int kMaxSide    = 1 << 16;
 constexpr int kMaxFrames  = 100'000;
 constexpr int kMaxSamples = 100'000'000;
 
@@ -195,6 +195,7 @@ private:
             if (const JsonValue* x = find(value, "x")) {
                 const auto read = realOf(*x, m_file, "x");
                 if (!read) return m_error = read.error(), false;
+                if (!std::isfinite(*read)) return fail(*x, "'x' must be finite: it is a place on an axis");
                 scene.x = *read;
             }
             if (!pair(value, "size", scene.width, scene.height)) return false;
@@ -223,8 +224,8 @@ private:
         if (!word(value, key, said)) return false;
         if (said.empty()) return true;
         char rest = 0;
-        if (std::sscanf(said.c_str(), "%5dx%5d%c", &width, &height, &rest) == 2 && width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide) return true;
-        return fail(*find(value, key), fmt::format("'{}' is written WxH, in pixels, not '{}'", key, said.substr(0, 60)));
+        if (std::sscanf(said.c_str(), "%5dx%5d%c", &width, &height, &rest) == 2 && width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide) return true;
+        return fail(*find(value, key), fmt::format("'{}' is written WxH, each from 1 to {} pixels, not '{}'", key, kMaxPictureSide, said.substr(0, 60)));
     }
 
     bool culling(const JsonValue& value, ExperimentPart& part)

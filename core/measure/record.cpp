@@ -175,7 +175,13 @@ Result<Record> recordFromJson(const std::string& text, const std::string& file)
 {
     RecordReader reader;
     try {
-        const Json json = Json::parse(text);
+        // Text is made of values again, level by level of the stack: what lies too deep for that is left out, and refused.
+        bool       isTooDeep = false;
+        const Json json      = Json::parse(text, [&isTooDeep](int depth, Json::parse_event_t, const Json&) {
+            isTooDeep = isTooDeep || depth > kMaxJsonDepth;
+            return depth <= kMaxJsonDepth;
+        });
+        if (isTooDeep) return parseJson(text, file).error();
         if (text.find('\0') != std::string::npos) return parseJson(text, file).error();  // this parser would take it for the end
         if (!json.is_object() || !json.contains("record"))
             return Error{Trouble::Input, "this is no record of an experiment: 'bench --experiment' makes them", file, 1};

@@ -111,6 +111,8 @@ TEST(Experiment, ThatIsWrongIsRefusedWithItsLine)
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"sample\":0}"), 4, "'sample'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"size\":\"9\"}]}"), 5, "WxH");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"x\":\"a\"}]}"), 5, "'x': 'a' is not a number");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"x\":\"inf\"}]}"), 5, "'x' must be finite");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"size\":\"16385x20\"}"), 4, "WxH");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"choices\":[\"depth\"]}]}"), 5, "axis=choice");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"frames\":9}"), 4, "as many frames as the path");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"peers\":true}"), 4, "one view");
@@ -186,6 +188,22 @@ TEST(Record, OfAPieceOfAFileOrOfSomethingElseIsRefused)
         const auto read = recordFromJson(text, "r.json");
         ASSERT_FALSE(read);
         EXPECT_EQ(read.error().file, "r.json");
+    }
+}
+
+TEST(Record, NestedDeeperThanAnyOneIsIsRefusedWhereItIs)
+{
+    const std::string whole = recordToJson(recordWith({caseOf(0, "a")}));
+    for (const std::size_t depth : {70u, 1'000u, 200'000u}) {
+        std::string       text  = whole;
+        const std::size_t place = text.find("\"rows\": []");
+        ASSERT_NE(place, std::string::npos);
+        text.replace(place, 10, "\"rows\": " + std::string(depth, '[') + std::string(depth, ']'));
+        const auto read = recordFromJson(text, "r.json");
+        ASSERT_FALSE(read);
+        EXPECT_EQ(read.error().kind, Trouble::Input);
+        EXPECT_EQ(read.error().line, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
+        EXPECT_NE(read.error().sentence.find("nested deeper"), std::string::npos) << read.error().sentence;
     }
 }
 
