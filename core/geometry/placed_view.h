@@ -4,7 +4,7 @@
 // Promise    of every point q of a box, what the vertex arithmetic makes of it in view space lies within kError * magnitude of
 //            the parallelepiped centre +- half[0] +- half[1] +- half[2], coordinate by coordinate. Both ways of computing it, and
 //            what is made of the box on the way, err by less than 40 roundings (5e-15) of the sum of the magnitudes that are
-//            added up; `magnitude` bounds that sum, because no axis of a camera is longer than 1
+//            added up; `magnitude` bounds that sum: it counts the camera's longest axis
 // Beyond     boxes without points and numbers that run over give NaN or infinities, of which no comparison below holds: such
 //            a box is never called outside
 // Cost       made once per placed tree, some 40 operations; 50 per box, none of them a division
@@ -60,6 +60,10 @@ public:
         for (const dvec3& a : m_axes) most = std::max(most, std::abs(glm::dot(a, m_axes[0])) + std::abs(glm::dot(a, m_axes[1])) + std::abs(glm::dot(a, m_axes[2])));
         m_longest   = std::sqrt(most) * (1 + 1e-12);
         m_magnitude = std::abs(m[0][3]) + std::abs(m[1][3]) + std::abs(m[2][3]) + std::abs(p.eye.x) + std::abs(p.eye.y) + std::abs(p.eye.z);
+        // A camera read from a file may have axes of any length.
+        const double axis = std::max({1.0, glm::length(p.right), glm::length(p.up), glm::length(p.forward)});
+        m_weight *= axis;
+        m_magnitude *= axis;
     }
 
     /// The model's axes and its origin in view space.

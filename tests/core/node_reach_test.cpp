@@ -126,10 +126,15 @@ TEST(NodeReach, IsNeverSmallerThanWhatThePointsOfTheBoxTouch)
         const double fov    = random.below(4) == 0 ? 0.01 : random.below(4) == 0 ? 179 : random.between(5, 150);
         const double offset = random.below(3) == 0 ? scale * 1e6 : random.below(3) == 0 ? scale * 1e9 : 0;
         const dvec3  origin{offset, -0.7 * offset, 0.3 * offset};
-        const Camera camera = turnedCamera(random, origin, fov, scale * powerOfTen(random, -5, 0));
+        Camera       camera = turnedCamera(random, origin, fov, scale * powerOfTen(random, -5, 0));
         const double far    = scale * powerOfTen(random, -1, fov < 1 ? 4 : 2);
         const dvec3  middle = origin + camera.forward * far + random.between(dvec3{-1, -1, -1}, dvec3{1, 1, 1}) * (far * 0.5);
         const double half   = random.below(8) == 0 ? 0 : far * powerOfTen(random, -6, 0.1);
+        if (random.below(4) == 0) {  // a camera file may hold axes of any length
+            const double axis = powerOfTen(random, -2, 7);
+            for (dvec3* each : {&camera.right, &camera.up, &camera.forward}) *each *= axis;
+            camera.near *= axis;
+        }
         const bool   placed = random.below(2) == 0;
         Bounds       box{middle - half * random.unit(), middle + half * random.unit()};
         Affine       toWorld;
