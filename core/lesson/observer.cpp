@@ -85,7 +85,7 @@ Result<std::shared_ptr<const Observer>> Observer::make(std::shared_ptr<const Pre
     mesh.materials.clear();
     for (const NodeVerdict verdict : {NodeVerdict::Waiting, NodeVerdict::Outside, NodeVerdict::Hidden, NodeVerdict::Entered,
                                       NodeVerdict::Drawn, NodeVerdict::Small}) {
-        // Drawn triangles look like those of the picture; the others say by their colour why they are not in it.
+        // Drawn triangles are pale blue, whatever their material; the others say by their colour why they are not in the picture.
         const std::uint32_t colour = observerColourOf(verdict);
         mesh.materials.push_back({.name = std::string(wordOf(verdict)),
                                   .diffuse = verdict == NodeVerdict::Drawn ? Rgb{0.66f, 0.75f, 0.88f} : rgbOf(mixed(colour, 0xFFFFFFFF, 96))});

@@ -32,12 +32,12 @@
         <translation>占全部的 %1。</translation>
     </message>
     <message>
-        <source>holes: A shows something, B does not</source>
-        <translation>空洞：A 有而 B 没有</translation>
+        <source>holes: %1 shows something, %2 does not</source>
+        <translation>空洞：%1 有内容而 %2 没有</translation>
     </message>
     <message>
-        <source>spills: B shows something, A does not</source>
-        <translation>溢出：B 有而 A 没有</translation>
+        <source>spills: %1 shows something, %2 does not</source>
+        <translation>溢出：%1 有内容而 %2 没有</translation>
     </message>
     <message>
         <source>another surface, farther off than a tie</source>
@@ -64,8 +64,8 @@
         <translation>99% 的像素相差的步数不超过</translation>
     </message>
     <message>
-        <source>triangles of A that B shows nowhere</source>
-        <translation>A 中有、B 中哪里也看不到的三角形</translation>
+        <source>triangles of %1 that %2 shows nowhere</source>
+        <translation>%1 中有而 %2 完全没有显示的三角形</translation>
     </message>
 </context>
 <context>
@@ -1422,6 +1422,10 @@
         <translation>卷帘(&amp;W)</translation>
     </message>
     <message>
+        <source>Side &amp;by side</source>
+        <translation>并排(&amp;B)</translation>
+    </message>
+    <message>
         <source>&amp;Difference</source>
         <translation>差异(&amp;D)</translation>
     </message>
@@ -1903,6 +1907,14 @@
         <source>There is no B: choose one below</source>
         <translation>没有 B：请在下面选择</translation>
     </message>
+    <message>
+        <source>Both</source>
+        <translation>并排</translation>
+    </message>
+    <message>
+        <source>A and B side by side, moved and zoomed together (B)</source>
+        <translation>A 与 B 并排显示，一起移动和缩放（B）</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::CountersModel</name>
@@ -2377,6 +2389,10 @@
         <translation>✘ 不对。</translation>
     </message>
     <message>
+        <source>✘ %1 is not right.</source>
+        <translation>✘ %1 不对。</translation>
+    </message>
+    <message>
         <source>It is: %1</source>
         <translation>正确答案：%1</translation>
     </message>
@@ -2395,6 +2411,10 @@
     <message>
         <source>The next page (Ctrl+Shift+PageDown)</source>
         <translation>下一页 (Ctrl+Shift+PageDown)</translation>
+    </message>
+    <message>
+        <source>“%1” is no number.</source>
+        <translation>“%1”不是数字。</translation>
     </message>
 </context>
 <context>
@@ -2523,6 +2543,10 @@
     <message>
         <source>no triangle</source>
         <translation>没有三角形</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>图像</translation>
     </message>
 </context>
 <context>
@@ -3058,8 +3082,8 @@
         <translation>拖动以环绕</translation>
     </message>
     <message>
-        <source>%1 triangles: as in the picture where drawn, else in the colour of their node&apos;s verdict.</source>
-        <translation>%1 个三角形：已绘制的与图像中相同，其余用其结点判定的颜色。</translation>
+        <source>%1 triangles: pale blue where drawn, else in the colour of their node&apos;s verdict.</source>
+        <translation>%1 个三角形：已绘制的为浅蓝色，其余为其节点判定的颜色。</translation>
     </message>
     <message>
         <source>%1 more are left out.</source>
@@ -3207,6 +3231,10 @@
     <message>
         <source>– Skipped.</source>
         <translation>– 已跳过。</translation>
+    </message>
+    <message>
+        <source>Steps by the grain “%1” ask.</source>
+        <translation>按“%1”粒度的步会提问。</translation>
     </message>
 </context>
 <context>
@@ -3534,6 +3562,10 @@
         <source>Searching</source>
         <translation>正在查找</translation>
     </message>
+    <message>
+        <source>The drawing was cancelled. It begins again with the next step, or with another algorithm.</source>
+        <translation>绘制已取消。再走一步或换一种算法就会重新开始。</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::SheetMaker</name>
@@ -3592,8 +3624,8 @@
         <translation>整帧</translation>
     </message>
     <message>
-        <source>Of the median frame, whose stages add up to it; the quartiles of a stage are its own</source>
-        <translation>占中位帧的比例，其各阶段之和即该帧；阶段的四分位数各自计算</translation>
+        <source>Of what the stages&apos; medians add up to</source>
+        <translation>占各阶段中位数之和的比例</translation>
     </message>
     <message>
         <source>The stage&apos;s median over the number of things it works on; with several threads wall time, not work</source>
@@ -3975,6 +4007,38 @@
     <message>
         <source>Choose a row that tells of a step</source>
         <translation>请选择讲述某一步的行</translation>
+    </message>
+    <message>
+        <source>That is the finished picture; the step on show may not have come so far.</source>
+        <translation>这是绘制完成后的图像；当前显示的步骤可能还没有走到那里。</translation>
+    </message>
+    <message>
+        <source>the background at %1</source>
+        <translation>%1 为背景</translation>
+    </message>
+    <message>
+        <source>triangle %1 at %2</source>
+        <translation>%2 为三角形 %1</translation>
+    </message>
+    <message>
+        <source>1 other triangle</source>
+        <translation>另外 1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 other triangles</source>
+        <translation>另外 %1 个三角形</translation>
+    </message>
+    <message>
+        <source>In its place its pixels show %1.</source>
+        <translation>它的像素所显示的是：%1。</translation>
+    </message>
+    <message>
+        <source>1 pixel</source>
+        <translation>1 个像素</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 个像素</translation>
     </message>
 </context>
 </TS>

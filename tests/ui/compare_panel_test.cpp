@@ -98,6 +98,77 @@ private slots:
         QCOMPARE(desk.session.now().compare.seen(), CompareShow::Difference);
         desk.photograph("difference");
     }
+    void aFaultIsJudgedByWhatIsRightWhicheverOfThemIsA()
+    {
+        Desk     desk("zbuffer");
+        Pipeline faulty = pipelineOf("edge-walk");
+        faulty.fault    = Fault::HorizontalByX;
+        QVERIFY(desk.open("builtin:teapot", {640, 360}));
+        desk.session.compareWith(faulty);
+        QVERIFY(desk.settles());
+        const ErrorFigures asB = desk.session.now().compare.result->figures;
+        QVERIFY(asB.holes > 0);
+        desk.session.swapCompared();
+        QVERIFY(desk.settles());
+        const Comparison& swapped = *desk.session.now().compare.result;
+        QVERIFY(swapped.isAJudged);
+        QCOMPARE(swapped.figures.holes, asB.holes);
+        QCOMPARE(swapped.figures.spills, asB.spills);
+        QVERIFY(wordsOf(swapped).figures[0].name.contains("B shows something, A does not"));
+    }
+    void sideBySideBothPanesMoveTogetherAndPickTheSamePixel()
+    {
+        Desk desk("zbuffer", {1600, 900});
+        QVERIFY(desk.open("builtin:teapot", {640, 360}));
+        desk.session.compareWith(wrong());
+        QVERIFY(desk.settles());
+        desk.press(Qt::Key_B);
+        QCOMPARE(desk.session.now().compare.seen(), CompareShow::Beside);
+        auto& view = *desk.window.findChild<FrameView*>();
+        QVERIFY(view.view().area().width() < view.width() / 2.0);
+        const QPoint pixel(320, 180);
+        const QPoint at     = view.view().toView(QPointF(pixel) + QPointF(0.5, 0.5)).toPoint();
+        const int    offset = static_cast<int>(view.view().area().width()) + 4;
+        QTest::mouseClick(&view, Qt::RightButton, {}, at + QPoint(offset, 0));
+        QCOMPARE(desk.session.now().picked, std::optional(pixel));
+        desk.session.pick({});
+        QTest::mouseClick(&view, Qt::RightButton, {}, at);
+        QCOMPARE(desk.session.now().picked, std::optional(pixel));
+        QTest::mouseClick(&view, Qt::RightButton, {}, QPoint(view.width() / 2, at.y()));  // between them lies no pixel
+        QVERIFY(!desk.session.now().picked);
+        const QImage seen = view.grab().toImage();
+        const QRgb   ground = seen.pixel(2, seen.height() - 2);
+        int          left = 0, right = 0;
+        for (int x = 0; x < seen.width(); ++x) (x < seen.width() / 2 ? left : right) += seen.pixel(x, seen.height() / 2) != ground;
+        QVERIFY(left > 50 && right > 50);
+        desk.photograph("side-by-side");
+        desk.press(Qt::Key_B);
+        QCOMPARE(desk.session.now().compare.seen(), CompareShow::A);
+        QVERIFY(view.view().area().width() > view.width() * 0.9);
+    }
+    void beyondTheWipePixelsAreThoseOfB()
+    {
+        Desk desk("zbuffer");
+        QVERIFY(desk.open("builtin:teapot", {640, 360}));
+        desk.session.compareWith(wrong());
+        QVERIFY(desk.settles());
+        const auto& kinds = desk.session.now().compare.result->difference.kinds;
+        QPoint      differs(-1, -1);
+        for (int y = 0; y < 360 && differs.x() < 0; ++y)
+            for (int x = 0; x < 640; ++x)
+                if (kinds.at(x, y) >= PixelDifference::Surface) differs = {x, y};
+        QVERIFY(differs.x() >= 0);
+        desk.press(Qt::Key_W);
+        const auto idShown = [&] {
+            const auto facts = factsOf(desk.session.now(), differs);
+            return facts->triangle ? static_cast<std::int64_t>(facts->triangle->value) : -1;
+        };
+        desk.session.setWipe(1);
+        QCOMPARE(idShown(), desk.session.now().frame->frame.visible.idAt(differs.x(), differs.y()));
+        desk.session.setWipe(0);
+        QCOMPARE(idShown(), desk.session.now().compare.frame->frame.visible.idAt(differs.x(), differs.y()));
+        QVERIFY(desk.session.now().frame->frame.visible.idAt(differs.x(), differs.y()) != desk.session.now().compare.frame->frame.visible.idAt(differs.x(), differs.y()));
+    }
     void keysChooseBFlipWipeAndShowTheDifference()
     {
         Desk desk("zbuffer");

@@ -211,6 +211,45 @@ private slots:
         QCOMPARE(course.scoreOf(course.lessonNumber()).right, 0);  // the first answer counts
         desk.photograph("lesson-answered");
     }
+    void aNumberThatIsWrongOrNoneIsAnsweredAnewWithoutAnotherClick()
+    {
+        Desk    desk("zbuffer", {1280, 800});
+        Course& course = desk.session.course();
+        course.open(*course.find("02-the-edge-table"));
+        QVERIFY(arrives(desk));
+        QWidget& panel = desk.window.dock("lessons")->panel();
+        auto*    field = panel.findChild<QLineEdit*>();
+        desk.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        field->setFocus();
+        QTest::keyClicks(field, "abc");
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(!course.given());
+        QVERIFY(shownText(panel).contains("abc"));
+        field->clear();
+        QTest::keyClicks(field, "12");
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(course.given() && !course.given()->isRight);
+        QVERIFY(field->hasFocus());
+        const Pipeline before = desk.session.now().pipeline;
+        QTest::keyClicks(QApplication::focusWidget(), "36");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QVERIFY(course.given()->isRight);
+        QVERIFY(desk.session.now().pipeline == before);
+    }
+    void anotherSceneLeavesTheLessonAndItsPictureSize()
+    {
+        Desk desk("zbuffer", {1280, 800});
+        QVERIFY(desk.open("builtin:cubes", {640, 360}));
+        Course& course = desk.session.course();
+        course.open(*course.find("03-the-active-edge-table"));
+        QVERIFY(arrives(desk));
+        QVERIFY(desk.session.now().camera.width != 640);
+        desk.window.open("builtin:teapot");
+        QVERIFY(desk.settles());
+        QVERIFY(QTest::qWaitFor([&] { return desk.session.now().frame && desk.session.now().frame->camera.width == 640; }, Desk::kLong));
+        QVERIFY(!course.page());
+    }
     void theKeysStepWhileAPageIsReadAndOnceItsQuestionIsAnswered()
     {
         Desk    desk("zbuffer", {1280, 800});
@@ -238,7 +277,12 @@ private slots:
             }
             key(Qt::Key_Return);
             QVERIFY(course.given());
-            QVERIFY(page->hasFocus());
+            if (course.page()->question->kind == LessonQuestion::Kind::Number) {  // which was wrong: the field is ready for another
+                QVERIFY(page->findChild<QLineEdit*>()->hasFocus());
+                QVERIFY(page->findChild<QLineEdit*>()->text().isEmpty());
+            } else {
+                QVERIFY(page->hasFocus());
+            }
             QVERIFY(steps(Qt::Key_Right, 1));
             QVERIFY(steps(Qt::Key_Left, -1));
         }

@@ -49,6 +49,18 @@ class PredictTest final : public QObject {
     Q_OBJECT
 
 private slots:
+    void aGrainWhoseStepsNeverAskIsSaid()
+    {
+        Desk desk("hzb-octree");
+        QVERIFY(desk.open("builtin:wall-and-city?blocks=3", {320, 180}));
+        QVERIFY(desk.goTo(Grain::Triangle, 3));
+        PredictBar* bar = barOf(desk, "pyramid");
+        QVERIFY(!shownText(*bar).contains("query"));
+        desk.session.predictions().setOn(Topic::Pyramid, true);
+        QVERIFY(shownText(*bar).contains("Steps by the grain “query” ask."));
+        QVERIFY(desk.goTo(Grain::Query, 3));
+        QVERIFY(!shownText(*bar).contains("Steps by the grain"));
+    }
     void theTableOfTheNextLineIsHiddenUntilItWasPredicted()
     {
         Desk desk("scanline");

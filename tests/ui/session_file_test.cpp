@@ -124,6 +124,8 @@ private slots:
         QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
         QCOMPARE(sessionToJson(*read, "/a/b.zscope-session"), text);
         QCOMPARE(read->layout.state, session.layout.state);
+        QCOMPARE(read->layout.name, session.layout.name);
+        QVERIFY(!read->layout.name.isEmpty());
 
         SessionFile below = session;
         below.scene       = "/a/models/x.obj";
@@ -230,9 +232,9 @@ private slots:
         desk.window.findChild<QAction*>("layout.reset")->trigger();
         QCOMPARE(wanted(), teach);
         const auto [state, hidden] = desk.settings.ownLayout("mine / \u6211");
-        QVERIFY(desk.window.applyLayout({{}, state, hidden}));
+        QVERIFY(desk.window.applyLayout({{}, state, hidden, {}}));
         QVERIFY(!desk.window.dock("scene")->isWanted());
-        QVERIFY(!desk.window.applyLayout({{}, "nonsense", {}}));
+        QVERIFY(!desk.window.applyLayout({{}, "nonsense", {}, {}}));
         desk.settings.forgetOwnLayout("mine / \u6211");
         QVERIFY(desk.settings.ownLayouts().isEmpty());
     }

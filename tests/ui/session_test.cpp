@@ -11,6 +11,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include "ui/panels/active_edges/edge_table_model.h"
 #include "ui/panels/active_edges/line_strip.h"
@@ -205,6 +206,44 @@ private slots:
         session->setPipeline(pipelineOf("zbuffer"));
         QVERIFY(settles(*session));
         QVERIFY(session->now().frame->framesTimed > 1);
+    }
+    void aFirstDrawingThatIsCancelledLeavesNothingOfTheOldSceneUnderTheNewName()
+    {
+        const auto session = teapot();
+        QVERIFY(session);
+        QObject once;
+        QSignalSpy told(session.get(), &Session::noticed);
+        connect(session.get(), &Session::changed, &once, [&](Changes what) {
+            if (what & Change::Scene) QTimer::singleShot(0, &once, [&] { session->cancelWork(); });
+        });
+        session->open("builtin:soccer-field");
+        QVERIFY(settles(*session));
+        QCOMPARE(session->now().scene->word, QString("builtin:soccer-field"));
+        QVERIFY(!session->now().frame);
+        QVERIFY(!session->now().visible());
+        QCOMPARE(told.count(), 1);
+        session->goToEnd();  // draws what is missing
+        QVERIFY(settles(*session));
+        QVERIFY(session->now().frame && session->now().frame->visibleTriangles > 1000);
+    }
+    void aStepBeyondAnotherAlgorithmsLastIsItsFinishedPicture()
+    {
+        const auto session = teapot();
+        QVERIFY(session);
+        session->setPipeline(pipelineOf("zbuffer"));
+        session->setGrain(Grain::Pixel);
+        QVERIFY(settles(*session));
+        const std::uint64_t last = session->now().step->last();
+        session->goToStep(last - 1);
+        QVERIFY(settles(*session));
+        QVERIFY(session->now().showsStep);
+        session->setPipeline(pipelineOf("interval"));
+        QVERIFY(settles(*session));
+        QVERIFY(session->now().step->isLast() && session->now().step->last() < last - 1);
+        QVERIFY(!session->now().showsStep);
+        session->setPipeline(pipelineOf("zbuffer"));
+        QVERIFY(settles(*session));
+        QCOMPARE(session->now().step->state.step.value, last - 1);  // it has not forgotten
     }
     void everyAlgorithmEndsOnTheSamePicture()
     {

@@ -23,6 +23,29 @@ class SheetTest final : public QObject {
     Q_OBJECT
 
 private slots:
+    void aSheetOfAViewThatNoOptionsCanSayBringsItsCameraAlong()
+    {
+        Desk desk("zbuffer");
+        QVERIFY(desk.open("builtin:teapot"));
+        const Camera camera = desk.session.now().camera;
+        desk.session.open("builtin:teapot", Session::seenBy(camera, FaceCulling::None));
+        QVERIFY(desk.settles());
+        QVERIFY(desk.session.now().view.exact);
+        const std::vector pair{BenchAlgorithm{"zbuffer", findPreset("zbuffer")->pipeline}, BenchAlgorithm{"scanline", findPreset("scanline")->pipeline}};
+        QSignalSpy        made(&desk.window.sheets(), &SheetMaker::made);
+        for (const char* name : {"exact.png", "exact.pdf"}) {
+            desk.window.sheets().make(pair, desk.folder.filePath(name));
+            QVERIFY(made.wait(Desk::kLong));
+        }
+        const QImage picture(desk.folder.filePath("exact.png"));
+        QCOMPARE(picture.text("camera.json").toStdString(), cameraToJson(camera));
+        QVERIFY(picture.text("Command").contains("--camera camera.json"));
+        QFile page(desk.folder.filePath("exact.pdf"));
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        const QByteArray bytes = page.readAll();
+        QVERIFY(bytes.contains("/EmbeddedFile"));
+        QVERIFY(bytes.contains("camera.json") || bytes.contains(QByteArray("\0c\0a\0m\0e\0r\0a", 12)));
+    }
     void cleanup() { QCoreApplication::processEvents(); }
 
     void aComparisonSheetIsAPageOrAPictureInTheLanguageOfTheWindow()

@@ -104,6 +104,51 @@ private slots:
         QVERIFY(!area->verticalScrollBar()->isVisible());
         for (const auto* button : panel.findChildren<QPushButton*>()) QVERIFY(!button->visibleRegion().isEmpty());
     }
+    void atAnEarlierStepItSaysThatTheAnswerIsOfTheFinishedPicture()
+    {
+        Desk desk("zbuffer", {1600, 1000});
+        QVERIFY(desk.open("builtin:teapot"));
+        WhyPanel& panel = panelOf(desk);
+        desk.session.pick(QPoint(160, 90));
+        QVERIFY(answers(panel));
+        const auto says = [&] {
+            for (const auto* label : panel.findChildren<QLabel*>())
+                if (label->isVisible() && label->text().contains("That is the finished picture")) return true;
+            return false;
+        };
+        QVERIFY(!says());
+        desk.session.goToStep(3);
+        QVERIFY(desk.settles());
+        QVERIFY(says());
+        desk.session.goToEnd();
+        QVERIFY(desk.settles());
+        QVERIFY(!says());
+    }
+    void onALeafOfTheTreeRightStepsAndElsewhereItOpens()
+    {
+        Desk desk("zbuffer", {1600, 1000});
+        QVERIFY(desk.open("builtin:teapot"));
+        WhyPanel& panel = panelOf(desk);
+        desk.session.pick(QPoint(160, 90));
+        QVERIFY(answers(panel));
+        desk.session.goToStep(3);
+        QVERIFY(desk.settles());
+        auto* tree = panel.findChild<QTreeView*>();
+        desk.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        tree->setFocus();
+        const QModelIndex top = tree->model()->index(0, 0);
+        QVERIFY(tree->model()->hasChildren(top));
+        tree->setCurrentIndex(top);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+        QVERIFY(tree->isExpanded(top));
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.position()->step, std::uint64_t{3});
+        tree->setCurrentIndex(tree->model()->index(0, 0, top));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+        QVERIFY(desk.settles());
+        QCOMPARE(desk.session.position()->step, std::uint64_t{4});
+    }
     void aRowJumpsToItsMomentAndHighlightsItsNode()
     {
         Desk desk("hzb-octree", {1920, 1080});

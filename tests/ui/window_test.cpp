@@ -182,6 +182,22 @@ private slots:
         QCOMPARE(firstSize({1900, 1000}), QSize(1710, 900));
         QCOMPARE(firstSize({3840, 2160}), QSize(1920, 1200));
     }
+    void escapeClosesAListAndNothingElse()
+    {
+        Desk desk;
+        QVERIFY(desk.open("builtin:cubes"));
+        desk.session.pick(QPoint(100, 90));
+        auto* box = desk.window.findChild<QComboBox*>();
+        QVERIFY(box);
+        box->showPopup();
+        QVERIFY(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, 2000));
+        QWidget* list = QApplication::activePopupWidget();
+        QTest::keyClick(list->focusWidget() ? list->focusWidget() : list, Qt::Key_Escape);
+        QVERIFY(QTest::qWaitFor([] { return QApplication::activePopupWidget() == nullptr; }, 2000));
+        QVERIFY(desk.session.now().picked);
+        desk.press(Qt::Key_Escape);
+        QVERIFY(!desk.session.now().picked);
+    }
     void theKeypadIsTheSameWithoutNumLockAndItsEnterResets()
     {
         Desk desk;

@@ -14,6 +14,7 @@
 
 #include "ui/predict/predictions.h"
 #include "ui/session/session.h"
+#include "ui/text/grains.h"
 #include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
 
@@ -69,6 +70,9 @@ PredictBar::PredictBar(Session& session, Topic topic, QWidget* parent)
     connect(m_number, &QLineEdit::returnPressed, this, &PredictBar::check);
     connect(m_save, &QPushButton::clicked, this, &PredictBar::save);
     connect(&session.predictions(), &Predictions::changed, this, &PredictBar::present);
+    connect(&session, &Session::changed, this, [this](Changes what) {
+        if ((what & (Change::Pipeline | Change::Scene)) && !m_session.predictions().open(m_topic)) presentQuestion();
+    });
     spoken(*this, [this] {
         m_on->setText(tr("Predict"));
         m_on->setToolTip(tr("Before the next step is shown here, say what it brings"));
@@ -92,10 +96,12 @@ void PredictBar::presentQuestion()
 {
     const Riddle* riddle = m_session.predictions().open(m_topic);
     if (!riddle && m_answer->isAncestorOf(QApplication::focusWidget())) hearSteps();
-    m_question->setVisible(riddle);
+    const QString hint = riddle ? QString() : hintText();
+    m_question->setVisible(riddle || !hint.isEmpty());
     m_answer->setVisible(riddle);
     for (QPushButton* button : m_buttons) button->deleteLater();
     m_buttons.clear();
+    m_question->setText(hint);
     if (!riddle) return;
     m_question->setText(askText(*riddle));
     m_number->setVisible(riddle->isNumber());
@@ -110,6 +116,15 @@ void PredictBar::presentQuestion()
         connect(button, &QPushButton::clicked, this, [this, i] { answer(static_cast<double>(i)); });
     }
     if (m_on->isVisible()) (riddle->isNumber() ? static_cast<QWidget*>(m_number) : m_buttons.front())->setFocus();
+}
+
+/// Which steps ask, while those of another grain are taken, which never do.
+QString PredictBar::hintText() const
+{
+    const Snapshot& now  = m_session.now();
+    const bool      asks = m_topic == Topic::Edges || now.grain == Grain::Node || (m_topic == Topic::Pyramid && (now.grain == Grain::Query || now.grain == Grain::Update));
+    if (asks || !m_session.predictions().isOn(m_topic) || !now.scene) return {};
+    return tr("Steps by the grain “%1” ask.").arg(nameOf(m_topic == Topic::Pyramid ? Grain::Query : Grain::Node));
 }
 
 void PredictBar::presentScore()

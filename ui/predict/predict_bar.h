@@ -30,6 +30,7 @@ private:
     void present();
     void presentQuestion();
     void presentScore();
+    QString hintText() const;
     void check();
     void answer(double given);
     /// Gives the focus to where the keys for stepping are heard.

@@ -2,6 +2,7 @@
 #include "ui/session/course.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QDir>
 #include <QFile>
@@ -37,7 +38,10 @@ Course::Course(Session& session, QObject* parent) : QObject(parent), m_session(s
     connect(&m_settle, &QTimer::timeout, this, &Course::reload);
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_settle, qOverload<>(&QTimer::start));
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, &m_settle, qOverload<>(&QTimer::start));
-    connect(&m_session, &Session::changed, this, [this] { runWhenThere(); });
+    connect(&m_session, &Session::changed, this, [this](Changes what) {
+        if (what & Change::Scene) QTimer::singleShot(0, this, &Course::leaveIfElsewhere);  // once the scene has its view
+        runWhenThere();
+    });
     connect(&m_session, &Session::failed, this, [this] {  // the scene cannot be had: nothing to wait for
         if (m_isComing && !m_isAsked) m_isComing = false;
     });
@@ -131,7 +135,17 @@ void Course::close()
     ++m_number;
     m_isComing = m_isAsked = false;
     m_worker->cancel();
+    if (const auto size = std::exchange(m_sizeBefore, {}); size && m_session.now().view.width > 0) m_session.setPictureSize(size->width(), size->height());
     emit changed();
+}
+
+void Course::leaveIfElsewhere()
+{
+    const auto& scene = m_session.now().scene;
+    if (!m_place || !scene || scene->word == text(page()->scene)) return;
+    const ViewRequest &now = m_session.now().view, &ofPage = page()->view;
+    if (now.width != ofPage.width || now.height != ofPage.height) m_sizeBefore.reset();  // the new one has a size of its own
+    showList();
 }
 
 void Course::showList()
@@ -160,6 +174,7 @@ void Course::show()
 {
     if (!m_place) return;
     const LessonPage& page = *this->page();
+    if (!m_sizeBefore) m_sizeBefore = QSize(m_session.now().view.width, m_session.now().view.height);
     m_run.reset();
     m_isComing = true;
     m_isAsked  = false;

@@ -104,6 +104,7 @@ private:
     void     readFolder(const QString& folder);
     void     goTo(const Place& place);
     void     runWhenThere();
+    void     leaveIfElsewhere();  // once another scene than the page's is shown
     void     arrived(const PageRun& run);
     void     give(const GivenAnswer& answer);
     Answered keyOf(const Place& place) const;
@@ -117,6 +118,7 @@ private:
     std::uint64_t          m_number  = 0;      // of the page that was asked for last
     bool                   m_isComing = false; // the session is on its way there, or the answer is
     bool                   m_isAsked = false;  // the worker is at it
+    std::optional<QSize>    m_sizeBefore;      // of the picture, which the lesson's pages change
     std::map<Answered, GivenAnswer> m_given;   // the latest
     std::map<Answered, bool>        m_first;   // whether the first was right
     QFileSystemWatcher      m_watcher;

@@ -265,11 +265,15 @@ QImage ghosted(const ShownStep& step, const DrawnFrame& finished)
 
 namespace {
 
-void compareInto(Comparison& result, const VisibilityBuffer& a, const VisibilityBuffer& b, std::uint32_t tolerance)
+bool claimsToBeRight(const Pipeline& pipeline) { return pipeline.fault == Fault::None && claimOf(pipeline) == Claim::Exact; }
+
+template <class Shown>  // DrawnFrame or ShownStep
+void compareInto(Comparison& result, const Shown& shownA, const VisibilityBuffer& a, const Shown& shownB, const VisibilityBuffer& b, std::uint32_t tolerance)
 {
     result.tolerance  = tolerance;
     result.difference = differenceOf(a, b, tolerance);
-    result.figures    = compare(pictureOf(a), pictureOf(b));
+    result.isAJudged  = claimsToBeRight(shownB.pipeline) && !claimsToBeRight(shownA.pipeline);
+    result.figures    = result.isAJudged ? compare(pictureOf(b), pictureOf(a)) : compare(pictureOf(a), pictureOf(b));
 }
 
 }  // namespace
@@ -277,7 +281,7 @@ void compareInto(Comparison& result, const VisibilityBuffer& a, const Visibility
 std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame> a, std::shared_ptr<const DrawnFrame> b, std::uint32_t tolerance)
 {
     auto result = std::make_shared<Comparison>();
-    compareInto(*result, a->frame.visible, b->frame.visible, tolerance);
+    compareInto(*result, *a, a->frame.visible, *b, b->frame.visible, tolerance);
     result->a = std::move(a);
     result->b = std::move(b);
     return result;
@@ -286,7 +290,7 @@ std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame> a, 
 std::shared_ptr<const Comparison> compared(std::shared_ptr<const ShownStep> a, std::shared_ptr<const ShownStep> b, std::uint32_t tolerance)
 {
     auto result = std::make_shared<Comparison>();
-    compareInto(*result, a->state.frame.visible, b->state.frame.visible, tolerance);
+    compareInto(*result, *a, a->state.frame.visible, *b, b->state.frame.visible, tolerance);
     result->stepA = std::move(a);
     result->stepB = std::move(b);
     return result;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include <QCoreApplication>
 #include <QDir>
@@ -28,7 +29,8 @@ QString sceneOf(const Snapshot& shown)
 {
     if (!shown.scene) return QStringLiteral("picture");
     QString scene = shown.scene->title;
-    if (scene.endsWith(".obj", Qt::CaseInsensitive)) scene.chop(4);
+    for (const char* suffix : {".obj", ".json"})
+        if (scene.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) scene.chop(static_cast<qsizetype>(std::strlen(suffix)));
     return fit(scene);
 }
 

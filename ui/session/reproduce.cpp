@@ -28,7 +28,7 @@ QString text(std::string_view view) { return QString::fromUtf8(view.data(), stat
 void addView(QStringList& words, const ViewRequest& view)
 {
     if (view.exact) {
-        words << "--camera" << "camera.json";
+        words << "--camera" << kCameraFile;
         return;
     }
     words << "--size" << QString("%1x%2").arg(view.width).arg(view.height);
@@ -85,7 +85,7 @@ std::optional<QString> savePicture(const QImage& image, const QString& file, con
     const auto texts = [&] {
         const std::string command = commandLineOf(commandOf(shown, settings)).toStdString();
         auto all = reproducingTexts(command, shown.scene ? shown.scene->scene().digest : std::string());
-        if (shown.view.exact) all.push_back({"camera.json", cameraToJson(*shown.view.exact)});
+        if (shown.view.exact) all.push_back({kCameraFile, cameraToJson(*shown.view.exact)});
         return all;
     }();
     const QImage opaque = image.convertToFormat(QImage::Format_RGB32);

@@ -6,6 +6,9 @@
 
 namespace zscope::ui {
 
+/// What commandOf() calls the camera of a view that no options can say to the bit; who writes the command keeps it with that name.
+inline constexpr const char* kCameraFile = "camera.json";
+
 /// The words of the command, unquoted, from "zscope-cli" on; the output is left for the user to name.
 QStringList commandOf(const Snapshot& shown, const DrawSettings& settings);
 /// The same as one line that a shell takes apart again.

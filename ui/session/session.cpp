@@ -103,12 +103,20 @@ void Session::load(const QString& word, const ViewOf& viewOf, bool keepsCamera)
 void Session::cancelWork()
 {
     m_rest.stop();
+    const bool isDrawing = m_worker->isBusy() && m_now.scene && (!m_now.frame || m_now.frame->generation != m_generation);
     m_worker->cancel();
+    if (isDrawing) emit noticed(tr("The drawing was cancelled. It begins again with the next step, or with another algorithm."));
 }
 
 void Session::sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const ViewOf& viewOf, bool keepsCamera)
 {
     m_now.scene = scene;
+    m_now.frame.reset();  // of another scene, or of this one as it was: should the drawing be cancelled, nothing is shown under a name that is not its own
+    m_now.step.reset();
+    m_now.showsStep     = false;
+    m_now.compare.frame = nullptr;
+    m_now.compare.step  = nullptr;
+    m_now.compare.result.reset();
     m_now.marks.history.reset();
     m_now.selectedEdge.reset();
     m_now.selectedNode.reset();
@@ -413,7 +421,11 @@ void Session::draw()
 
 void Session::step()
 {
-    if (!m_now.scene || !m_now.frame || m_now.frame->generation != m_generation) return;  // after the drawing
+    if (!m_now.scene) return;
+    if (!m_now.frame || m_now.frame->generation != m_generation) {  // after the drawing, which may have been cancelled
+        if (!m_worker->isBusy()) draw();
+        return;
+    }
     setBusy(tr("Replaying"));
     m_worker->post(Worker::Slot::Step, [this, request = request(), generation = m_generation, wish = m_wish,
                                         number = m_wishNumber,
@@ -456,7 +468,8 @@ void Session::stepMade(const std::shared_ptr<const ShownStep>& step, std::uint64
                       .offset  = step->state.step.value,
                       .counted = m_now.grain};
     }
-    m_now.showsStep = !(m_wish.isEnd() && m_now.frame && m_now.frame->generation == m_generation);
+    const bool isOver = m_wish.isEnd() || (isSettled() && step->isLast());
+    m_now.showsStep   = !(isOver && m_now.frame && m_now.frame->generation == m_generation);
     emit changed(Change::Picture);
     repaint();
     if (m_now.compare.other && step->generation == m_generation) stepOther();

@@ -26,7 +26,7 @@ constexpr std::array kOver{OverEntry{"line", &Layers::line},       OverEntry{"ed
                            OverEntry{"triangle", &Layers::triangle}, OverEntry{"query", &Layers::query},   OverEntry{"boxes", &Layers::boxes},
                            OverEntry{"pyramid", &Layers::pyramid}, OverEntry{"grid", &Layers::grid},       OverEntry{"marks", &Layers::marks},
                            OverEntry{"magnifier", &Layers::magnifier}};
-constexpr std::array<std::string_view, 4> kShows{"a", "b", "wipe", "difference"};         // by CompareShow
+constexpr std::array<std::string_view, 5> kShows{"a", "b", "wipe", "difference", "side-by-side"};  // by CompareShow
 constexpr std::array<std::string_view, 4> kLinks{"step", "line", "stage", "pixel"};       // by Link
 constexpr std::array<std::string_view, 4> kBreaks{"line", "pixel", "node", "triangle"};   // by Breakpoint::On
 
@@ -284,6 +284,7 @@ WindowLayout layoutOf(Reader& read, const JsonValue& value)
     for (const auto& [key, part] : read.object(value, "layout")) {
         if (key == "geometry") layout.geometry = bytesOf(part, key);
         else if (key == "state") layout.state = bytesOf(part, key);
+        else if (key == "name") layout.name = QString::fromStdString(read.textOf(part, key));
         else if (key == "hidden")
             for (const JsonValue& word : read.list(part, key)) layout.hidden << QString::fromStdString(read.textOf(word, key));
         else read.unknown(part, "a layout", key);
@@ -389,7 +390,7 @@ std::string sessionToJson(const SessionFile& session, const QString& file)
     add("breakpoints", listJson(of.marks.breakpoints, breakpointJson));
     if (!session.layout.state.isEmpty())
         add("layout", "{\"geometry\": " + bytes(session.layout.geometry) + ",\n  \"state\": " + bytes(session.layout.state) +
-                          ",\n  \"hidden\": " + listJson(session.layout.hidden, text) + "}");
+                          ",\n  \"name\": " + text(session.layout.name) + ",\n  \"hidden\": " + listJson(session.layout.hidden, text) + "}");
     return json + "}\n";
 }
 

@@ -24,6 +24,7 @@ inline constexpr const char* kSessionSuffix = "zscope-session";
 struct WindowLayout {
     QByteArray  geometry, state;  // of the window, as Qt keeps them
     QStringList hidden;           // words of panels that are closed
+    QString     name;             // of the layout that it has come from; empty: not known
 };
 
 struct SessionFile {

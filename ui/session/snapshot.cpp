@@ -20,9 +20,22 @@ int levelOnShow(const Snapshot& shown)
     return std::clamp(level, 0, top);
 }
 
+bool isBeyondWipe(const Snapshot& shown, const QPoint& pixel)
+{
+    const VisibilityBuffer* other = shown.compare.seen() == CompareShow::Wipe ? shown.visibleOfOther() : nullptr;
+    return other && pixel.x() + 0.5 >= shown.compare.wipe * other->width();
+}
+
+Snapshot asOther(const Snapshot& shown)
+{
+    Snapshot other       = shown;
+    other.compare.isHeld = true;
+    return other;
+}
+
 std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel)
 {
-    const VisibilityBuffer* visible = shown.visible();
+    const VisibilityBuffer* visible = isBeyondWipe(shown, pixel) ? shown.visibleOfOther() : shown.visible();
     if (!visible || pixel.x() < 0 || pixel.y() < 0 || pixel.x() >= visible->width() || pixel.y() >= visible->height())
         return {};
 

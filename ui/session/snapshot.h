@@ -111,7 +111,8 @@ struct Comparison {
     std::shared_ptr<const DrawnFrame> a, b;          // the finished pictures that were compared, or
     std::shared_ptr<const ShownStep>  stepA, stepB;  // those of two steps
     Difference                        difference;
-    ErrorFigures                      figures;       // of B, with A as what is right
+    ErrorFigures                      figures;       // of B, with A as what is right, or the other way round
+    bool                              isAJudged = false;  // the other way round: B claims to be exact, and A does not
     std::uint32_t                     tolerance = 0;
 };
 
@@ -124,7 +125,7 @@ struct Selection {
     Marks                     marks;
 };
 
-enum class CompareShow { A, B, Wipe, Difference };
+enum class CompareShow { A, B, Wipe, Difference, Beside };
 /// What of A's step B follows.
 enum class Link { Number, Line, Stage, Pixel };
 /// What the step of B has to do with that of A, where it is not plain.
@@ -263,7 +264,12 @@ inline constexpr Changes kEverything{Change::Scene, Change::Camera, Change::Pict
                                      Change::Pipeline, Change::Selection, Change::Busy, Change::Layers,
                                      Change::Compare, Change::Marks};
 
-/// What can be said of one pixel of the picture on show.
+/// Whether the pixel lies where a wipe shows B.
+bool isBeyondWipe(const Snapshot& shown, const QPoint& pixel);
+/// The same with B in the place of A, as while it is held.
+Snapshot asOther(const Snapshot& shown);
+
+/// What can be said of one pixel of the picture on show: beyond a wipe, of B's.
 struct PixelFacts {
     QPoint                    pixel;
     std::optional<TriangleId> triangle;   // nothing: background

@@ -35,7 +35,9 @@ std::string commandFor(const Snapshot& shown, const DrawSettings& settings, cons
     QStringList names;
     for (const BenchAlgorithm& each : algorithms) names << QString::fromStdString(each.name);
     words << QStringLiteral("--algorithms") << names.join(',');
-    return commandLineOf(words).toStdString();
+    QString line = commandLineOf(words);
+    if (shown.view.exact) line += QStringLiteral("  # %1 is in this file").arg(QLatin1String(kCameraFile));
+    return line.toStdString();
 }
 
 }  // namespace
@@ -112,15 +114,15 @@ void SheetMaker::make(const std::vector<BenchAlgorithm>& algorithms, const QStri
                               .threads     = m_session.settings().threads,
                               .simd        = m_session.settings().simd,
                               .memoryLimit = m_session.settings().memoryLimit};
-    m_worker->post(Worker::Slot::Draw, [this, request = std::move(request), command, file](const std::atomic<bool>& cancel) mutable {
+    m_worker->post(Worker::Slot::Draw, [this, request = std::move(request), command, file, exact = now.view.exact](const std::atomic<bool>& cancel) mutable {
         request.progress.cancel = &cancel;
         auto made = compareAlgorithms(request);
         if (!made && made.error().kind == Trouble::Cancelled) return;
         auto whole = std::make_shared<Result<zscope::Comparison>>(std::move(made));
-        m_worker->deliver([this, whole, request, command, file] {
+        m_worker->deliver([this, whole, request, command, file, exact] {
             if (!*whole) return emit failed(said((*whole).error()));
             const Scene& scene = request.scene->scene();
-            if (const auto trouble = writeSheet(file, **whole, scene, sheetWordsOf(**whole, scene, request.camera, command))) return emit failed(*trouble);
+            if (const auto trouble = writeSheet(file, **whole, scene, sheetWordsOf(**whole, scene, request.camera, command), exact)) return emit failed(*trouble);
             emit this->made(file);
         });
     });

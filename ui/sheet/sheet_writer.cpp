@@ -12,6 +12,7 @@
 
 #include "core/io/file_writer.h"
 #include "core/io/png.h"
+#include "ui/session/reproduce.h"
 #include "ui/text/phrase_book.h"
 
 namespace zscope::ui {
@@ -94,6 +95,7 @@ public:
         m_writer.setPageLayout(QPageLayout(QPageSize(QSizeF(width * inch, height * inch), QPageSize::Point, QString(), QPageSize::ExactMatch), QPageLayout::Portrait, QMarginsF()));
         m_painter.begin(&m_writer);
     }
+    void attach(const QString& name, const std::string& json) { m_writer.addFileAttachment(name, QByteArray::fromStdString(json), QStringLiteral("application/json")); }
     std::string take()
     {
         m_painter.end();
@@ -109,12 +111,14 @@ private:
 
 }  // namespace
 
-std::optional<QString> writeSheet(const QString& file, const zscope::Comparison& comparison, const Scene& scene, const SheetWords& words)
+std::optional<QString> writeSheet(const QString& file, const zscope::Comparison& comparison, const Scene& scene, const SheetWords& words,
+                                  const std::optional<Camera>& camera)
 {
     const std::string name = QFile::encodeName(file).toStdString();
     Result<Done>      done = Done{};
     if (file.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
         PageCanvas canvas(words);
+        if (camera) canvas.attach(QString::fromLatin1(kCameraFile), cameraToJson(*camera));
         drawSheet(comparison, scene, words, canvas);
         done = writeFile(name, canvas.take());
     } else {
@@ -123,7 +127,9 @@ std::optional<QString> writeSheet(const QString& file, const zscope::Comparison&
         const QImage image = canvas.take();
         const GridView<const std::uint32_t> pixels{reinterpret_cast<const std::uint32_t*>(image.constBits()), image.width(), image.height(),
                                                    static_cast<std::size_t>(image.bytesPerLine()) / 4};
-        done = writePng(name, pixels, reproducingTexts(words.command, scene.digest));
+        auto texts = reproducingTexts(words.command, scene.digest);
+        if (camera) texts.push_back({kCameraFile, cameraToJson(*camera)});
+        done = writePng(name, pixels, texts);
     }
     return done ? std::nullopt : std::optional(said(done.error()));
 }

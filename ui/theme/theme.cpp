@@ -103,6 +103,7 @@ QString styleSheetOf(const Theme& theme)
 {
     QString sheet = QStringLiteral(R"(
         QMainWindow, QDialog { background: @ground; }
+        QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
         QMainWindow::separator { background: transparent; width: 8px; height: 8px; }
         QMenuBar { background: @card; padding: 4px 8px; border-bottom: 1px solid @border; }
         QMenuBar::item { padding: 4px 8px; border-radius: 4px; background: transparent; }

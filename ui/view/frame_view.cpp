@@ -78,7 +78,8 @@ void FrameView::showPicture()
         switch (m_shown.compare.seen()) {
         case CompareShow::A: break;
         case CompareShow::B: m_picture = ofOther; break;
-        case CompareShow::Wipe: m_other = ofOther; break;
+        case CompareShow::Wipe:
+        case CompareShow::Beside: m_other = ofOther; break;
         case CompareShow::Difference:
             if (result && result->difference.heat.width() == colours->width() && result->difference.heat.height() == colours->height())
                 m_picture = imageOf(result->difference.heat);
@@ -89,6 +90,27 @@ void FrameView::showPicture()
         m_view.setPicture(m_picture.size());
         emit viewChanged();
     }
+    placePanes();
+}
+
+void FrameView::placePanes()
+{
+    const QSizeF area = QSizeF(paneWidth(), height()) * devicePixelRatioF();
+    if (area == m_view.area()) return;
+    m_view.setArea(area);
+    update();
+    emit viewChanged();
+}
+
+std::optional<QPoint> FrameView::pixelAt(const QPointF& logical) const
+{
+    const bool isBetween = isBeside() && logical.x() >= paneWidth() && logical.x() < otherPaneAt();
+    return isBetween ? std::nullopt : m_view.pixelAt(inPane(logical));
+}
+
+QPointF FrameView::inPane(const QPointF& logical) const
+{
+    return device(isInOtherPane(logical) ? logical - QPointF(otherPaneAt(), 0) : logical);
 }
 
 void FrameView::setTool(Tool tool)
@@ -116,7 +138,7 @@ void FrameView::oneToOne()
 
 void FrameView::zoomBy(double factor)
 {
-    m_view.zoomAt(device(QPointF(rect().center())), factor);
+    m_view.zoomAt(device(QPointF(paneWidth() / 2.0, height() / 2.0)), factor);
     viewMoved();
 }
 
@@ -148,8 +170,11 @@ QImage FrameView::picture(bool decorated) const
 
 void FrameView::placeMagnifier()
 {
-    const std::optional<QPoint> pixel = m_shown.picked ? m_shown.picked : m_hovered;
-    m_magnifier->present(m_shown, m_picture, m_shown.layers.magnifier ? pixel : std::nullopt);
+    const std::optional<QPoint> pixel = m_shown.layers.magnifier ? m_shown.picked ? m_shown.picked : m_hovered : std::nullopt;
+    const bool isBesideOther = isBeside() && !m_shown.picked && m_hoversOther;
+    const bool isOfOther     = isBesideOther || (pixel && isBeyondWipe(m_shown, *pixel));
+    const QString whose      = m_other.isNull() ? QString() : isOfOther ? QStringLiteral("B") : QStringLiteral("A");
+    m_magnifier->present(isBesideOther ? asOther(m_shown) : m_shown, isOfOther && !m_other.isNull() ? m_other : m_picture, pixel, whose);
     const QSize size = m_magnifier->size();
     QPoint      at(width() - size.width() - 2 * kStep, height() - size.height() - 2 * kStep);
     if (QRect(at, size).adjusted(-2 * kStep, -2 * kStep, 2 * kStep, 2 * kStep).contains(m_last.toPoint()) &&
@@ -177,24 +202,45 @@ void FrameView::paintEvent(QPaintEvent*)
     }
     painter.save();
     painter.scale(1 / scale, 1 / scale);  // from here in device pixels
-    if (m_other.isNull()) {
-        paintPicture(painter, m_picture);
+    if (isBeside()) {
+        const QRectF pane(0, 0, paneWidth() * scale, height() * scale);
+        painter.setClipRect(pane);
+        paintPane(painter, m_shown, m_picture, m_overlay);
+        painter.setClipping(false);
+        painter.translate(otherPaneAt() * scale, 0);
+        painter.setClipRect(pane);
+        Overlay ofOther;  // edges, nodes and questions are those of A's step
+        ofOther.picture = m_overlay.picture;
+        ofOther.pick    = m_overlay.pick;
+        paintPane(painter, asOther(m_shown), m_other, ofOther);
     } else {
-        const double at = m_view.toView(QPointF(m_shown.compare.wipe * m_picture.width(), 0)).x();
-        painter.save();
-        painter.setClipRect(QRectF(0, 0, at, height() * scale));
-        paintPicture(painter, m_picture);
-        painter.setClipRect(QRectF(at, 0, width() * scale - at, height() * scale));
-        paintPicture(painter, m_other);
-        painter.restore();
+        paintPane(painter, m_shown, m_picture, m_overlay);
     }
-    if (m_shown.layers.grid && m_view.zoom() >= kGridFrom) paintGrid(painter);
-    if (m_shown.layers.grid && m_view.zoom() >= kValuesFrom * scale) paintValues(painter);
-    paintOverlay(painter, m_overlay, m_view, theme, scale);
     painter.restore();
+    if (isBeside()) painter.fillRect(QRect(paneWidth(), 0, kPaneGap, height()), theme.border);
     paintWipe(painter);
     paintChips(painter);
     paintLegend(painter);
+}
+
+void FrameView::paintPane(QPainter& painter, const Snapshot& shown, const QImage& picture, const Overlay& overlay) const
+{
+    const double scale = devicePixelRatioF();
+    if (wipeAt()) {
+        const double at = *wipeAt() * scale;
+        painter.save();
+        painter.setClipRect(QRectF(0, 0, at, height() * scale));
+        paintPicture(painter, picture);
+        painter.setClipRect(QRectF(at, 0, width() * scale - at, height() * scale));
+        paintPicture(painter, m_other);
+        painter.restore();
+    } else {
+        paintPicture(painter, picture);
+    }
+    if (shown.layers.grid && m_view.zoom() >= kGridFrom) paintGrid(painter);
+    const VisibilityBuffer* visible = shown.visible();
+    if (visible && shown.layers.grid && m_view.zoom() >= kValuesFrom * scale) paintValues(painter, *visible, picture);
+    paintOverlay(painter, overlay, m_view, themeOf(palette()), scale);
 }
 
 /// What the colours of over-rendering stand for.
@@ -229,7 +275,7 @@ void FrameView::paintPicture(QPainter& painter, const QImage& picture) const
 
 std::optional<double> FrameView::wipeAt() const
 {
-    if (m_other.isNull()) return {};
+    if (m_other.isNull() || isBeside()) return {};
     return m_view.toView(QPointF(m_shown.compare.wipe * m_picture.width(), 0)).x() / devicePixelRatioF();
 }
 
@@ -262,23 +308,23 @@ void FrameView::paintGrid(QPainter& painter) const
         painter.drawLine(m_view.toView(QPointF(seen.left(), y)), m_view.toView(QPointF(seen.right() + 1, y)));
 }
 
-void FrameView::paintValues(QPainter& painter) const
+void FrameView::paintValues(QPainter& painter, const VisibilityBuffer& visible, const QImage& picture) const
 {
-    const VisibilityBuffer* visible = m_shown.visible();
-    if (!visible) return;
     QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     font.setPixelSize(static_cast<int>(std::clamp(m_view.zoom() / 6.5, 8.0, 20.0 * devicePixelRatioF())));
     painter.setFont(font);
-    const QRect seen = m_view.visiblePixels().intersected(QRect(0, 0, visible->width(), visible->height()));
+    const QRect seen = m_view.visiblePixels().intersected(QRect(0, 0, visible.width(), visible.height()));
     for (int y = seen.top(); y <= seen.bottom(); ++y) {
         for (int x = seen.left(); x <= seen.right(); ++x) {
-            const std::int64_t id = visible->idAt(x, y);
+            const bool              isOther = isBeyondWipe(m_shown, {x, y});
+            const VisibilityBuffer& here    = isOther ? *m_shown.visibleOfOther() : visible;
+            const std::int64_t      id      = here.idAt(x, y);
             if (id < 0) continue;
-            const bool isDark = qGray(m_picture.pixel(x, y)) < 128;
+            const bool isDark = qGray((isOther && !m_other.isNull() ? m_other : picture).pixel(x, y)) < 128;
             painter.setPen(isDark ? Qt::white : Qt::black);
             painter.drawText(m_view.toView(QRectF(x, y, 1, 1)), Qt::AlignCenter,
                              QString::number(id) + '\n' +
-                                 QString::number(static_cast<double>(visible->depthAt(x, y)), 'f', 4));
+                                 QString::number(static_cast<double>(here.depthAt(x, y)), 'f', 4));
         }
     }
 }
@@ -293,7 +339,8 @@ QStringList FrameView::chips() const
         switch (m_shown.compare.seen()) {
         case CompareShow::A: chips << tr("A  %1").arg(a); break;
         case CompareShow::B: chips << tr("B  %1").arg(b); break;
-        case CompareShow::Wipe: chips << tr("A  %1  |  B  %2").arg(a, b); break;
+        case CompareShow::Wipe:
+        case CompareShow::Beside: chips << tr("A  %1  |  B  %2").arg(a, b); break;
         case CompareShow::Difference: {
             const auto& result = m_shown.compare.result;
             chips << (result && result->difference.differing() == 0 ? tr("Difference  %1, %2: no pixel") : tr("Difference  %1, %2")).arg(a, b);
@@ -346,7 +393,7 @@ void FrameView::paintHint(QPainter& painter) const
 
 void FrameView::resizeEvent(QResizeEvent*)
 {
-    m_view.setArea(QSizeF(size()) * devicePixelRatioF());
+    placePanes();
     placeMagnifier();
     m_range->move(2 * kStep, height() - m_range->height() - 2 * kStep);
     emit viewChanged();
@@ -364,7 +411,7 @@ void FrameView::wheelEvent(QWheelEvent* event)
     if (usesCamera(event->modifiers())) {
         m_session.moveCamera([factor](CameraControl& camera) { camera.dolly(1 / std::sqrt(factor)); });
     } else {
-        m_view.zoomAt(device(event->position()), factor);
+        m_view.zoomAt(inPane(event->position()), factor);
         viewMoved();
     }
     event->accept();
@@ -384,7 +431,7 @@ void FrameView::mousePressEvent(QMouseEvent* event)
     case Qt::MiddleButton: m_drag = camera ? Drag::PanCamera : Drag::PanPicture; break;
     case Qt::RightButton:
         if (camera) m_drag = Drag::Look;
-        else m_session.pick(m_view.pixelAt(device(event->position())));
+        else m_session.pick(pixelAt(event->position()));
         break;
     default: return QWidget::mousePressEvent(event);
     }
@@ -427,9 +474,10 @@ void FrameView::mouseMoveEvent(QMouseEvent* event)
         setCursor(over ? Qt::SplitHCursor : m_tool == Tool::Camera ? Qt::SizeAllCursor : Qt::ArrowCursor);
     }
     if (m_drag == Drag::None || m_drag == Drag::PanPicture) {
-        const auto pixel = m_view.pixelAt(device(m_last));
-        if (pixel != m_hovered) {
-            m_hovered = pixel;
+        const auto pixel = pixelAt(m_last);
+        if (pixel != m_hovered || m_hoversOther != isInOtherPane(m_last)) {
+            m_hovered     = pixel;
+            m_hoversOther = isInOtherPane(m_last);
             emit hovered(pixel);
         }
         placeMagnifier();
@@ -440,7 +488,7 @@ void FrameView::mouseReleaseEvent(QMouseEvent* event)
 {
     const bool isClick = (event->position() - m_pressed).manhattanLength() <= kClickReach;
     if (event->button() == Qt::LeftButton && m_drag == Drag::PanPicture && isClick)
-        m_session.pick(m_view.pixelAt(device(event->position())));
+        m_session.pick(pixelAt(event->position()));
     m_drag = Drag::None;
 }
 

@@ -69,8 +69,18 @@ protected:
 
 private:
     enum class Drag { None, PanPicture, Orbit, PanCamera, Look, Wipe };
+    static constexpr int kPaneGap = 4;  // logical pixels between A and B
 
     QPointF device(const QPointF& logical) const { return logical * devicePixelRatioF(); }
+    /// A place in the view, of the pane that it lies in: with A and B side by side there are two that move together.
+    QPointF inPane(const QPointF& logical) const;
+    bool    isInOtherPane(const QPointF& logical) const { return isBeside() && logical.x() >= otherPaneAt(); }
+    bool    isBeside() const { return m_shown.compare.seen() == CompareShow::Beside && !m_other.isNull(); }
+    int     paneWidth() const { return isBeside() ? (width() - kPaneGap) / 2 : width(); }
+    int     otherPaneAt() const { return paneWidth() + kPaneGap; }
+    std::optional<QPoint> pixelAt(const QPointF& logical) const;
+    void    placePanes();
+    void    paintPane(QPainter& painter, const Snapshot& shown, const QImage& picture, const Overlay& overlay) const;
     void    showPicture();
     void    placeMagnifier();
     void    viewMoved();
@@ -80,7 +90,7 @@ private:
     /// Where the wipe lies; logical, nothing while there is none.
     std::optional<double> wipeAt() const;
     void    paintGrid(QPainter& painter) const;
-    void    paintValues(QPainter& painter) const;
+    void    paintValues(QPainter& painter, const VisibilityBuffer& visible, const QImage& picture) const;
     void    paintChips(QPainter& painter) const;
     void    paintLegend(QPainter& painter) const;
     void    paintHint(QPainter& painter) const;
@@ -89,13 +99,14 @@ private:
     Session&              m_session;
     Snapshot              m_shown;
     QImage                m_picture;  // borrows from m_shown, as does the next
-    QImage                m_other;    // B, to the right of the wipe; null: there is no wipe
+    QImage                m_other;    // B, to the right of the wipe or in its own pane; null: neither is there
     Overlay               m_overlay;
     ViewTransform         m_view;
     Tool                  m_tool = Tool::Inspect;
     Drag                  m_drag = Drag::None;
     QPointF               m_pressed, m_last;  // logical
     std::optional<QPoint> m_hovered;
+    bool                  m_hoversOther = false;  // in B's pane
     QSet<int>             m_held;  // keys that fly
     QTimer                m_flight;
     QElapsedTimer         m_sinceTick;

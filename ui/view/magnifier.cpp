@@ -12,7 +12,7 @@ namespace zscope::ui {
 namespace {
 
 constexpr int kPixel  = 10;  // logical pixels per picture pixel
-constexpr int kMost   = 6;   // lines of text
+constexpr int kMost   = 7;   // lines of text
 
 }  // namespace
 
@@ -31,7 +31,7 @@ QSize Magnifier::sizeHint() const
     return {kAcross * kPixel + 2 * kStep, kAcross * kPixel + 3 * kStep + lines * fontMetrics().lineSpacing()};
 }
 
-void Magnifier::present(const Snapshot& shown, const QImage& picture, const std::optional<QPoint>& pixel)
+void Magnifier::present(const Snapshot& shown, const QImage& picture, const std::optional<QPoint>& pixel, const QString& whose)
 {
     const auto facts = pixel ? factsOf(shown, *pixel) : std::nullopt;
     if (!facts || picture.isNull()) {
@@ -48,6 +48,7 @@ void Magnifier::present(const Snapshot& shown, const QImage& picture, const std:
                 m_around.setPixel(x, y, 0);  // outside the picture: see-through
 
     m_facts = {{tr("pixel"), tr("%1, %2").arg(facts->pixel.x()).arg(facts->pixel.y())}};
+    if (!whose.isEmpty()) m_facts.push_back({tr("picture"), whose});
     if (facts->triangle) {
         m_facts.push_back({tr("triangle"), grouped(facts->triangle->value)});
         m_facts.push_back({tr("depth D"), depthText(facts->depth)});

@@ -16,7 +16,8 @@ public:
     explicit Magnifier(QWidget* parent = nullptr);
 
     /// `picture` is the picture on show. Hides itself when there is nothing to say.
-    void present(const Snapshot& shown, const QImage& picture, const std::optional<QPoint>& pixel);
+    /// `whose` picture it is, where two of them are in view; else empty.
+    void present(const Snapshot& shown, const QImage& picture, const std::optional<QPoint>& pixel, const QString& whose);
 
     QSize sizeHint() const override;
 

@@ -39,6 +39,7 @@ public:
     double zoom() const { return m_zoom; }  // device pixels per picture pixel
     bool   isFitted() const { return m_fitted; }
     QSize  picture() const { return m_picture; }
+    QSizeF area() const { return m_area; }  // of the view, device pixels
 
     QPointF               toPicture(const QPointF& view) const { return (view - m_origin) / m_zoom; }
     QPointF               toView(const QPointF& picture) const { return picture * m_zoom + m_origin; }

@@ -357,6 +357,7 @@ void Actions::makeCompareMenu()
     show("compare.to-and-fro", QT_TR_NOOP("&To and fro between A and B"), Qt::Key_T, CompareShow::B);
     show("compare.wipe", QT_TR_NOOP("&Wipe"), Qt::Key_W, CompareShow::Wipe);
     show("compare.difference", QT_TR_NOOP("&Difference"), Qt::Key_D, CompareShow::Difference);
+    show("compare.side-by-side", QT_TR_NOOP("Side &by side"), Qt::Key_B, CompareShow::Beside);
     m_needOther.push_back(add(menu, "compare.swap", QT_TR_NOOP("&Swap A and B"), QKeySequence(), [this] { m_session.swapCompared(); }));
     menu->addSeparator();
     m_needScene.push_back(add(menu, "compare.sheet", QT_TR_NOOP("Save a comparison s&heet…"), key(Qt::CTRL | Qt::SHIFT | Qt::Key_S), m_requests.saveSheet));

@@ -27,6 +27,7 @@
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QTimer>
+#include <QTreeView>
 #include <QVBoxLayout>
 
 #include "ui/panels/registry.h"
@@ -59,6 +60,16 @@ QSize roomOn(const QScreen& screen)
 {
     constexpr QSize kFrame{2 * kStep, 5 * kStep};  // with the title bar; nobody knows it before the window is shown
     return screen.availableSize() - kFrame;
+}
+
+/// A tree opens and closes nodes with Left and Right, and goes up and down their levels; where there is nothing of that they step.
+bool hasNoUseFor(const QWidget* widget, int key)
+{
+    const auto* tree = qobject_cast<const QTreeView*>(widget);
+    if (!tree) return false;
+    const QModelIndex at = tree->currentIndex();
+    if (key == Qt::Key_Right) return !at.isValid() || !tree->model()->hasChildren(at.siblingAtColumn(0));
+    return !at.isValid() || (!at.parent().isValid() && !tree->isExpanded(at.siblingAtColumn(0)));
 }
 
 /// What the docks leave; a step off each edge of the window where no dock is.
@@ -353,6 +364,10 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
     // Space and Enter belong to a focused button, box or dialog before they belong to the window.
     if (event->type() == QEvent::ShortcutOverride) {
         const int  key     = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Escape && QApplication::activePopupWidget()) {  // which it closes, and no more
+            event->accept();
+            return true;
+        }
         auto*      widget  = qobject_cast<QWidget*>(object);
         const bool isInput = qobject_cast<QAbstractButton*>(object) || qobject_cast<QComboBox*>(object) ||
                              qobject_cast<QAbstractSpinBox*>(object) || qobject_cast<QLineEdit*>(object);
@@ -367,7 +382,7 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
         // Views that turn or move by arrow keys while they have the focus say so.
         const bool isSideways = key == Qt::Key_Left || key == Qt::Key_Right, isUpright = key == Qt::Key_Up || key == Qt::Key_Down;
         const bool isPlain    = !(static_cast<QKeyEvent*>(event)->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-        if (widget && widget->hasFocus() && isPlain &&
+        if (widget && widget->hasFocus() && isPlain && !(isSideways && hasNoUseFor(widget, key)) &&
             (((isSideways || isUpright) && widget->property("ownsArrows").toBool()) || (isUpright && widget->property("ownsUpAndDown").toBool()))) {
             event->accept();
             return true;

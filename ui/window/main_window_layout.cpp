@@ -258,7 +258,7 @@ void MainWindow::makeRoomForLesson()
 
 WindowLayout MainWindow::layoutNow() const
 {
-    WindowLayout now{saveGeometry(), saveState(Settings::kLayoutVersion), {}};
+    WindowLayout now{saveGeometry(), saveState(Settings::kLayoutVersion), {}, m_layout};
     for (const PanelDock* dock : m_docks)
         if (!dock->isWanted()) now.hidden << dock->entry().word;
     return now;
@@ -268,7 +268,14 @@ bool MainWindow::applyLayout(const WindowLayout& layout)
 {
     const bool fits = restoreState(layout.state, Settings::kLayoutVersion);
     for (PanelDock* dock : m_docks) dock->setWanted(fits ? !layout.hidden.contains(dock->entry().word) : dock->isWanted());
-    QTimer::singleShot(0, this, [this] { rememberWidths(); });
+    if (fits && !layout.name.isEmpty()) {
+        m_layout = layoutEntry(layout.name).word;
+        m_actions->showLayout(m_layout);
+    }
+    QTimer::singleShot(0, this, [this] {
+        rememberWidths();
+        keepTabsOffTheEdge();
+    });
     return fits;
 }
 
@@ -284,7 +291,7 @@ void MainWindow::saveOwnLayout()
 void MainWindow::useOwnLayout(const QString& name)
 {
     const auto [state, hidden] = m_settings.ownLayout(name);
-    if (!applyLayout({{}, state, hidden})) m_messages->tell([name] { return tr("The layout \u201C%1\u201D does not fit this version of the window.").arg(name); });
+    if (!applyLayout({{}, state, hidden, {}})) m_messages->tell([name] { return tr("The layout \u201C%1\u201D does not fit this version of the window.").arg(name); });
 }
 
 void MainWindow::forgetOwnLayout(const QString& name)

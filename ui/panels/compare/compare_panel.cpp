@@ -73,6 +73,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     m_tolerance->setKeyboardTracking(false);
     m_linked->setFocusPolicy(Qt::TabFocus);
     for (int i = 0; i < 4; ++i) m_link->addItem(QString());  // by Link
+    m_link->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // in another language, too
     m_linkNote->setObjectName("soft");
     m_linkNote->setWordWrap(true);
     m_verdict->setWordWrap(true);
@@ -196,9 +197,9 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
         m_b->setItemText(0, tr("nothing"));
         sayTitles(*m_a, 0);
         sayTitles(*m_b, 1);
-        const std::array texts{tr("A"), tr("B"), tr("Wipe"), tr("Difference")};
+        const std::array texts{tr("A"), tr("B"), tr("Wipe"), tr("Difference"), tr("Both")};
         const std::array tips{tr("A (T goes to and fro)"), tr("B (T goes to and fro; hold Shift to see it for a moment)"),
-                              tr("A to the left, B to the right of a handle (W)"), tr("Where they differ, and by how much (D)")};
+                              tr("A to the left, B to the right of a handle (W)"), tr("Where they differ, and by how much (D)"), tr("A and B side by side, moved and zoomed together (B)")};
         for (std::size_t i = 0; i < m_shows.size(); ++i) {
             m_shows[i]->setText(texts[i]);
             m_shows[i]->setToolTip(tips[i]);

@@ -35,7 +35,7 @@ private:
 
     QComboBox *                  m_a, *m_b, *m_link;
     QPushButton *                m_swap, *m_keep, *m_worst;
-    std::array<QToolButton*, 4>  m_shows{};  // by CompareShow
+    std::array<QToolButton*, 5>  m_shows{};  // by CompareShow
     QSlider*                     m_wipe;
     QSpinBox*                    m_tolerance;
     QCheckBox*                   m_linked;

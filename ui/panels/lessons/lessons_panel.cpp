@@ -299,7 +299,8 @@ void LessonsPanel::showVerdict()
     m_why->setVisible(given != nullptr);
     if (!given) return;
     const Theme& theme = themeOf(palette());
-    QString words = given->isRight ? tr("✔ Right.") : tr("✘ Not right.");
+    const bool isNumber = question.kind == LessonQuestion::Kind::Number;
+    QString words = given->isRight ? tr("✔ Right.") : isNumber ? tr("✘ %1 is not right.").arg(given->text.toHtmlEscaped()) : tr("✘ Not right.");
     if (!given->isRight && course.right()) {
         const LessonAnswer& right = *course.right();
         if (right.choice) words += ' ' + tr("It is: %1").arg(inLanguage(question.choices[*right.choice].text).toHtmlEscaped());
@@ -319,7 +320,18 @@ void LessonsPanel::check()
     if (page->question->kind == LessonQuestion::Kind::Choice && m_choices->checkedId() >= 0) course.answerChoice(static_cast<std::size_t>(m_choices->checkedId()));
     if (page->question->kind == LessonQuestion::Kind::Number) course.answerNumber(m_number->text());
     if (page->question->kind == LessonQuestion::Kind::Pixel && session().now().picked) course.answerPixel(*session().now().picked);
-    if (course.given()) m_scroll->setFocus();  // the page is read on, and the keys step
+    if (page->question->kind == LessonQuestion::Kind::Number && !m_number->text().trimmed().isEmpty() && (!course.given() || course.given()->text != m_number->text().trimmed())) {
+        m_verdict->setText(tr("“%1” is no number.").arg(m_number->text().trimmed().toHtmlEscaped()));
+        m_verdict->show();
+        m_why->hide();
+    }
+    if (course.given() && course.given()->isRight) return m_scroll->setFocus();  // the page is read on, and the keys step
+    if (page->question->kind == LessonQuestion::Kind::Number && course.given()) {  // to be answered anew; elsewhere its digits would choose algorithms
+        m_number->clear();  // in an empty field Left and Right step
+        m_number->setFocus();
+    } else if (course.given()) {
+        m_scroll->setFocus();
+    }
 }
 
 void LessonsPanel::keyPressEvent(QKeyEvent* event)

@@ -82,9 +82,10 @@ QVariant StagesModel::data(const QModelIndex& at, int role) const
     case Q1: return decimal(times.q1, 3);
     case Median: return decimal(times.median, 3);
     case Q3: return decimal(times.q3, 3);
-    case Share: {  // of the median frame, whose stages add up to it
-        const double ms = isWhole ? row.medianMs : row.stageMs[static_cast<std::size_t>(stage)];
-        return row.medianMs > 0 ? decimal(100 * ms / row.medianMs, 1) : QString();
+    case Share: {  // of the medians beside it, so that the column is theirs and adds up
+        double whole = 0;
+        for (const Stage each : m_stages) whole += row.stageQuartiles[static_cast<std::size_t>(each)].median;
+        return whole > 0 ? decimal(100 * (isWhole ? whole : times.median) / whole, 1) : QString();
     }
     case Cost: return costTexts(isWhole ? frameCosts(row) : unitCosts(row, stage));
     case kColumns: break;
@@ -96,7 +97,7 @@ QVariant StagesModel::headerData(int section, Qt::Orientation orientation, int r
 {
     if (orientation != Qt::Horizontal || section < 0 || section >= kColumns) return {};
     if (role == Qt::TextAlignmentRole) return aligned(section != Name);
-    if (role == Qt::ToolTipRole && section == Share) return tr("Of the median frame, whose stages add up to it; the quartiles of a stage are its own");
+    if (role == Qt::ToolTipRole && section == Share) return tr("Of what the stages' medians add up to");
     if (role == Qt::ToolTipRole && section == Cost) return tr("The stage's median over the number of things it works on; with several threads wall time, not work");
     if (role != Qt::DisplayRole) return {};
     switch (static_cast<Column>(section)) {

@@ -111,7 +111,7 @@ void ObserverPanel::showWords()
 {
     const auto& observer = m_view->observer();
     if (!observer) return;
-    QString words = tr("%1 triangles: as in the picture where drawn, else in the colour of their node's verdict.").arg(grouped(observer->trianglesShown()));
+    QString words = tr("%1 triangles: pale blue where drawn, else in the colour of their node's verdict.").arg(grouped(observer->trianglesShown()));
     if (observer->trianglesLeftOut() > 0) words += ' ' + tr("%1 more are left out.").arg(grouped(observer->trianglesLeftOut()));
     if (observer->boxesLeftOut() > 0) words += ' ' + tr("%1 boxes are left out.").arg(grouped(observer->boxesLeftOut()));
     m_words->setText(words);

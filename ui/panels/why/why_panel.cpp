@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/why/why_panel.h"
 
+#include <algorithm>
+#include <span>
+
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -22,6 +25,27 @@
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
+namespace {
+
+QString takenBy(const PixelExplanation&) { return {}; }  // it lists them
+
+/// What its pixels show in its place, where that is more than the sentence has room for: a line of its own, or nothing.
+QString takenBy(const TriangleExplanation& explanation)
+{
+    constexpr std::size_t kMost = 4;
+    const std::size_t     count = std::min(kMost, explanation.takers.size());
+    if (explanation.takers.size() < 2) return {};
+    QStringList takers;
+    for (const Taker& taker : std::span(explanation.takers).first(count)) {
+        const QString pixels = counted(taker.pixels, WhyPanel::tr("1 pixel"), WhyPanel::tr("%1 pixels"));
+        takers << (taker.id < 0 ? WhyPanel::tr("the background at %1").arg(pixels) : WhyPanel::tr("triangle %1 at %2").arg(grouped(static_cast<std::uint64_t>(taker.id)), pixels));
+    }
+    const std::uint64_t more = explanation.takers.size() - count + explanation.otherTakers;
+    if (more > 0) takers << counted(more, WhyPanel::tr("1 other triangle"), WhyPanel::tr("%1 other triangles"));
+    return '\n' + WhyPanel::tr("In its place its pixels show %1.").arg(takers.join(QStringLiteral(", ")));
+}
+
+}  // namespace
 
 WhyPanel::WhyPanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_model(new WhyModel(this)), m_tree(new QTreeView), m_sentence(new QLabel), m_detail(new QLabel), m_hint(new QLabel),
@@ -123,6 +147,13 @@ void WhyPanel::present(const Snapshot& shown, Changes what)
     }
     m_lastPick = shown.picked;
     ask();
+    saySentence();
+}
+
+void WhyPanel::saySentence()
+{
+    const bool isOnTheWay = session().now().showsStep && !m_said.isEmpty();
+    m_sentence->setText(isOnTheWay ? m_said + '\n' + tr("That is the finished picture; the step on show may not have come so far.") : m_said);
 }
 
 void WhyPanel::tell(const QString& sentence)
@@ -190,7 +221,8 @@ void WhyPanel::ask()
                 m_model->setPalette(palette());
                 m_model->present(answer);
                 showAnswer();
-                m_sentence->setText(said(answer->sentence));
+                m_said = said(answer->sentence) + takenBy(*answer);
+                saySentence();
                 if constexpr (std::is_same_v<decltype(answer), std::shared_ptr<const PixelExplanation>>) {
                     m_pixelAnswer = answer;
                     emit summaryChanged(tr("pixel %1, %2 · %3").arg(answer->pixel.x).arg(answer->pixel.y)
@@ -266,6 +298,7 @@ void WhyPanel::changeEvent(QEvent* event)
         m_asked.reset();
         m_pixelAnswer.reset();
         m_model->clear();
+        m_said.clear();
         m_sentence->clear();
         m_detail->clear();
         complain({});

@@ -48,6 +48,7 @@ private:
     };
 
     void ask();
+    void saySentence();
     /// In place of an answer.
     void tell(const QString& sentence);
     void showAnswer();
@@ -60,6 +61,7 @@ private:
 
     WhyModel*       m_model;
     QTreeView*      m_tree;
+    QString         m_said;  // of the answer, whatever step is on show
     QLabel *        m_sentence, *m_detail, *m_hint, *m_trouble;
     QPushButton*    m_jump;
     QLineEdit*      m_triangle;
