@@ -200,9 +200,9 @@ TEST_F(Cli, WhatAFrameTakesTogetherIsHeldAgainstTheLimit)
     EXPECT_EQ(drawn("zbuffer", "120").status, 0) << "what it takes is less";
     std::filesystem::remove(path("s.json"));
     // Far below, it does not come so far as to know what the whole would have taken.
-    const Answer soon = drawn("interval", "60");
+    const Answer soon = run({"render", "builtin:soccer-field", "--size", "320x240", "--threads", "2", "--algorithm", "interval", "--memory-limit", "40", "-o", path("x.png")});
     EXPECT_EQ(soon.status, 5) << soon.err;
-    EXPECT_NE(soon.err.find("takes more memory than there is, or than the limit of 60 MiB"), std::string::npos) << soon.err;
+    EXPECT_NE(soon.err.find("takes more memory than there is, or than the limit of 40 MiB"), std::string::npos) << soon.err;
     EXPECT_EQ(filesInFolder(), 0u);
 }
 
