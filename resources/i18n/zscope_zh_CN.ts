@@ -2171,6 +2171,14 @@
         <source>or press Ctrl+O to open one, or choose an example in File ▸ Examples</source>
         <translation>或按 Ctrl+O 打开文件，或在“文件 ▸ 示例”中选一个示例</translation>
     </message>
+    <message>
+        <source>Nothing is drawn</source>
+        <translation>还没有图像</translation>
+    </message>
+    <message>
+        <source>The drawing was cancelled; the next step, or another algorithm, begins it again</source>
+        <translation>绘制已取消；再走一步或换一种算法就会重新开始</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::HierarchyPanel</name>

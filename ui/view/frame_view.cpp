@@ -52,7 +52,7 @@ void FrameView::present(const Snapshot& now, Changes what)
     const auto before = m_session.predictions().before(now);  // while a question is open
     m_shown           = before ? *before : now;
     if (what & (Change::Picture | Change::Scene | Change::Layers | Change::Compare)) showPicture();
-    if (what & Change::Compare) update();
+    if ((what & Change::Compare) || ((what & Change::Busy) && m_picture.isNull())) update();
     if (what & (Change::Picture | Change::Selection | Change::Scene | Change::Layers | Change::Marks)) {
         m_overlay = overlayOf(m_shown, m_shown.layers);
         placeMagnifier();
@@ -383,12 +383,15 @@ void FrameView::paintHint(QPainter& painter) const
     const QRect upper(0, 0, width(), height() / 2), lower(0, height() / 2 + kStep, width(), height() / 2);
     painter.setPen(theme.text);
     painter.setFont(large);
+    const bool isCancelled = m_shown.scene && m_shown.busy.isEmpty();
     painter.drawText(upper, Qt::AlignHCenter | Qt::AlignBottom,
-                     m_shown.busy.isEmpty() ? tr("Drop an OBJ file here") : m_shown.busy);
+                     !m_shown.busy.isEmpty() ? m_shown.busy : isCancelled ? tr("Nothing is drawn") : tr("Drop an OBJ file here"));
+    if (m_shown.scene && !isCancelled) return;
     painter.setPen(theme.softText);
     painter.setFont(font());
     painter.drawText(lower, Qt::AlignHCenter | Qt::AlignTop,
-                     tr("or press Ctrl+O to open one, or choose an example in File ▸ Examples"));
+                     isCancelled ? tr("The drawing was cancelled; the next step, or another algorithm, begins it again")
+                                 : tr("or press Ctrl+O to open one, or choose an example in File ▸ Examples"));
 }
 
 void FrameView::resizeEvent(QResizeEvent*)

@@ -55,6 +55,8 @@ StatusLine::StatusLine(Session& session, QWidget* parent)
 
 void StatusLine::present(const Snapshot& shown, Changes what)
 {
+    if (what & (Change::Scene | Change::Picture) && !shown.frame)
+        for (QLabel* label : {m_algorithm, m_time, m_exact, m_triangles, m_machine}) label->clear();  // they speak of a frame
     if ((what & (Change::Picture | Change::Pipeline)) && shown.frame) {
         const DrawnFrame& frame  = *shown.frame;
         const std::string name   = nameOf(frame.pipeline);
