@@ -320,6 +320,65 @@ MeshBatches withCones(MeshBatches mesh, bool withPatches)
     return mesh;
 }
 
+/// Finds the triangles beyond the sides of a batch's triangles: a side waits in a hash table until one comes that runs the other way.
+class SideBuilder {
+public:
+    explicit SideBuilder(MeshBatches& mesh) : m_mesh(mesh)
+    {
+        for (MeshBatches::Column<std::uint16_t>& column : mesh.beyond) column.assign(mesh.corners[0].size(), MeshBatches::kNobody);
+    }
+
+    void run()
+    {
+        for (const Batch& batch : m_mesh.batches) {
+            m_sides.fill(kFree);
+            for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
+                for (std::uint32_t k = 0; k < 3; ++k) add(batch.firstTriangle, t, k);
+        }
+    }
+
+private:
+    static constexpr std::uint32_t kFree  = 0xFFFF'FFFF;  // from a corner to itself: no side
+    static constexpr std::size_t   kSlots = std::bit_ceil(2 * 3 * kBatchTriangles);
+    static_assert(kBatchVertices <= 0xFFFF && 4 * kBatchTriangles <= 0xFFFF);
+
+    void add(std::uint32_t first, std::uint32_t t, std::uint32_t k)
+    {
+        const std::uint32_t from = m_mesh.corners[k][first + t], to = m_mesh.corners[(k + 1) % 3][first + t];
+        if (from == to) return;
+        if (const std::size_t slot = slotOf(to << 16 | from); m_sides[slot] != kFree) {
+            const std::uint32_t there = m_owners[slot] / 4, side = m_owners[slot] % 4;
+            std::uint16_t&      across = m_mesh.beyond[side][first + there];
+            if (across == MeshBatches::kNobody) {  // else a third triangle has this side
+                across                       = static_cast<std::uint16_t>(t);
+                m_mesh.beyond[k][first + t] = static_cast<std::uint16_t>(there);
+                return;
+            }
+        }
+        const std::size_t own = slotOf(from << 16 | to);
+        m_sides[own]  = from << 16 | to;
+        m_owners[own] = static_cast<std::uint16_t>(4 * t + k);
+    }
+
+    /// Where the side is, or would be put.
+    std::size_t slotOf(std::uint32_t side) const
+    {
+        std::size_t slot = (side * 2654435761u >> 16) % kSlots;
+        while (m_sides[slot] != kFree && m_sides[slot] != side) slot = (slot + 1) % kSlots;
+        return slot;
+    }
+
+    MeshBatches&                       m_mesh;
+    std::array<std::uint32_t, kSlots> m_sides;   // from corner, to corner
+    std::array<std::uint16_t, kSlots> m_owners;  // 4 * triangle + side
+};
+
+MeshBatches withSides(MeshBatches mesh)
+{
+    SideBuilder(mesh).run();
+    return mesh;
+}
+
 /// The share of all directions from which everything in a cone is seen from behind.
 double shareBehind(double sine, double altitude) { return altitude > 0 ? (1 - sine) / 2 : 0; }
 
@@ -340,7 +399,7 @@ bool dropsMoreByPatches(const MeshBatches& mesh)
 std::uint64_t MeshBatches::bytes() const
 {
     return batches.capacity() * sizeof(Batch) + patches.capacity() * sizeof(PatchBlock) + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double) +
-           3 * corners[0].capacity() * sizeof(std::uint16_t) + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
+           3 * (corners[0].capacity() + beyond[0].capacity()) * sizeof(std::uint16_t) + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
 }
 
 Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
@@ -358,16 +417,17 @@ std::vector<std::uint32_t> inPatches(const Mesh& mesh, std::span<const std::uint
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
 {
     MeshBatches loaded = cut(mesh, inLoadOrder(mesh), wanted);
-    if (wanted != Surfaces::Opaque || loaded.batches.size() < 2) return withCones(std::move(loaded), false);
+    if (wanted != Surfaces::Opaque) return withCones(std::move(loaded), false);
+    if (loaded.batches.size() < 2) return withSides(withCones(std::move(loaded), false));
     MeshBatches sorted = cut(mesh, neighboursTogether(mesh), wanted);
-    return withCones(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded), false);
+    return withSides(withCones(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded), false));
 }
 
 MeshBatches patchedBatches(const Mesh& mesh, const MeshBatches& whole)
 {
     constexpr std::size_t kTried = 16;  // one batch in so many tells whether it is worth while
     if (whole.batches.size() < 2 || !dropsMoreByPatches(withCones(inPatchesEach(mesh, whole, kTried), true))) return {};
-    return withCones(inPatchesEach(mesh, whole, 1), true);
+    return withSides(withCones(inPatchesEach(mesh, whole, 1), true));
 }
 
 }  // namespace zscope

@@ -8,6 +8,7 @@
 //            by side; a vertex shared by two batches is transformed once in each
 // Size       as it is wanted (BatchSize), at most kBatchVertices vertices and kBatchTriangles triangles
 // Cone       of the normals of its triangles, so that a batch that shows its back is dropped whole (normal_cone.h)
+// Sides      of a mesh's own batches, and of those patch by patch: which triangle of the batch lies beyond each
 // Patches    of a node's batches, for whoever would rather know of fewer triangles at once (patches.h); and of a mesh's as patchedBatches() has them
 // Source     the curve is Morton's, as meshoptimizer sorts along it
 #pragma once
@@ -63,6 +64,11 @@ struct MeshBatches {
 
     /// Corners as positions in the batch's own vertices; padded like x, y, z and meshTriangle.
     std::array<Column<std::uint16_t>, 3> corners;
+
+    /// beyond[k]: the triangle of the same batch, counted from its first, that has the side from corner k to the next one, too, but runs along it the other way:
+    /// each of the two names the other. kNobody if there is none, or if it belongs to a third one. Padded likewise; empty of a node's batches and of transparent ones.
+    std::array<Column<std::uint16_t>, 3> beyond;
+    static constexpr std::uint16_t       kNobody = kBatchTriangles;
 
     std::span<const std::uint32_t> meshTriangles() const { return std::span(meshTriangle).first(triangleCount()); }
     std::size_t   vertexCount() const { return batches.empty() ? 0 : batches.back().firstVertex + batches.back().vertexCount; }

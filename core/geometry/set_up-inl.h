@@ -76,6 +76,7 @@ public:
                 for (std::uint32_t t = t0; t < stop; t += static_cast<std::uint32_t>(hn::Lanes(D()))) areNear ? sieveNear(t, stop) : sieve(t, stop);
             }
             finish();
+            m_out.mesh = &m_place.mesh, m_out.batch = &m_place.batch;
             m_out.compactReach = {hn::GetLane(hn::MinOfLanes(D(), lowerHalf(m_start))), hn::GetLane(hn::MinOfLanes(D(), upperHalf(m_start))),
                                   hn::GetLane(hn::MaxOfLanes(D(), lowerHalf(m_end))), hn::GetLane(hn::MaxOfLanes(D(), upperHalf(m_end)))};
         } else {
@@ -225,7 +226,7 @@ private:
         const auto vertex = [&](std::size_t k) HWY_ATTR { return hn::PromoteTo(D(), hn::LoadU(u16, corners(k, t))); };
         const auto id     = hn::LoadU(u32, m_place.mesh.meshTriangle.data() + t);
         const auto kind   = hn::Or(raised, hn::IfThenElse(isBack, all(TriangleList::kCompact), all(TriangleList::kCompact | TriangleList::kFront)));
-        const auto pair   = hn::Or(vertex(0), hn::ShiftLeft<16>(vertex(1))), last = vertex(2);
+        const auto pair   = hn::Or(vertex(0), hn::ShiftLeft<16>(vertex(1))), last = hn::Or(vertex(2), hn::ShiftLeft<16>(countFrom(D(), static_cast<std::int32_t>(t - m_place.batch.firstTriangle))));
         // The order that puts them side by side, found once: to compress each column by itself costs more.
         const auto        order = hn::IndicesFromVec(D(), keptFirst(D(), kept));
         // Read before the first store, which could change them for all the compiler knows.
@@ -239,7 +240,7 @@ private:
         keep(start, out.start), keep(end, out.end), keep(kind, out.kind);
         const auto own = hn::BitCast(D(), id + hn::Set(u32, m_place.firstTriangle));
         keep(all(-2) - own, out.notRank);  // ~(own + 1)
-        keep(pair, out.firstTwo), keep(last, out.third);
+        keep(pair, out.firstTwo), keep(last, out.thirdAndPlace);
         m_start = leastHalves(m_start, hn::IfThenElse(kept, start, m_start)), m_end = mostHalves(m_end, hn::IfThenElse(kept, end, m_end));
         out.count = count + hn::CountTrue(D(), kept);
         if (!m_place.mesh.patterned.empty()) markPatterned(t, kept, count);
@@ -320,7 +321,7 @@ private:
     {
         const F64  d64;
         const std::uint32_t* const pairs = m_out.firstTwo.data() + i;
-        const auto first = cornersAt<false>(m_vertices, pairs), second = cornersAt<true>(m_vertices, pairs), third = cornersAt<false>(m_vertices, m_out.third.data() + i);
+        const auto first = cornersAt<false>(m_vertices, pairs), second = cornersAt<true>(m_vertices, pairs), third = cornersAt<false>(m_vertices, m_out.thirdAndPlace.data() + i);
         const auto d0 = first.d, d1 = second.d, d2 = third.d;
         auto       x0 = first.x, y0 = first.y;
         auto       e1x = second.x - x0, e1y = second.y - y0;
@@ -333,7 +334,7 @@ private:
             const auto snapped = [&](std::size_t k) HWY_ATTR {
                 const hn::Rebind<std::uint64_t, F64> u64;
                 const hn::Rebind<std::uint32_t, F64> u32;
-                const auto pair   = hn::BitCast(I32(), hn::LoadU(u32, (k < 2 ? m_out.firstTwo : m_out.third).data() + i));
+                const auto pair   = hn::BitCast(I32(), hn::LoadU(u32, (k < 2 ? m_out.firstTwo : m_out.thirdAndPlace).data() + i));
                 const auto vertex = hn::PromoteTo(I64(), k == 1 ? upperHalf(pair) : lowerHalf(pair));
                 const auto last   = hn::ShiftLeft<std::countr_zero(ScreenVertices::kRow)>(vertex) + hn::Set(I64(), ScreenVertices::kRow - 1);
                 const auto both   = hn::BitCast(u64, hn::GatherIndex(d64, m_vertices.rows.data(), last));

@@ -77,12 +77,15 @@ struct TriangleList {
     alignas(64) std::array<Column<std::int32_t>, 3> steps;
     alignas(64) std::array<Column<std::int32_t>, 2> leastRise;
     alignas(64) Column<std::int32_t> mostRise;
-    // Corners as they were given: positions in the batch, the first in the lower 16 bits, the second in the upper; the third by itself. All entries are, from the
-    // first on: the lanes of a vector that lie beyond the last triangle look their corners up like the others.
-    alignas(64) Column<std::uint32_t> firstTwo{}, third{};
+    // Corners as they were given: positions in the batch, the first in the lower 16 bits, the second in the upper; the third in the lower 16 bits of the other, whose
+    // upper half says which of the batch's triangles it is. All entries are, from the first on: the lanes of a vector that lie beyond the last triangle look their corners up like the others.
+    alignas(64) Column<std::uint32_t> firstTwo{}, thirdAndPlace{};
+
+    const MeshBatches* mesh  = nullptr;  // of the batch that they are
+    const Batch*       batch = nullptr;  // nullptr: of no mesh's batch
 
     bool isEmpty() const { return count == 0; }
-    void clear() { count = 0, m_inTurn = 0, startsNearest = false, compactReach = {}; }
+    void clear() { count = 0, m_inTurn = 0, startsNearest = false, compactReach = {}, mesh = nullptr, batch = nullptr; }
 
     /// There must be room. Always inlined, so that each instruction set gets it in its own instructions.
     [[gnu::always_inline]] void add(const ScreenTriangle& t)
@@ -138,6 +141,8 @@ struct TriangleList {
         for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::int64_t{width(i)} * height(i));
         return largest >= kLarge;
     }
+    /// Of a compact triangle: which of its batch's it is.
+    std::size_t placeInBatch(std::size_t i) const { return thirdAndPlace[i] >> 16; }
     TriangleId id(std::size_t i) const { return {~notRank[i] - 1}; }
     PixelBox   box(std::size_t i) const { return {pixelsOf(start[i]), linesOf(start[i]), pixelsOf(end[i]), linesOf(end[i])}; }
     int        width(std::size_t i) const { return pixelsOf(end[i]) - pixelsOf(start[i]); }

@@ -1,11 +1,14 @@
 // One row of the active edge table: 32 bytes, so that stepping and sorting a line's edges stays in the nearest cache.
 //
+// Shared     an edge where one triangle closes and the next one opens (shared_sides.h): only where nobody looks on
 // Wide       an edge that reaches beyond the guard band, or is too tall to step without its rounding being seen, is placed anew on
 //            every line by the 64-bit stepper, and stands at most kFarAway subpixels from the picture's left border, which is
 //            outside in any case
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -23,22 +26,29 @@ enum class Inside : std::uint8_t {
 
 class alignas(32) ActiveEdge {
 public:
-    static constexpr std::uint32_t kMaxSide = (1u << 31) - 1;
+    static constexpr std::uint32_t kMaxPlace = (1u << 30) - 1;
 
     ActiveEdge() = default;
 
-    /// An edge of `polygon`, a part of the edge table. `side`: its place there, at most kMaxSide; of no matter for an edge that is
+    /// An edge of `polygon`, a part of the edge table. `side`: its place there, at most kMaxPlace; of no matter for an edge that is
     /// not wide and that nobody looks at.
     ActiveEdge(LineCrossing crossing, std::uint32_t polygon, int lastLine, std::uint32_t side, std::uint32_t winding)
-        : m_crossing(crossing), m_polygon(polygon), m_lastLine(lastLine), m_side(side & kMaxSide), m_winding(winding)
+        : m_crossing(crossing), m_polygon(polygon), m_lastLine(lastLine), m_place(side & kMaxPlace), m_winding(winding)
     {
     }
     /// A wide one: `side` stands at `place` in the edge table.
     ActiveEdge(const ScreenSide& side, std::uint32_t polygon, int line, int lastLine, std::uint32_t place, std::uint32_t winding)
         : ActiveEdge(placed(side, line), polygon, lastLine, place, winding)
     {
-        m_wide = 1;
+        m_place |= kWide;
     }
+
+    /// From what lanes have put together: its crossing's position and step, its polygon, and what a shared one opens (shared()), each of these two with 32 bits more above
+    /// it: its last line, and its winding.
+    using Row = std::array<std::int64_t, 4>;
+    explicit ActiveEdge(const Row& row) : ActiveEdge(std::bit_cast<ActiveEdge>(row)) {}
+    /// What says that an edge opens that part, too.
+    static constexpr std::uint32_t shared(std::uint32_t opens) { return opens | kShared; }
 
     /// True if such a side must be wide.
     static bool isTooTall(const ScreenSide& side) { return std::abs(side.ya - side.yb) >= static_cast<double>(LineCrossing::kTallest); }
@@ -63,8 +73,11 @@ public:
         return {side.xb, side.yb, side.xa, side.ya, line, lastLine};
     }
 
-    /// The index of its part in the edge table.
+    /// The index of its part in the edge table: the one that it closes, if it is shared.
     std::uint32_t polygon() const { return m_polygon; }
+    bool          isShared() const { return (m_place & kShared) != 0; }
+    /// Of a shared edge: the part that it opens.
+    std::uint32_t opens() const { return m_place & kMaxPlace; }
 
     bool isLeftOf(const ActiveEdge& other) const { return m_crossing.isLeftOf(other.m_crossing); }
     int  firstPixel() const { return m_crossing.firstPixel(); }
@@ -74,9 +87,9 @@ public:
         if constexpr (Rules::kExact) return m_crossing.firstPixel();
         return rules.firstPixel(m_crossing.firstPixel(), m_crossing.x());
     }
-    std::uint32_t side() const { return m_side; }
+    std::uint32_t side() const { return m_place & kMaxPlace; }
     int           lastLine() const { return m_lastLine; }  // inclusive
-    bool          isWide() const { return m_wide; }
+    bool          isWide() const { return (m_place & kWide) != 0; }
     std::uint32_t winding() const { return m_winding; }
 
     /// What passing an edge from left to right adds to its polygon's winding, which is 0 outside: a turn one way or the other; by
@@ -84,14 +97,14 @@ public:
     static constexpr std::uint32_t windingOf(Inside rule, bool runsDown) { return rule == Inside::EvenOdd ? 1u << 31 : runsDown ? 1u : ~0u; }
 
 private:
-    static constexpr std::int64_t kFarAway = std::int64_t{1} << 29;
+    static constexpr std::uint32_t kShared = kMaxPlace + 1, kWide = kShared << 1;
+    static constexpr std::int64_t  kFarAway = std::int64_t{1} << 29;
 
     LineCrossing  m_crossing;  // with the current line's centre
-    std::uint32_t m_polygon   = 0;
-    int           m_lastLine  = 0;
-    std::uint32_t m_side : 31 = 0;
-    std::uint32_t m_wide : 1  = 0;
-    std::uint32_t m_winding   = 0;
+    std::uint32_t m_polygon  = 0;
+    int           m_lastLine = 0;
+    std::uint32_t m_place    = 0;  // in the edge table: of its side, or of the part that it opens; and whether it is shared, or wide
+    std::uint32_t m_winding  = 0;
 };
 static_assert(sizeof(ActiveEdge) == 32);
 

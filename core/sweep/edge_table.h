@@ -28,6 +28,13 @@ class EdgeTable {
 public:
     enum class Sides { OfWide, All };  // whose are kept
 
+    /// Where an edge enters, counted from the band's first line and, in quarters of a pixel, from one left of the picture; the
+    /// right end of the widest pictures is one column.
+    struct Start {
+        std::uint16_t line, column;
+    };
+    static constexpr int kColumnBits = 2;
+
     /// `memory`: bytes it may take.
     void clear(int firstLine, int endLine, int width, Sides sides, std::uint64_t memory)
     {
@@ -44,7 +51,7 @@ public:
     /// Room for so many more polygons and edges; add() needs it.
     void reserve(std::size_t polygons, std::size_t edges)
     {
-        const std::size_t parts = m_partCount + polygons, all = m_edgeCount + edges;
+        const std::size_t parts = m_partCount + polygons, all = m_edgeCount + edges + 1;  // behind the last there is room for what is not kept
         if (parts > kMost || all > kMost) throw std::bad_alloc();  // some 100 GiB of edges
         if (parts > m_parts.size()) {
             mayHold(2 * parts, m_edges.size());
@@ -64,10 +71,21 @@ public:
     /// An edge as it stands on its first line.
     void add(const ActiveEdge& edge, int line)
     {
-        m_edges[m_edgeCount]    = edge;
-        m_starts[m_edgeCount++] = {static_cast<std::uint16_t>(line - m_firstLine),
-                                   static_cast<std::uint16_t>(std::clamp<std::int64_t>(edge.crossing().column(kColumnBits), -1, m_columns) + 1)};
+        add(edge, Start{static_cast<std::uint16_t>(line - m_firstLine),
+                        static_cast<std::uint16_t>(std::clamp<std::int64_t>(edge.crossing().column(kColumnBits), -1, columns()) + 1)}, true);
     }
+    /// The same if it is `kept`: no branch.
+    void add(const ActiveEdge& edge, Start start, bool kept)
+    {
+        m_edges[m_edgeCount]  = edge;
+        m_starts[m_edgeCount] = start;
+        m_edgeCount += kept;
+    }
+    /// Of the picture.
+    int  columns() const { return m_columns; }
+    bool keepsSides() const { return m_keepsSides; }
+    /// Of the polygon that comes next.
+    std::uint32_t nextPart() const { return static_cast<std::uint32_t>(m_partCount); }
     /// The place of a side, which is kept if it must be.
     std::uint32_t add(const ScreenSide& side, bool isWide)
     {
@@ -140,15 +158,8 @@ private:
         if (parts * sizeof(SweepPolygon) + edges * kPerEdge + m_sides.size() * sizeof(ScreenSide) > m_memory) throw std::bad_alloc();
     }
 
-    static constexpr std::size_t kMost = ActiveEdge::kMaxSide;
-    static constexpr int         kColumnBits = 2;
+    static constexpr std::size_t kMost = ActiveEdge::kMaxPlace;
     static_assert(kMaxPictureSide <= 0xFFFF);
-
-    /// Where an edge enters, counted from the band's first line and, in quarters of a pixel, from one left of the picture; the
-    /// right end of the widest pictures is one column.
-    struct Start {
-        std::uint16_t line, column;
-    };
 
     /// Where each of `count` buckets begins, by one part of Start.
     void countInto(std::vector<std::uint32_t>& bounds, std::uint16_t Start::*key, int count) const

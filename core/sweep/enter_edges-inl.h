@@ -2,7 +2,9 @@
 //
 // Positions  one multiplication by 1/dy finds where an edge meets its first line, and what is added on every line (LineCrossing says
 //            how exact that is)
-// Lanes      the same side of neighbouring triangles; what is stored in the table is stored one by one
+// Lanes      the same side of neighbouring triangles, up to the row that the table keeps; those that are no edge, or another triangle's, are stored like the others,
+//            and the next one over them
+// Shared     at full speed a side that two triangles have in common is one edge (SharedSides). Whoever looks on sees each triangle's own
 // Cost       one division per side, and storing it
 #if defined(ZSCOPE_ENTER_EDGES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_ENTER_EDGES_INL_H
@@ -18,8 +20,10 @@
 #include <hwy/highway.h>
 
 #include "core/geometry/edge_steps-inl.h"
+#include "core/geometry/lane_order-inl.h"
 #include "core/geometry/triangle_list.h"
 #include "core/sweep/edge_table.h"
+#include "core/sweep/shared_sides.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
@@ -91,8 +95,9 @@ public:
     void operator()(const TriangleList& triangles) const
     {
         m_table.reserve(triangles.count, 3 * triangles.count);
-        if constexpr (Rules::kExact) {
-            for (std::size_t i = 0; i < triangles.count; i += hn::Lanes(D())) several(triangles, i);
+        if (Rules::kExact && !m_table.keepsSides()) {
+            const SharedSides sides(triangles);
+            for (std::size_t i = 0; i < triangles.count; i += hn::Lanes(D())) several(triangles, sides, i);
         } else {
             for (std::size_t i = 0; i < triangles.count; ++i) one(triangles[i]);
         }
@@ -107,64 +112,106 @@ public:
 
 private:
     using D   = hn::ScalableTag<double>;
+    using I32 = hn::Rebind<std::int32_t, D>;
+    using I64 = hn::RebindToSigned<D>;
     using One = hn::CappedTag<double, 1>;
+
+    using V   = hn::Vec<D>;
+    using V64 = hn::Vec<I64>;
 
     static constexpr std::size_t kMost = hn::MaxLanes(D());
     template <class T>
     using Lanes = std::array<T, kMost>;
 
-    /// The triangles from `at` on, as many as there are lanes.
-    HWY_ATTR void several(const TriangleList& triangles, std::size_t at) const
-    {
-        const D d;
-        const hn::Rebind<std::int32_t, D> i32;
-        HWY_ALIGN std::array<Lanes<std::int64_t>, 3> x, step;
-        HWY_ALIGN std::array<Lanes<double>, 3>       first, end;
-        HWY_ALIGN Lanes<double>                      tallest;
-        auto                                         most = hn::Zero(d);
-        const auto isCompact = hn::PromoteTo(d, hn::And(hn::LoadU(i32, &triangles.kind[at]), hn::Set(i32, TriangleList::kCompact))) > hn::Zero(d);
-        const auto start     = hn::LoadU(i32, &triangles.start[at]);
-        const auto from      = [&](auto pixels, auto subpixels, const TriangleList::Column<double>& other) HWY_ATTR {
-            return hn::IfThenElse(isCompact, hn::PromoteTo(d, hn::ShiftLeft<8>(pixels) + hn::Set(i32, 128) + subpixels), hn::LoadU(d, &other[at]));
-        };
-        const auto xOf = [&](std::size_t k) HWY_ATTR { return from(lowerHalf(start), lowerHalf(hn::LoadU(i32, &triangles.corner[k][at])), triangles.x[k]); };
-        const auto yOf = [&](std::size_t k) HWY_ATTR { return from(upperHalf(start), upperHalf(hn::LoadU(i32, &triangles.corner[k][at])), triangles.y[k]); };
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t to = k < 2 ? k + 1 : 0;
-            const auto xa = xOf(k), ya = yOf(k), xb = xOf(to), yb = yOf(to);
-            const auto runsDown = ya < yb;
-            const Falling<hn::Vec<D>> edge{hn::IfThenElse(runsDown, xa, xb), hn::Min(ya, yb), hn::IfThenElse(runsDown, xb, xa), hn::Max(ya, yb)};
-            const auto top = hn::Max(firstLineFrom(edge.yTop), hn::Set(d, m_table.firstLine()));
-            const auto crossings = crossingsOf(d, edge, top, hn::Not(runsDown));
-            hn::Store(crossings.x, hn::RebindToSigned<D>(), x[k].data());
-            hn::Store(crossings.step, hn::RebindToSigned<D>(), step[k].data());
-            hn::Store(top, d, first[k].data());
-            hn::Store(hn::Min(firstLineFrom(edge.yBottom), hn::Set(d, m_table.endLine())), d, end[k].data());
-            most = hn::Max(most, edge.yBottom - edge.yTop);
-        }
-        hn::Store(most, d, tallest.data());
+    /// Some triangles side by side: their snapped corners, and which of them are entered so.
+    struct Several {
+        std::array<V, 3> x, y;
+        hn::Mask<D>      together;
+    };
 
-        const std::size_t count = std::min(hn::Lanes(d), triangles.count - at);
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            const std::size_t i = at + lane;
-            if ((triangles.kind[i] & TriangleList::kWide) != 0 || tallest[lane] >= static_cast<double>(LineCrossing::kTallest)) {
+    /// One side of several triangles, as it is stored.
+    struct alignas(64) Rows {
+        Lanes<ActiveEdge::Row>  row;
+        Lanes<EdgeTable::Start> start;
+        std::uint32_t           kept;  // bit i: of lane i
+    };
+
+    /// The triangles from `at` on, as many as there are lanes.
+    HWY_ATTR void several(const TriangleList& triangles, const SharedSides& shared, std::size_t at) const
+    {
+        const std::size_t   count     = std::min(hn::Lanes(D()), triangles.count - at);
+        const Several       corners   = cornersOf(triangles, at, count);
+        const std::uint32_t firstPart = m_table.nextPart(), together = bitsOf(D(), corners.together);
+        for (std::size_t i = at; i < at + count; ++i) {
+            if ((together >> (i - at) & 1) == 0)
                 one(triangles[i]);
-                continue;
-            }
-            const std::uint32_t part = m_table.add(SweepPolygon{{triangles.a[i], triangles.b[i], triangles.c[i], triangles.farthest[i], triangles.nearest[i]},
-                                                                triangles.id(i), (triangles.kind[i] & TriangleList::kPatterned) != 0});
-            for (std::size_t k = 0; k < 3; ++k) {
-                if (!(first[k][lane] < end[k][lane])) continue;
-                const std::size_t to = k < 2 ? k + 1 : 0;
-                const std::uint32_t side = m_table.add(ScreenSide{triangles.cornerX(k, i), triangles.cornerY(k, i), triangles.cornerX(to, i), triangles.cornerY(to, i)}, false);
-                m_table.add(ActiveEdge(LineCrossing(x[k][lane], step[k][lane]), part, static_cast<int>(end[k][lane]) - 1, side,
-                                       ActiveEdge::windingOf(Inside::EvenOdd, true)),
-                            static_cast<int>(first[k][lane]));
-            }
+            else
+                m_table.add(SweepPolygon{{triangles.a[i], triangles.b[i], triangles.c[i], triangles.farthest[i], triangles.nearest[i]},
+                                         triangles.id(i), triangles.is(TriangleList::kPatterned, i)});
         }
+        HWY_ALIGN std::array<Lanes<std::int32_t>, 3> beyond;
+        std::array<Rows, 3>                          sides;
+        shared.beyond(at, count, beyond);
+        for (std::size_t k = 0; k < 3; ++k) rowsOf(corners, k, at, hn::Load(I32(), beyond[k].data()), firstPart, sides[k]);
+        for (std::size_t lane = 0; lane < count; ++lane)
+            for (const Rows& side : sides) m_table.add(ActiveEdge(side.row[lane]), side.start[lane], (side.kept >> lane & 1) != 0);
     }
 
-    static hn::Vec<D> firstLineFrom(hn::Vec<D> y) { return hn::Floor((y + hn::Set(D(), 127)) * hn::Set(D(), 1 / kSubpixels)); }
+    HWY_ATTR static Several cornersOf(const TriangleList& triangles, std::size_t at, std::size_t count)
+    {
+        const D    d;
+        const auto kind  = hn::LoadU(I32(), &triangles.kind[at]), start = hn::LoadU(I32(), &triangles.start[at]);
+        const auto is    = [&](TriangleList::Kind what) HWY_ATTR { return hn::PromoteTo(d, hn::And(kind, hn::Set(I32(), what))) > hn::Zero(d); };
+        const auto isCompact = is(TriangleList::kCompact);
+        const auto from = [&](auto pixels, auto subpixels, const TriangleList::Column<double>& other) HWY_ATTR {
+            return hn::IfThenElse(isCompact, hn::PromoteTo(d, hn::ShiftLeft<8>(pixels) + hn::Set(I32(), 128) + subpixels), hn::LoadU(d, &other[at]));
+        };
+        Several all;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto corner = hn::LoadU(I32(), &triangles.corner[k][at]);
+            all.x[k] = from(lowerHalf(start), lowerHalf(corner), triangles.x[k]);
+            all.y[k] = from(upperHalf(start), upperHalf(corner), triangles.y[k]);
+        }
+        const auto &[y0, y1, y2] = all.y;
+        const auto height  = hn::Max(hn::Max(y0, y1), y2) - hn::Min(hn::Min(y0, y1), y2);
+        const auto isAlone = hn::Or(is(TriangleList::kWide), height >= hn::Set(d, static_cast<double>(LineCrossing::kTallest)));
+        all.together       = hn::AndNot(isAlone, hn::FirstN(d, count));
+        return all;
+    }
+
+    /// Side k of the triangles from `at` on, whose parts stand in the table from `firstPart` on. `beyond`: see SharedSides.
+    HWY_ATTR HWY_INLINE void rowsOf(const Several& triangles, std::size_t k, std::size_t at, hn::Vec<I32> beyond, std::uint32_t firstPart, Rows& out) const
+    {
+        const D           d;
+        const std::size_t to  = k < 2 ? k + 1 : 0;
+        const auto        all = [](std::int64_t value) HWY_ATTR { return hn::Set(I64(), value); };
+        const auto        whole = [d](V value) HWY_ATTR { return hn::PromoteTo(I64(), hn::DemoteTo(hn::Rebind<std::int32_t, D>(), value)); };
+        const auto &      xa = triangles.x[k], &ya = triangles.y[k], &xb = triangles.x[to], &yb = triangles.y[to];
+        const auto        runsDown = ya < yb;
+        const Falling<V>  edge{hn::IfThenElse(runsDown, xa, xb), hn::Min(ya, yb), hn::IfThenElse(runsDown, xb, xa), hn::Max(ya, yb)};
+        const auto        first     = hn::Max(firstLineFrom(edge.yTop), hn::Set(d, m_table.firstLine()));
+        const auto        end       = hn::Min(firstLineFrom(edge.yBottom), hn::Set(d, m_table.endLine()));
+        const auto        crossings = crossingsOf(d, edge, first, hn::Not(runsDown));
+
+        // What runs down closes its triangle.
+        const auto place = hn::PromoteTo(I64(), beyond), own = countFrom(I64(), static_cast<std::int64_t>(at));
+        const auto isShared = hn::Not(place < hn::Zero(I64())), closes = hn::RebindMask(I64(), runsDown);
+        const auto isEntered = hn::AndNot(hn::And(isShared, place < own), hn::RebindMask(I64(), hn::And(triangles.together, first < end)));
+        const auto toPart = all(static_cast<std::int64_t>(firstPart) - static_cast<std::int64_t>(at));
+        const auto part = own + toPart, other = hn::IfThenElse(isShared, place, own) + toPart;
+        const auto opens = hn::IfThenElseZero(isShared, hn::Or(hn::IfThenElse(closes, other, part), all(ActiveEdge::shared(0))));
+        const auto winding = all(static_cast<std::int64_t>(std::uint64_t{ActiveEdge::windingOf(Inside::EvenOdd, true)} << 32));
+        hn::StoreInterleaved4(crossings.x, crossings.step, hn::Or(hn::IfThenElse(closes, part, other), hn::ShiftLeft<32>(whole(end - hn::Set(d, 1)))),
+                              hn::Or(opens, winding), I64(), out.row[0].data());
+
+        const auto column = hn::Min(hn::Max(hn::ShiftRight<LineCrossing::kToColumn - EdgeTable::kColumnBits>(crossings.x), all(-1)), all(m_table.columns())) + all(1);
+        const auto start  = hn::Or(whole(first - hn::Set(d, m_table.firstLine())), hn::ShiftLeft<16>(column));
+        const hn::Rebind<std::uint32_t, D> u32;
+        hn::Store(hn::TruncateTo(u32, hn::BitCast(hn::Rebind<std::uint64_t, D>(), start)), u32, reinterpret_cast<std::uint32_t*>(out.start.data()));
+        out.kept = bitsOf(I64(), isEntered);
+    }
+
+    static V firstLineFrom(V y) { return hn::Floor((y + hn::Set(D(), 127)) * hn::Set(D(), 1 / kSubpixels)); }
 
     void one(const ScreenTriangle& part) const
     {

@@ -51,9 +51,13 @@ public:
             const int to = std::clamp(edge.firstPixel(m_rules), 0, m_visible.width());
             if (from < to && open.count > 0) resolve(y, from, to, open.view(), polygons, probe);
             from = to;
-            pass(polygons, edge, open);
+            pass(polygons, edge, edge.polygon(), open);
+            if (edge.isShared()) pass(polygons, edge, edge.opens(), open);
             if (!kLooksFirst && open.count > kCrowd) {  // seen on the way: what has been stored wins again
-                for (const ActiveEdge& passed : active) polygons.spanOf(passed.polygon()) = {};
+                for (const ActiveEdge& passed : active) {
+                    polygons.spanOf(passed.polygon()) = {};
+                    if (passed.isShared()) polygons.spanOf(passed.opens()) = {};
+                }
                 return byPixels.line(y, active, polygons, probe);
             }
         }
@@ -108,14 +112,14 @@ private:
     }
 
     /// An edge has been passed: its polygon opens, or closes, or stays as it is.
-    void pass(ActivePolygons& polygons, const ActiveEdge& edge, Open& open) const
+    void pass(ActivePolygons& polygons, const ActiveEdge& edge, std::uint32_t polygon, Open& open) const
     {
-        ActivePolygons::Span& span    = polygons.spanOf(edge.polygon());
+        ActivePolygons::Span& span    = polygons.spanOf(polygon);
         const bool            wasOpen = span.isOpen();
         if (span.pass(edge) == wasOpen) return;
         if (!wasOpen) {
             span.openAt                = static_cast<int>(open.count);  // where it stands among the open ones
-            open.polygon[open.count++] = edge.polygon();
+            open.polygon[open.count++] = polygon;
             return;
         }
         const std::uint32_t last                            = open.polygon[--open.count];

@@ -38,14 +38,15 @@ public:
     LineCrossing onNextLine() const { return {m_x + m_step, m_step}; }
 
     /// The first pixel whose centre is not left of the crossing.
-    int firstPixel() const { return static_cast<int>(m_x >> (kShift + 8)); }
+    int firstPixel() const { return static_cast<int>(m_x >> kToColumn); }
     /// The same in 1/2^bits pixel.
-    std::int64_t column(int bits) const { return m_x >> (kShift + 8 - bits); }
+    std::int64_t column(int bits) const { return m_x >> (kToColumn - bits); }
     /// The crossing in subpixels, rounded down.
     std::int64_t x() const { return (m_x + kToPixel) >> kShift; }
     bool         isLeftOf(const LineCrossing& other) const { return m_x < other.m_x; }
 
     static constexpr int          kShift = 32;                     // the lowest bit tells who closes and who opens
+    static constexpr int          kToColumn = kShift + 8;          // from a position to its pixel
     static constexpr std::int64_t kDrift = std::int64_t{1} << 13;  // twice 4096: an edge of kTallest crosses 2048 lines
     static_assert(kDrift * kTallest <= std::int64_t{1} << kShift);
     /// What is taken from a position so that its upper bits are the pixel.

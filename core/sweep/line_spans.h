@@ -15,17 +15,21 @@ template <class Rules, class Visit>
 [[gnu::always_inline]] inline void forEachSpan(std::span<const ActiveEdge> active, ActivePolygons& polygons, int width, const Rules& rules,
                                                const Visit& visit)
 {
-    for (const ActiveEdge& edge : active) {
-        ActivePolygons::Span& span    = polygons.spanOf(edge.polygon());
+    const auto pass = [&](const ActiveEdge& edge, std::uint32_t polygon) __attribute__((always_inline)) {
+        ActivePolygons::Span& span    = polygons.spanOf(polygon);
         const int             pixel   = edge.firstPixel(rules);
         const bool            wasOpen = span.isOpen();
-        if (span.pass(edge) == wasOpen) continue;
+        if (span.pass(edge) == wasOpen) return;
         if (!wasOpen) {
             span.openAt = pixel;
-            continue;
+            return;
         }
         const int x0 = std::max(span.openAt, 0), x1 = std::min(pixel, width);
-        if (x0 < x1) visit(edge.polygon(), x0, x1);
+        if (x0 < x1) visit(polygon, x0, x1);
+    };
+    for (const ActiveEdge& edge : active) {
+        pass(edge, edge.polygon());
+        if (edge.isShared()) pass(edge, edge.opens());
     }
 }
 
