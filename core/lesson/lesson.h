@@ -7,9 +7,11 @@
 // Languages  English, and Simplified Chinese; where one is missing the other is shown
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -93,6 +95,10 @@ struct LessonQuestion {
     int                       fileLine = 0;
 };
 
+/// Words of the panels that a page may raise.
+inline constexpr std::array<std::string_view, 13> kLessonPanels{"scene",   "pipeline",   "faults", "marks",   "active-edges", "pyramid", "hierarchy", "observer",
+                                                                "depth-test", "why", "compare", "measure", "timeline"};
+
 struct LessonPage {
     std::string                scene;  // a path or builtin:NAME
     ViewRequest                view;   // with the size of the picture
@@ -103,7 +109,7 @@ struct LessonPage {
     std::optional<PixelPosition> pick;
     const Layer*               layer = &layers().front();
     std::vector<std::string>   overlays;  // "boxes", "pyramid"
-    std::string                panel;     // word of the panel to raise; empty: none
+    std::string                panel;     // one of kLessonPanels; empty: none
     LessonText                 text;      // Markdown
     std::optional<LessonQuestion> question;
     int                        fileLine = 0;

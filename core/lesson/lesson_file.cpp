@@ -428,11 +428,17 @@ std::optional<Error> readPage(const Reader& r, const JsonValue& value, LessonPag
         }
         return std::nullopt;
     };
+    const auto takePanel = [&](const JsonValue& json) -> std::optional<Error> {
+        std::string_view word;
+        if (auto error = r.oneOf(word, "panel", kLessonPanels, same)(json)) return error;
+        page.panel = word;
+        return std::nullopt;
+    };
     if (auto error = r.object(value, "a page",
                               {{"scene", takeScene}, {"size", keep(size)}, {"view", keep(view)},
                                {"algorithm", keep(algorithm)}, {"choices", keep(choices)}, {"fault", keep(fault)},
                                {"compare", keep(compared)}, {"stop", keep(stop)}, {"pick", r.pixel(page.pick, "pick")},
-                               {"layer", takeLayer}, {"overlays", takeOverlays}, {"panel", r.text(page.panel, "panel")}}))
+                               {"layer", takeLayer}, {"overlays", takeOverlays}, {"panel", takePanel}}))
         return error;
     if (page.scene.empty()) return r.wrong(value, "the first page names its 'scene'");
     if (page.scene != sceneBefore) {  // another scene has views of its own

@@ -163,6 +163,7 @@ TEST(LessonFile, SaysFileAndLineOfEveryMistake)
         {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"size\": [0, 9]}\n", 4, "size"},
         {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"size\": [20, 10], \"pick\": [20, 0]}\n", 4, "outside"},
         {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"layer\": \"x-ray\"}\n", 4, "layer"},
+        {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n\"panel\": \"active-edge\"}\n", 5, "'panel' must be one of"},
         {kHead + "=== page\n{\"scene\": \"builtin:cube\"}\n", 3, "no text"},
         {kHead + "=== page\n{\"scene\": \"builtin:cube\"}\n=== en\n\n", 5, "empty"},
         {kHead + "=== en\nhello\n", 3, "before the first page"},

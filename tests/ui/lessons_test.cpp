@@ -74,6 +74,11 @@ class LessonsTest final : public QObject {
     Q_OBJECT
 
 private slots:
+    void everyPanelThatAPageMayRaiseIsThere()
+    {
+        Desk desk("zbuffer");
+        for (const std::string_view word : kLessonPanels) QVERIFY2(desk.window.dock(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()))), word.data());
+    }
     void aWholeLessonIsDoneByKeysAlone()
     {
         Desk desk("zbuffer");
