@@ -115,9 +115,7 @@ private:
     using I32 = hn::Rebind<std::int32_t, D>;
     using I64 = hn::RebindToSigned<D>;
     using One = hn::CappedTag<double, 1>;
-
     using V   = hn::Vec<D>;
-    using V64 = hn::Vec<I64>;
 
     static constexpr std::size_t kMost = hn::MaxLanes(D());
     template <class T>
@@ -185,7 +183,7 @@ private:
         const D           d;
         const std::size_t to  = k < 2 ? k + 1 : 0;
         const auto        all = [](std::int64_t value) HWY_ATTR { return hn::Set(I64(), value); };
-        const auto        whole = [d](V value) HWY_ATTR { return hn::PromoteTo(I64(), hn::DemoteTo(hn::Rebind<std::int32_t, D>(), value)); };
+        const auto        whole = [d](V value) HWY_ATTR { return hn::PromoteTo(I64(), hn::DemoteTo(I32(), value)); };
         const auto &      xa = triangles.x[k], &ya = triangles.y[k], &xb = triangles.x[to], &yb = triangles.y[to];
         const auto        runsDown = ya < yb;
         const Falling<V>  edge{hn::IfThenElse(runsDown, xa, xb), hn::Min(ya, yb), hn::IfThenElse(runsDown, xb, xa), hn::Max(ya, yb)};

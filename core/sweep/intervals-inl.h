@@ -51,8 +51,10 @@ public:
             const int to = std::clamp(edge.firstPixel(m_rules), 0, m_visible.width());
             if (from < to && open.count > 0) resolve(y, from, to, open.view(), polygons, probe);
             from = to;
-            pass(polygons, edge, edge.polygon(), open);
-            if (edge.isShared()) pass(polygons, edge, edge.opens(), open);
+            if (edge.isShared())
+                passShared(polygons, edge, open);
+            else
+                pass(polygons, edge, edge.polygon(), open);
             if (!kLooksFirst && open.count > kCrowd) {  // seen on the way: what has been stored wins again
                 for (const ActiveEdge& passed : active) {
                     polygons.spanOf(passed.polygon()) = {};
@@ -125,6 +127,20 @@ private:
         const std::uint32_t last                            = open.polygon[--open.count];
         open.polygon[static_cast<std::size_t>(span.openAt)] = last;
         polygons.spanOf(last).openAt                        = span.openAt;
+    }
+
+    /// Where one polygon closes and another opens, that one takes the place of the first.
+    void passShared(ActivePolygons& polygons, const ActiveEdge& edge, Open& open) const
+    {
+        ActivePolygons::Span &closes = polygons.spanOf(edge.polygon()), &opens = polygons.spanOf(edge.opens());
+        if (!closes.isOpen() || opens.isOpen()) {  // edges that meet there stand the other way round
+            pass(polygons, edge, edge.polygon(), open);
+            pass(polygons, edge, edge.opens(), open);
+            return;
+        }
+        closes.pass(edge), opens.pass(edge);
+        opens.openAt                                          = closes.openAt;
+        open.polygon[static_cast<std::size_t>(opens.openAt)] = edge.opens();
     }
 
     template <class Probe>
