@@ -198,7 +198,7 @@ protected:
             std::erase_if(active, [y](const ActiveEdge& edge) { return edge.lastLine() < y; });
             for (ActiveEdge& edge : active) edge.standAt(edge.crossing().onNextLine());
             for (const std::uint32_t edge : table.startingAt(y)) active.push_back(table[edge]);
-            std::ranges::stable_sort(active, [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
+            std::ranges::sort(active, [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
             std::map<std::uint32_t, int> open;
             const auto pass = [&](std::uint32_t polygon, int pixel) {
                 if (const auto at = open.find(polygon); at != open.end()) {
