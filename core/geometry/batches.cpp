@@ -15,38 +15,40 @@ namespace zscope {
 
 namespace {
 
-/// Where the vertices of the current batch stand: a small hash table, so that its cost does not depend on the mesh.
-class VertexPlaces {
+/// Numbers of 16 bits by keys of 32, at most `most` of them: a small hash table, so that its cost does not depend on the mesh.
+template <std::size_t most>
+class SmallTable {
 public:
-    void clear() { m_vertices.fill(kNone); }
+    void clear() { m_keys.fill(kNone); }
 
-    /// The vertex's place, or nothing if the batch does not have it.
-    const std::uint16_t* find(std::uint32_t vertex) const
+    /// The key's number, or nothing if it has none.
+    const std::uint16_t* find(std::uint32_t key) const
     {
-        const std::size_t slot = slotOf(vertex);
-        return m_vertices[slot] == vertex ? &m_places[slot] : nullptr;
+        const std::size_t slot = slotOf(key);
+        return m_keys[slot] == key ? &m_numbers[slot] : nullptr;
     }
-    void add(std::uint32_t vertex, std::uint16_t place)
+    /// In place of the one that it may have.
+    void put(std::uint32_t key, std::uint16_t number)
     {
-        const std::size_t slot = slotOf(vertex);
-        m_vertices[slot]       = vertex;
-        m_places[slot]         = place;
+        const std::size_t slot = slotOf(key);
+        m_keys[slot]           = key;
+        m_numbers[slot]        = number;
     }
 
 private:
-    static constexpr std::size_t   kSlots = std::bit_ceil(4 * kBatchVertices);  // a power of two, never more than a quarter full
-    static constexpr std::uint32_t kNone  = std::numeric_limits<std::uint32_t>::max();  // no mesh has that many vertices
+    static constexpr std::size_t   kSlots = std::bit_ceil(2 * most);  // a power of two, never more than half full
+    static constexpr std::uint32_t kNone  = std::numeric_limits<std::uint32_t>::max();  // never a key
 
-    /// The slot that holds the vertex, or the free one where it would be put.
-    std::size_t slotOf(std::uint32_t vertex) const
+    /// The slot that holds the key, or the free one where it would be put.
+    std::size_t slotOf(std::uint32_t key) const
     {
-        std::size_t slot = (vertex * 2654435761u >> 16) % kSlots;
-        while (m_vertices[slot] != kNone && m_vertices[slot] != vertex) slot = (slot + 1) % kSlots;
+        std::size_t slot = (key * 2654435761u >> 16) % kSlots;
+        while (m_keys[slot] != kNone && m_keys[slot] != key) slot = (slot + 1) % kSlots;
         return slot;
     }
 
-    std::array<std::uint32_t, kSlots> m_vertices{};
-    std::array<std::uint16_t, kSlots> m_places{};
+    std::array<std::uint32_t, kSlots> m_keys{};
+    std::array<std::uint16_t, kSlots> m_numbers{};
 };
 
 /// Fills one batch after another.
@@ -88,7 +90,7 @@ private:
     {
         if (const std::uint16_t* place = m_places.find(vertex)) return *place;
         const auto place = static_cast<std::uint16_t>(m_batch.vertexCount++);
-        m_places.add(vertex, place);
+        m_places.put(vertex, place);
         const dvec3& p = m_mesh.positions[vertex];
         m_out.x.push_back(p.x);
         m_out.y.push_back(p.y);
@@ -97,11 +99,12 @@ private:
         return place;
     }
 
-    const Mesh&  m_mesh;
-    BatchSize    m_size;
-    MeshBatches& m_out;
-    VertexPlaces m_places;
-    Batch        m_batch;
+    const Mesh&                    m_mesh;
+    BatchSize                      m_size;
+    MeshBatches&                   m_out;
+    // Of the batch at hand, by vertex: no mesh has as many as a key could name.
+    SmallTable<2 * kBatchVertices> m_places;
+    Batch                          m_batch;
 };
 
 std::vector<std::uint32_t> inLoadOrder(const Mesh& mesh)
@@ -331,46 +334,33 @@ public:
     void run()
     {
         for (const Batch& batch : m_mesh.batches) {
-            m_sides.fill(kFree);
+            m_waiting.clear();
             for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
                 for (std::uint32_t k = 0; k < 3; ++k) add(batch.firstTriangle, t, k);
         }
     }
 
 private:
-    static constexpr std::uint32_t kFree  = 0xFFFF'FFFF;  // from a corner to itself: no side
-    static constexpr std::size_t   kSlots = std::bit_ceil(2 * 3 * kBatchTriangles);
-    static_assert(kBatchVertices <= 0xFFFF && 4 * kBatchTriangles <= 0xFFFF);
+    static_assert(kBatchVertices < 0xFFFF && 4 * kBatchTriangles <= 0xFFFF);
 
     void add(std::uint32_t first, std::uint32_t t, std::uint32_t k)
     {
         const std::uint32_t from = m_mesh.corners[k][first + t], to = m_mesh.corners[(k + 1) % 3][first + t];
         if (from == to) return;
-        if (const std::size_t slot = slotOf(to << 16 | from); m_sides[slot] != kFree) {
-            const std::uint32_t there = m_owners[slot] / 4, side = m_owners[slot] % 4;
-            std::uint16_t&      across = m_mesh.beyond[side][first + there];
-            if (across == MeshBatches::kNobody) {  // else a third triangle has this side
-                across                       = static_cast<std::uint16_t>(t);
-                m_mesh.beyond[k][first + t] = static_cast<std::uint16_t>(there);
+        if (const std::uint16_t* opposite = m_waiting.find(to << 16 | from)) {
+            const std::uint16_t there  = *opposite / 4;
+            std::uint16_t&      beyond = m_mesh.beyond[*opposite % 4][first + there];
+            if (beyond == MeshBatches::kNobody) {  // else a third triangle has this side
+                beyond                      = static_cast<std::uint16_t>(t);
+                m_mesh.beyond[k][first + t] = there;
                 return;
             }
         }
-        const std::size_t own = slotOf(from << 16 | to);
-        m_sides[own]  = from << 16 | to;
-        m_owners[own] = static_cast<std::uint16_t>(4 * t + k);
+        m_waiting.put(from << 16 | to, static_cast<std::uint16_t>(4 * t + k));
     }
 
-    /// Where the side is, or would be put.
-    std::size_t slotOf(std::uint32_t side) const
-    {
-        std::size_t slot = (side * 2654435761u >> 16) % kSlots;
-        while (m_sides[slot] != kFree && m_sides[slot] != side) slot = (slot + 1) % kSlots;
-        return slot;
-    }
-
-    MeshBatches&                       m_mesh;
-    std::array<std::uint32_t, kSlots> m_sides;   // from corner, to corner
-    std::array<std::uint16_t, kSlots> m_owners;  // 4 * triangle + side
+    MeshBatches&                    m_mesh;
+    SmallTable<3 * kBatchTriangles> m_waiting;  // by from corner, to corner: 4 * triangle + side
 };
 
 MeshBatches withSides(MeshBatches mesh)
