@@ -1582,6 +1582,14 @@
         <translation>测量(&amp;M)</translation>
     </message>
     <message>
+        <source>&amp;Start measuring</source>
+        <translation>开始测量(&amp;S)</translation>
+    </message>
+    <message>
+        <source>S&amp;top measuring</source>
+        <translation>停止测量(&amp;T)</translation>
+    </message>
+    <message>
         <source>&amp;Open a record…</source>
         <translation>打开记录(&amp;O)…</translation>
     </message>

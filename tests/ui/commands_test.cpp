@@ -148,6 +148,20 @@ private slots:
             QCOMPARE(mine, file.isEmpty() ? 0 : 1);
         }
     }
+    void thePaletteTellsTheMenuBesideTheName()
+    {
+        Desk         desk;
+        CommandModel palette(desk.window.findChild<Actions*>()->bindings().commands());
+        const auto   heardOf = [&](const QString& name) {
+            for (int row = 0; row < palette.rowCount(); ++row)
+                if (palette.at(row)->objectName() == name) return palette.index(row).data(Qt::AccessibleTextRole).toString();
+            return QString();
+        };
+        QCOMPARE(heardOf("measure.open").trimmed(), QString("Open a record… Measure"));
+        QVERIFY(heardOf("file.open").startsWith("Open… File "));
+        QCOMPARE(heardOf("measure.stop"), QString("Stop measuring Measure, not possible now"));
+        QVERIFY(heardOf("algorithm.a.zbuffer").contains("Algorithm"));
+    }
     void aChangedKeyWorksIsToldIsKeptAndCanBePutBack()
     {
         QTemporaryDir folder;

@@ -282,6 +282,28 @@ private slots:
         QVERIFY(desk.measure(MeasurePanel::What::This, 1));
         QVERIFY(desk.runs()->model()->rowCount() >= kept);
     }
+    void aKeyStartsAndAKeyStopsInWhateverLayout()
+    {
+        Desk  desk("zbuffer");
+        auto* start = desk.window.findChild<QAction*>("measure.start");
+        auto* stop  = desk.window.findChild<QAction*>("measure.stop");
+        QVERIFY(start && stop);
+        QVERIFY(!start->isEnabled() && !stop->isEnabled());  // nothing to measure yet
+        desk.window.useLayout("teach");
+        QVERIFY(desk.open("builtin:teapot"));
+        QVERIFY(start->isEnabled() && !stop->isEnabled());
+        auto& panel = static_cast<MeasurePanel&>(desk.window.dock("measure")->panel());
+        panel.findChild<QSpinBox*>()->setValue(10'000);
+        desk.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        desk.press(Qt::Key_F8);
+        QVERIFY(panel.isVisible());
+        QVERIFY(panel.measurer().isRunning());
+        QVERIFY(!start->isEnabled() && stop->isEnabled());
+        desk.press(Qt::Key_F8, Qt::ShiftModifier);
+        QVERIFY(!panel.measurer().isRunning());
+        QVERIFY(start->isEnabled() && !stop->isEnabled());
+    }
     void closingInTheMiddleEndsTheRuns()
     {
         for (const int wait : {0, 5, 40}) {

@@ -35,6 +35,13 @@ QString plainName(const QAction& action)
     return name.remove('&');
 }
 
+QString menuNameOf(const QAction& action)
+{
+    for (const QObject* place : action.associatedObjects())
+        if (const auto* menu = qobject_cast<const QMenu*>(place)) return plainName(*menu->menuAction());
+    return {};
+}
+
 bool isListed(const QAction& action) { return action.isVisible() && !action.text().isEmpty(); }
 
 Actions::Actions(QMainWindow& window, Session& session, FrameView& view, Settings& settings, WindowRequests requests)
@@ -56,6 +63,7 @@ Actions::Actions(QMainWindow& window, Session& session, FrameView& view, Setting
                                 : std::ranges::count(m_cameraOnly, action) ? ToolScope::Camera
                                                                            : ToolScope::Both);
     showTool(m_view.tool());
+    showMeasuring(false);
     spoken(*this, [this] { say(); });
 }
 
@@ -161,7 +169,14 @@ void Actions::present(const Snapshot& shown, Changes what)
         for (QAction* action : m_needScene) action->setEnabled(shown.scene != nullptr);
         showNamedViews(shown);
         showTool(m_view.tool());
+        showMeasuring(m_stopMeasuring->isEnabled());
     }
+}
+
+void Actions::showMeasuring(bool isMeasuring)
+{
+    m_measure->setEnabled(!isMeasuring && m_session.now().scene != nullptr);
+    m_stopMeasuring->setEnabled(isMeasuring);
 }
 
 void Actions::showTool(Tool tool)

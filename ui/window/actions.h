@@ -29,7 +29,7 @@ namespace zscope::ui {
 /// What an action asks of the window itself.
 struct WindowRequests {
     std::function<void()>                   open, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel,
-                                            namePictures, saveSheet, openRecord, addKeyFrame, addKeyFrameAfterCut, savePath, forgetPath,
+                                            namePictures, saveSheet, measure, stopMeasuring, openRecord, addKeyFrame, addKeyFrameAfterCut, savePath, forgetPath,
                                             resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
     std::function<void(const QString&)>     layout;         // its word
     std::function<void()>                   saveOwnLayout;
@@ -41,6 +41,8 @@ struct WindowRequests {
 
 /// The name of an action without the letter that Alt chooses it by: "&Open" and "打开(&O)" alike.
 QString plainName(const QAction& action);
+/// The name of the menu it stands in, likewise; empty if it stands in none.
+QString menuNameOf(const QAction& action);
 /// Whether lists of commands show it: a place for a recent file that there is not is nothing to choose.
 bool isListed(const QAction& action);
 
@@ -52,6 +54,7 @@ public:
 
     void present(const Snapshot& shown, Changes what);
     void showTool(Tool tool);
+    void showMeasuring(bool isMeasuring);
     void showRecent(const QStringList& files);
     void showLayout(const QString& word);
     void showOwnLayouts(const QStringList& names);
@@ -115,7 +118,7 @@ private:
     std::vector<QAction*>                      m_layerChoices;  // in the order of layers()
     std::vector<std::pair<QAction*, bool Layers::*>> m_layerToggles;
     QAction *                                  m_open = nullptr, *m_inspect = nullptr, *m_camera = nullptr,
-            *m_fit = nullptr, *m_cull = nullptr;
+            *m_fit = nullptr, *m_cull = nullptr, *m_measure = nullptr, *m_stopMeasuring = nullptr;
     std::vector<QAction*> m_layoutChoices;  // in the order of layoutEntries()
     QMenu *               m_ownLayouts = nullptr, *m_forgetLayouts = nullptr;
     std::vector<QAction*> m_recentFiles;  // as many as are remembered

@@ -368,6 +368,8 @@ void Actions::makeCompareMenu()
 void Actions::makeMeasureMenu()
 {
     QMenu* menu = addMenu(nullptr, QT_TR_NOOP("&Measure"));
+    m_measure       = add(menu, "measure.start", QT_TR_NOOP("&Start measuring"), key(Qt::Key_F8), m_requests.measure);
+    m_stopMeasuring = add(menu, "measure.stop", QT_TR_NOOP("S&top measuring"), key(Qt::SHIFT | Qt::Key_F8), m_requests.stopMeasuring);
     add(menu, "measure.open", QT_TR_NOOP("&Open a record…"), QKeySequence(), m_requests.openRecord);
     menu->addSeparator();
     m_needScene.push_back(add(menu, "path.add", QT_TR_NOOP("Add a &key frame to the camera path"), key(Qt::CTRL | Qt::Key_K), m_requests.addKeyFrame));

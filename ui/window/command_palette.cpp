@@ -21,11 +21,11 @@
 namespace zscope::ui {
 namespace {
 
-constexpr int kKeysRole = Qt::UserRole, kPossibleRole = Qt::UserRole + 1;
+constexpr int kKeysRole = Qt::UserRole, kPossibleRole = Qt::UserRole + 1, kMenuRole = Qt::UserRole + 2;
 
 QString keysOf(const QAction& action) { return QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText); }
 
-/// The name to the left, the keys to the right.
+/// The name to the left and its menu beside it, the keys to the right.
 class CommandDelegate final : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -39,10 +39,14 @@ public:
             painter->drawRoundedRect(option.rect.adjusted(2, 1, -2, -1), 4, 4);
         }
         const QRect inside = option.rect.adjusted(kStep + 2, 0, -kStep - 2, 0);
+        const QString name = index.data().toString(), keys = index.data(kKeysRole).toString();
         painter->setPen(index.data(kPossibleRole).toBool() ? theme.text : theme.softText);
-        painter->drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, index.data().toString());
+        painter->drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, name);
         painter->setPen(theme.softText);
-        painter->drawText(inside, Qt::AlignRight | Qt::AlignVCenter, index.data(kKeysRole).toString());
+        painter->drawText(inside, Qt::AlignRight | Qt::AlignVCenter, keys);
+        const QFontMetrics& letters = option.fontMetrics;
+        const QRect between = inside.adjusted(letters.horizontalAdvance(name) + 2 * kStep, 0, -letters.horizontalAdvance(keys) - kStep, 0);
+        if (between.width() > 0) painter->drawText(between, Qt::AlignLeft | Qt::AlignVCenter, letters.elidedText(index.data(kMenuRole).toString(), Qt::ElideRight, between.width()));
     }
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override
     {
@@ -90,7 +94,11 @@ QVariant CommandModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole: return plainName(*action);
     case kKeysRole: return keysOf(*action);
     case kPossibleRole: return action->isEnabled();
-    case Qt::AccessibleTextRole: return action->isEnabled() ? plainName(*action) + ' ' + keysOf(*action) : tr("%1, not possible now").arg(plainName(*action));
+    case kMenuRole: return menuNameOf(*action);
+    case Qt::AccessibleTextRole: {
+        const QString name = plainName(*action) + ' ' + menuNameOf(*action);
+        return action->isEnabled() ? name + ' ' + keysOf(*action) : tr("%1, not possible now").arg(name);
+    }
     default: return {};
     }
 }

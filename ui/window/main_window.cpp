@@ -121,6 +121,8 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
                              .goToPixel        = [this] { goToPixel(); },
                              .namePictures     = [this] { namePictures(); },
                              .saveSheet        = [this] { saveSheet(); },
+                             .measure          = [this] { measure(); },
+                             .stopMeasuring    = [this] { stopMeasuring(); },
                              .openRecord       = [this] { openRecord(); },
                              .addKeyFrame      = [this] { addKeyFrame(false); },
                              .addKeyFrameAfterCut = [this] { addKeyFrame(true); },
@@ -157,6 +159,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     m_sceneName->setContentsMargins(0, kStep / 2, 2 * kStep, 0);
     menuBar()->setCornerWidget(m_sceneName);
     makeDocks();
+    watchMeasuring();
 
     connect(m_view, &FrameView::toolChanged, m_actions, &Actions::showTool);
     connect(m_view, &FrameView::hovered, m_status, &StatusLine::hover);

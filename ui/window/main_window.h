@@ -22,6 +22,7 @@ namespace zscope::ui {
 
 class Actions;
 class FrameView;
+class MeasurePanel;
 class MessageBar;
 class StartPage;
 struct LayoutEntry;
@@ -104,7 +105,11 @@ private:
     void copyPicture();
     void namePictures();
     void saveSheet();
+    void measure();
+    void stopMeasuring();
+    void watchMeasuring();
     void openRecord();
+    MeasurePanel& measurePanel() const;
     void addKeyFrame(bool afterCut);
     void askWhereToSavePath();
     void goToPixel();

@@ -38,7 +38,10 @@ void MainWindow::makeDocks()
         toggle->setCheckable(true);
         toggle->setChecked(true);
         m_actions->adopt(*toggle, QStringLiteral("panel.") + entry.word);
-        connect(toggle, &QAction::triggered, dock, &PanelDock::setWanted);
+        connect(toggle, &QAction::triggered, this, [this, dock](bool isWanted) {
+            if (isWanted) showPanel(dock->entry().word);
+            else dock->setWanted(false);
+        });
         connect(dock, &PanelDock::wantedChanged, toggle, &QAction::setChecked);
         m_docks.push_back(dock);
     }
@@ -63,6 +66,7 @@ void MainWindow::placeDocks(const LayoutEntry& layout)
         dock->hide();  // until all are in their places: one below the other they may be higher than the screen
         if (placeOf(*dock) != places.end()) continue;
         addDockWidget(dock->entry().area, dock);  // where it opens, if it is opened
+        dock->setShare(dock->entry().share);
         dock->setWanted(false);
     }
     for (const LayoutPlace& place : places) {  // in the order of the layout, which is that from top to bottom
@@ -227,8 +231,10 @@ void MainWindow::showPanel(const QString& word)
 {
     PanelDock* wanted = dock(word);
     if (!wanted) return m_messages->tell([word] { return tr("There is no panel “%1”").arg(word); });
+    const bool opens = !wanted->isWanted();
     wanted->setWanted(true);
-    QTimer::singleShot(0, wanted, [this, wanted] {
+    QTimer::singleShot(0, wanted, [this, wanted, opens] {
+        if (opens && dockWidgetArea(wanted) == Qt::RightDockWidgetArea) shareHeights();
         wanted->raise();
         keepTabsOffTheEdge();
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window saves of measuring: comparison sheets and camera paths; and the records it opens.
+// What the window does about measuring: starts and stops it, saves comparison sheets and camera paths, opens records.
 #include "ui/window/main_window.h"
 
 #include <cmath>
@@ -14,6 +14,7 @@
 #include "ui/session/picture_name.h"
 #include "ui/sheet/sheet_maker.h"
 #include "ui/text/phrase_book.h"
+#include "ui/window/actions.h"
 #include "ui/window/dock.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/status_line.h"
@@ -51,11 +52,28 @@ void MainWindow::saveSheet()
     m_sheets->make(algorithms, file);
 }
 
+void MainWindow::measure()
+{
+    showPanel(QStringLiteral("measure"));
+    measurePanel().start();
+}
+
+void MainWindow::stopMeasuring() { measurePanel().measurer().stop(); }
+
+void MainWindow::watchMeasuring()
+{
+    Measurer&  measurer = measurePanel().measurer();
+    const auto show     = [this, &measurer] { m_actions->showMeasuring(measurer.isRunning()); };
+    connect(&measurer, &Measurer::progressed, m_actions, show);
+    connect(&measurer, &Measurer::ended, m_actions, show);
+}
+
+MeasurePanel& MainWindow::measurePanel() const { return static_cast<MeasurePanel&>(dock(QStringLiteral("measure"))->panel()); }
+
 void MainWindow::openRecord()
 {
     showPanel(QStringLiteral("measure"));
-    for (PanelDock* dock : m_docks)
-        if (auto* panel = qobject_cast<MeasurePanel*>(&dock->panel())) panel->askForRecord();
+    measurePanel().askForRecord();
 }
 
 void MainWindow::addKeyFrame(bool afterCut)

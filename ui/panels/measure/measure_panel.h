@@ -43,6 +43,8 @@ public:
     void present(const Snapshot& shown, Changes what) override;
 
     Measurer& measurer() { return m_measurer; }
+    /// Times what the panel's choices say on the view that is shown, as its button does.
+    void      start();
     /// The runs shown: a record (core/measure/record.h), or CSV if the name ends so. The trouble as a sentence, or nothing.
     std::optional<QString> saveTo(const QString& file) const;
     /// Shows the runs of a record, beginning with its first case. The trouble as a sentence, or nothing.
@@ -62,7 +64,6 @@ private:
     void     say();
     void     fitColumns();
 
-    void start();
     void askWhere();
     void fillCases();
     void chooseCase(int at);
