@@ -322,6 +322,12 @@ private slots:
         write(teacher.filePath("01-mine.md"), lessonText("Mine", "12"));  // the page on show follows its file
         QVERIFY(QTest::qWaitFor([&] { return course.isReady() && desk.session.isIdle() && desk.session.now().sweep() && desk.session.now().sweep()->y == 12; }, Desk::kLong));
 
+        write(teacher.filePath("01-mine.md"), "=== lesson\n{\"title\": \n");  // and comes back when what broke it is mended
+        QVERIFY(QTest::qWaitFor([&] { return course.troubles().size() == 2; }, Desk::kLong));
+        QVERIFY(!course.lesson());
+        write(teacher.filePath("01-mine.md"), lessonText("Mine", "10"));
+        QVERIFY(QTest::qWaitFor([&] { return course.isReady() && desk.session.isIdle() && desk.session.now().sweep() && desk.session.now().sweep()->y == 10; }, Desk::kLong));
+
         course.close();
         QVERIFY(shownText(desk.window.dock("lessons")->panel()).contains("02-broken.md:5: "));
         QCOMPARE(desk.settings.lessonFolder(), teacher.path());

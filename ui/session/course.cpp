@@ -39,7 +39,10 @@ Course::Course(Session& session, QObject* parent) : QObject(parent), m_session(s
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_settle, qOverload<>(&QTimer::start));
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, &m_settle, qOverload<>(&QTimer::start));
     connect(&m_session, &Session::changed, this, [this](Changes what) {
-        if (what & Change::Scene) QTimer::singleShot(0, this, &Course::leaveIfElsewhere);  // once the scene has its view
+        if (what & Change::Scene) {
+            m_broken.reset();
+            QTimer::singleShot(0, this, &Course::leaveIfElsewhere);  // once the scene has its view
+        }
         runWhenThere();
     });
     connect(&m_session, &Session::failed, this, [this] {  // the scene cannot be had: nothing to wait for
@@ -88,7 +91,7 @@ void Course::readFolder(const QString& folder)
 
 void Course::reload()
 {
-    const std::optional<Answered> before = m_place ? std::optional(keyOf(*m_place)) : std::nullopt;
+    const std::optional<Answered> before = m_place ? std::optional(keyOf(*m_place)) : std::exchange(m_broken, {});
     if (!m_watcher.files().isEmpty()) m_watcher.removePaths(m_watcher.files());
     if (!m_watcher.directories().isEmpty()) m_watcher.removePaths(m_watcher.directories());
     m_lessons.clear();
@@ -105,6 +108,7 @@ void Course::reload()
     if (before) {
         for (std::size_t i = 0; i < m_lessons.size(); ++i)
             if (text(m_lessons[i].file) == before->first) goTo({i, std::min(before->second, m_lessons[i].pages.size() - 1)});
+        if (!m_place && std::ranges::any_of(m_troubles, [&](const Error& error) { return text(error.file) == before->first; })) m_broken = before;
     }
     emit changed();
 }
@@ -167,6 +171,7 @@ void Course::back()
 void Course::goTo(const Place& place)
 {
     m_place = place;
+    m_broken.reset();
     show();
 }
 

@@ -3,7 +3,8 @@
 // brings the session to the page's step and asks core what the right answer is there. No widgets.
 //
 // Files      docs/lessons.md; a file that is broken is told of with file and line, the others are there. The folder is
-//            watched: a lesson that is saved appears, and the page on show is shown again
+//            watched: a lesson that is saved appears, and the page on show is shown again,
+//            also after its file was broken for a while
 // Threads    to be used from one thread; the page's run happens on a worker of its own, and the newest page wins
 #pragma once
 
@@ -114,6 +115,7 @@ private:
     std::vector<Lesson>    m_lessons;
     std::vector<Error>     m_troubles;
     std::optional<Place>   m_place;
+    std::optional<Answered> m_broken;   // the page that was on show when its file broke, for when that is mended
     std::optional<PageRun> m_run;       // of m_place
     std::uint64_t          m_number  = 0;      // of the page that was asked for last
     bool                   m_isComing = false; // the session is on its way there, or the answer is
