@@ -103,6 +103,7 @@ private:
     BatchSize                      m_size;
     MeshBatches&                   m_out;
     // Of the batch at hand, by vertex: no mesh has as many as a key could name.
+    // Twice the room: at most a quarter full, nearly every search ends where it begins.
     SmallTable<2 * kBatchVertices> m_places;
     Batch                          m_batch;
 };

@@ -298,6 +298,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(&desk.window));
         desk.press(Qt::Key_F8);
         QVERIFY(panel.isVisible());
+        QTRY_VERIFY2(panel.height() > desk.window.height() * 3 / 10, "a strip shows no runs");
         QVERIFY(panel.measurer().isRunning());
         QVERIFY(!start->isEnabled() && stop->isEnabled());
         desk.press(Qt::Key_F8, Qt::ShiftModifier);

@@ -135,6 +135,7 @@ void Course::open(std::size_t lesson, std::size_t page)
 void Course::close()
 {
     m_place.reset();
+    m_broken.reset();
     m_run.reset();
     ++m_number;
     m_isComing = m_isAsked = false;

@@ -169,12 +169,13 @@ void Actions::present(const Snapshot& shown, Changes what)
         for (QAction* action : m_needScene) action->setEnabled(shown.scene != nullptr);
         showNamedViews(shown);
         showTool(m_view.tool());
-        showMeasuring(m_stopMeasuring->isEnabled());
+        showMeasuring(m_isMeasuring);
     }
 }
 
 void Actions::showMeasuring(bool isMeasuring)
 {
+    m_isMeasuring = isMeasuring;
     m_measure->setEnabled(!isMeasuring && m_session.now().scene != nullptr);
     m_stopMeasuring->setEnabled(isMeasuring);
 }

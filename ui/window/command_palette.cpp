@@ -45,8 +45,10 @@ public:
         painter->setPen(theme.softText);
         painter->drawText(inside, Qt::AlignRight | Qt::AlignVCenter, keys);
         const QFontMetrics& letters = option.fontMetrics;
-        const QRect between = inside.adjusted(letters.horizontalAdvance(name) + 2 * kStep, 0, -letters.horizontalAdvance(keys) - kStep, 0);
-        if (between.width() > 0) painter->drawText(between, Qt::AlignLeft | Qt::AlignVCenter, letters.elidedText(index.data(kMenuRole).toString(), Qt::ElideRight, between.width()));
+        const QRect         between = inside.adjusted(letters.horizontalAdvance(name) + 2 * kStep, 0, -letters.horizontalAdvance(keys) - kStep, 0);
+        if (between.width() <= 0) return;
+        const QString menu = letters.elidedText(index.data(kMenuRole).toString(), Qt::ElideRight, between.width());
+        painter->drawText(between, Qt::AlignLeft | Qt::AlignVCenter, menu);
     }
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override
     {
