@@ -50,7 +50,7 @@ public:
     static constexpr double        kLeastNs        = 10;       // per triangle in view and thread: no method without a tree is faster
     static constexpr double        kHopeless       = 4;        // times the best
     static constexpr int           kWarmUp = 1, kTimed = 2;    // frames of a trial
-    static constexpr int           kTurns = 4, kTimedInTurn = 1;  // of those that are close; every turn warms up
+    static constexpr int           kTurns = 8, kTimedInTurn = 1;  // of those that are close; every turn warms up
     static constexpr double        kClose       = 1.6;
     static constexpr double        kDrift       = 1.5;
     static constexpr int           kDriftFrames = 3;
