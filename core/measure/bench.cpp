@@ -127,7 +127,8 @@ private:
     Result<Done> timeInTurn(std::vector<Run>& runs)
     {
         for (int round = 0; round < m_request.rounds; ++round)
-            for (Run& run : runs) {
+            for (std::size_t i = 0; i < runs.size(); ++i) {
+                Run& run = runs[round % 2 == 0 ? i : runs.size() - 1 - i];
                 m_request.progress.at(static_cast<double>(round) / static_cast<double>(m_request.rounds), run.row.algorithm);
                 // What another run has left in the caches is none of this one's business.
                 if (const auto report = run.renderer->draw(run.draw, m_frame); !report) return report.error();

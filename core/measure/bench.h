@@ -7,7 +7,8 @@
 //            the reference, which takes long, and the others against that first one. A picture that differs gets all its
 //            error figures; one that does not has zeros for the cost of the comparison alone
 // Rounds     more than one: the timed frames of every run are parted into so many turns, each run after the other in every
-//            turn, so that what disturbs the machine disturbs all of them alike and their times may be divided turn by turn.
+//            turn, so that what disturbs the machine disturbs all of them alike and their times may be divided turn by turn;
+//            every other turn goes back through them, so that nobody always draws after the same one.
 //            All runs keep their memory until the last turn; the limit of memory is each run's own
 // Quantiles  nearest rank, so every figure is a time that was measured; the stage times are those of the median
 //            frame and add up to it. The quartiles of a stage are its own, over all timed frames, and need not add up

@@ -75,6 +75,20 @@ TEST(Bench, TellsOfEveryRowWhenItIsFinishedAndKeepsToldRowsWhenItIsStopped)
     EXPECT_EQ(told, (std::vector<std::string>{"zbuffer", "scanline"}));
 }
 
+TEST(Bench, EveryOtherRoundGoesBackThroughTheRunsSoThatNobodyAlwaysFollowsTheSame)
+{
+    auto request   = requestFor("cubes", {presetNamed("zbuffer"), presetNamed("scanline"), presetNamed("interval")});
+    request.frames = request.rounds = 3;
+    std::vector<std::string> order;
+    request.progress.report = [&order](double, std::string_view what) { order.emplace_back(what); };
+    const auto rows = bench(request);
+    ASSERT_TRUE(rows.ok()) << rows.error().text();
+    ASSERT_GE(order.size(), 9u);
+    order.erase(order.begin(), order.end() - 9);  // before: the first pictures
+    EXPECT_EQ(order, (std::vector<std::string>{"zbuffer", "scanline", "interval", "interval", "scanline", "zbuffer", "zbuffer", "scanline", "interval"}));
+    for (const BenchRow& row : *rows) EXPECT_EQ(row.roundMs.size(), 3u) << row.algorithm;
+}
+
 TEST(Bench, AnExactPictureHasFiguresOfZeroAndOthersAllThatCompareFinds)
 {
     Pipeline rough             = presetNamed("zbuffer");
