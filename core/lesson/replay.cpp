@@ -72,12 +72,12 @@ bool isSweep(Scan scan) { return scan == Scan::SweepZLine || scan == Scan::Sweep
 
 /// One run with everything that listens to it. It stays where it is: its parts know each other.
 struct Run {
-    /// Up to a step; given no memory of its own, it works in `shared` memory.
-    Run(const DrawRequest& request, Grain grain, std::uint64_t step, StripeScratch* shared = nullptr)
+    /// Up to a step, in memory that outlives it.
+    Run(const DrawRequest& request, Grain grain, std::uint64_t step, StripeScratch& memory)
         : recorders(request.camera.width, request.camera.height),
           stages(recorders.steps),
           stop(grain, step),
-          scratch(shared ? *shared : own),
+          scratch(memory),
           keeper({recorders, frame, scratch, stop, grain}, isSweep(repeatable(request).pipeline.scan))
     {
         scratch.pyramid = {};  // what coherence would take over
@@ -100,7 +100,6 @@ struct Run {
     StageRecorder    stages;
     StopAt           stop;
     Frame            frame;
-    StripeScratch    own;
     StripeScratch&   scratch;
     CheckpointKeeper keeper;
 };
@@ -113,6 +112,7 @@ struct Replay::Survey {
     std::vector<StageBegin> stages;
     Checkpoints             checkpoints;
     StripeScratch           scratch;  // with the edge table that the checkpoints go on with
+    StripeScratch           before;   // of runs that fill an edge table themselves: they stop before the first checkpoint
     std::unique_ptr<Run>    latest;   // stopped after a step
 
     /// Whether `latest` stands right after this step.
@@ -135,7 +135,7 @@ std::optional<Error> Replay::survey(Grain grain)
     if (m_survey) return std::nullopt;
     if (const auto plan = planFrame(m_request); !plan) return plan.error();
     auto survey = std::make_unique<Survey>();
-    Run  run(m_request, Grain::Frame, StopAt::kNever, &survey->scratch);
+    Run  run(m_request, Grain::Frame, StopAt::kNever, survey->scratch);
     run.keeper.keepIn(survey->checkpoints, m_spacing.events, m_spacing.bytes);
     run.perform(m_request);
     if (isCancelled()) return wasCancelled();
@@ -153,7 +153,7 @@ std::optional<Error> Replay::runTo(Grain grain, StepIndex step)
 
     const KeptState* from = m_survey->checkpoints.lastBefore(grain, step.value);
     m_survey->latest.reset();
-    auto run = std::make_unique<Run>(m_request, grain, step.value, from ? &m_survey->scratch : nullptr);
+    auto run = std::make_unique<Run>(m_request, grain, step.value, from ? m_survey->scratch : m_survey->before);
     if (from) run->keeper.beginAt(*from, m_survey->checkpoints);
     run->perform(m_request);
     if (isCancelled()) return wasCancelled();

@@ -6,7 +6,8 @@
 // Promise    the state at K is the same however K was reached; the picture at count - 1 is the one draw() makes
 // Cost       the first question of all: one serial one-lane run, which counts the steps of every grain and keeps copies of the
 //            structures at checkpoints. Then a run from the last checkpoint before the event (core/lesson/checkpoints.h)
-// Memory     at most CheckpointSpacing::bytes of copies, and the edge table of sweep methods
+// Memory     at most CheckpointSpacing::bytes of copies, and the edge table of sweep methods: one for the steps before the
+//            first checkpoint, one for those after it
 #pragma once
 
 #include <cstdint>
