@@ -22,11 +22,12 @@ namespace {
 struct BenchOptions {
     std::vector<std::string>   scenes;
     ViewOptions                view;
-    std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, frames, rounds, memoryLimit, path, sample, json, csv;
+    std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, frames, seconds, rounds, memoryLimit, path, sample, json, csv;
     bool                       noVerify = false, noShade = false, noCount = false, peers = false;
 };
 
 constexpr std::int64_t kMaxFrames     = 1'000'000;
+constexpr double       kMaxSeconds    = 3'600;
 constexpr std::int64_t kMaxSamples    = 100'000'000;
 constexpr std::size_t  kWarningsShown = 0;  // 'info' is the place for them; here they would part the table
 
@@ -85,6 +86,13 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
         if (!frames) return frames.error();
         request.frames = static_cast<int>(*frames);
     }
+    if (options.seconds) {
+        const auto seconds = realNumber(*options.seconds, "--seconds");
+        if (!seconds) return seconds.error();
+        if (*seconds < 0 || *seconds > kMaxSeconds)
+            return Error{Trouble::Usage, fmt::format("--seconds is from 0 to {:.0f}, not '{}'", kMaxSeconds, *options.seconds)};
+        request.leastMs = *seconds * 1000;
+    }
     if (options.rounds) {
         const auto rounds = wholeNumber(*options.rounds, "--rounds", 1, request.frames);
         if (!rounds) return rounds.error();
@@ -102,7 +110,7 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
 Result<Exit> benchExperiment(const BenchOptions& options, const ViewWords& words, Session& session)
 {
     const bool saysMore = !options.scenes.empty() || !words.given.empty() || words.faceCulling || options.suite || options.algorithms || options.threads ||
-                          options.simd || options.frames || options.rounds || options.path || options.sample || options.peers || options.noVerify || options.noShade || options.noCount;
+                          options.simd || options.frames || options.seconds || options.rounds || options.path || options.sample || options.peers || options.noVerify || options.noShade || options.noCount;
     if (saysMore) return Error{Trouble::Usage, "an experiment says which scenes are drawn how: only --shard, --memory-limit, --json and --csv go with it"};
     ExperimentOptions experiment{.file = *options.experiment, .json = options.json, .csv = options.csv};
     if (options.shard) {
@@ -126,6 +134,7 @@ Result<std::optional<NamedPath>> pathOf(const BenchOptions& options, const ViewW
         if (option != "--size") return Error{Trouble::Usage, fmt::format("--path says where the camera is: only --size and --cull go with it, not {}", option)};
     if (options.peers) return Error{Trouble::Usage, "--peers are timed on one view, not along a path"};
     if (options.rounds) return Error{Trouble::Usage, "--path is travelled as often as the timed frames need: --rounds part the frames of one view"};
+    if (options.seconds) return Error{Trouble::Usage, "--path is travelled as often as the timed frames need: --seconds are of one view"};
     auto path = cameraPathOf(*options.path);
     if (!path) return path.error();
     return std::optional(*std::move(path));
@@ -225,6 +234,7 @@ Command addBench(CLI::App& parent)
     option("--threads", options->threads, "N[,N...]", "Thread counts (default: one per core, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
+    option("--seconds", options->seconds, "S", "Timed frames go on, beyond --frames, until those of a run took S seconds (default 0)");
     option("--rounds", options->rounds, "N", "Turns that these frames are parted in, every run after the other in each (default 1)");
     option("--path", options->path, "FILE.json", "Move the camera from key frame to key frame, as often as the timed frames need (docs/experiments.md)");
     option("--sample", options->sample, "N", "Check N random pixels of each picture instead of all");

@@ -9,6 +9,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/measure/bench_summary.h"
+#include "core/measure/frame_quota.h"
 #include "core/measure/series_json.h"
 
 namespace zscope {
@@ -111,9 +112,10 @@ private:
     {
         const auto before = [this](int each) { return static_cast<int>(std::int64_t{m_request.frames} * each / m_request.rounds); };
         std::vector<double> ms;
-        for (int frame = before(round); frame < before(round + 1); ++frame) {
+        for (FrameQuota quota(before(round + 1) - before(round), m_request.leastMs / m_request.rounds); quota.wantsMore();) {
             Result<FrameReport> report = run.renderer->draw(run.draw, m_frame);
             if (!report) return report.error();
+            quota.drawn(report->frameMs);
             ms.push_back(report->frameMs);
             run.reports.push_back(*std::move(report));
         }
@@ -217,7 +219,7 @@ PairedRatio pairedRatio(std::span<const double> roundMs, std::span<const double>
 
 Result<std::vector<BenchRow>> bench(const BenchRequest& request)
 {
-    assert(request.frames >= 1 && request.warmUp >= 0 && request.rounds >= 1 && request.rounds <= request.frames);
+    assert(request.frames >= 1 && request.leastMs >= 0 && request.warmUp >= 0 && request.rounds >= 1 && request.rounds <= request.frames);
     return Bench(request).run();
 }
 
@@ -305,6 +307,7 @@ std::string benchToJson(std::span<const BenchRow> rows)
                         {"median_ms", row.medianMs},
                         {"q1_ms", row.q1Ms},
                         {"q3_ms", row.q3Ms},
+                        {"frames", row.frames},
                         {"triangles", row.triangles},
                         {"pixels", row.pixels},
                         {"read_ms", row.load.readMs},

@@ -1,8 +1,8 @@
 // Times algorithms on a scene: verified first, then timed without a probe, then explained by counters.
 //
 // Runs       every algorithm with every thread count and vector target, shaded, or ids and depth alone, or both; each has
-//            warm-up frames, then `frames` timed ones; one that chooses by trials has them behind it before. Counters come
-//            from a separate run and never slow a timed one
+//            warm-up frames, then `frames` timed ones, or as many as `leastMs` wants; one that chooses by trials has them behind
+//            it before. Counters come from a separate run and never slow a timed one
 // Verified   the first picture of every run, and the last timed one, which stands on what all before it have left. Of methods that draw faces the first of each algorithm is judged against
 //            the reference, which takes long, and the others against that first one. A picture that differs gets all its
 //            error figures; one that does not has zeros for the cost of the comparison alone
@@ -53,7 +53,8 @@ struct BenchRequest {
     std::vector<Simd>            simd        = {Simd::Auto};
     int                          warmUp      = 3;    // frames before the timed ones
     int                          frames      = 30;   // timed, at least 1
-    int                          rounds      = 1;    // 1 to frames
+    double                       leastMs     = 0;    // that the timed frames of a run take together: more frames, if need be
+    int                          rounds      = 1;    // 1 to frames; each has its part of both
     BenchPictures                pictures    = BenchPictures::Shaded;
     bool                         verify      = true; // against the brute-force reference
     std::optional<std::uint64_t> samples     = {};   // random pixels that are verified instead of all
@@ -90,6 +91,7 @@ struct BenchRow {
     std::uint64_t               samples = 0;  // pixels that were verified, of each frame; 0: all
 
     double        bestMs = 0, medianMs = 0, q1Ms = 0, q3Ms = 0;  // of a frame
+    std::uint64_t frames    = 0;                                 // that were timed
     std::uint64_t triangles = 0;                                 // of the scene, instances included
     std::uint64_t pixels    = 0;                                 // of the picture
     double        buildMs   = 0;                                 // making the scene ready for drawing, once

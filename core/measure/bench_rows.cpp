@@ -68,6 +68,7 @@ BenchRow rowOf(const Json& json)
     row.medianMs = amountOf(json.at("median_ms"));
     row.q1Ms = amountOf(json.at("q1_ms"));
     row.q3Ms = amountOf(json.at("q3_ms"));
+    if (json.contains("frames")) row.frames = wholeOf<std::uint64_t>(json.at("frames"));  // older records do not tell
     row.triangles = wholeOf<std::uint64_t>(json.at("triangles"));
     row.load.readMs = amountOf(json.at("read_ms"));
     row.load.parseMs = amountOf(json.at("parse_ms"));

@@ -36,6 +36,7 @@ void summarise(std::vector<FrameReport> reports, BenchRow& row)
 {
     std::ranges::sort(reports, {}, &FrameReport::frameMs);
     const auto at = [&reports](double p) -> const FrameReport& { return reports[quantileRank(reports.size(), p)]; };
+    row.frames    = reports.size();
     row.bestMs    = reports.front().frameMs;
     row.q1Ms      = at(0.25).frameMs;
     row.medianMs  = at(0.5).frameMs;

@@ -66,6 +66,15 @@ TEST_F(Cli, ABenchTimesItsRunsInTurnIfTold)
     EXPECT_EQ(rounds({"--frames", "7", "--rounds", "3"}), (std::vector<std::size_t>{3, 3, 3, 3}));
 }
 
+TEST_F(Cli, SecondsAreFilledByTheRunsAndByThePeers)
+{
+    const Answer answer = run({"bench", "builtin:cubes", "--peers", "--size", "40x30", "--algorithms", "zbuffer", "--threads", "2", "--frames", "1", "--seconds", "0.05", "--json", path("r.json")});
+    if (answer.err.find(kNobody) != std::string::npos) GTEST_SKIP() << answer.err;
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    for (const Json& row : Json::parse(contentsOf(path("r.json"))))
+        EXPECT_TRUE(row["frames"].get<int>() > 1 || row["median_ms"].get<double>() >= 50) << row["algorithm"] << " drew " << row["frames"] << " frames of " << row["median_ms"] << " ms";
+}
+
 TEST_F(Cli, ABenchTellsOfEachSceneItsOwnRunsFirstAndThePeersThen)
 {
     const std::vector<std::string> scenes{"builtin:cubes", "builtin:teapot"};

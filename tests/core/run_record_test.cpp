@@ -1,6 +1,7 @@
 // What a run's record says: quartiles of stages, error figures, costs per piece of work, and the set worth choosing from.
 #include "core/measure/bench.h"
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/measure/approximate_switches.h"
+#include "core/measure/frame_quota.h"
 #include "core/measure/reference.h"
 #include "core/measure/speed_error.h"
 #include "core/measure/unit_costs.h"
@@ -87,6 +89,35 @@ TEST(Bench, EveryOtherRoundGoesBackThroughTheRunsSoThatNobodyAlwaysFollowsTheSam
     order.erase(order.begin(), order.end() - 9);  // before: the first pictures
     EXPECT_EQ(order, (std::vector<std::string>{"zbuffer", "scanline", "interval", "interval", "scanline", "zbuffer", "zbuffer", "scanline", "interval"}));
     for (const BenchRow& row : *rows) EXPECT_EQ(row.roundMs.size(), 3u) << row.algorithm;
+}
+
+TEST(Bench, FramesGoOnUntilTheyTookTheTimeThatWasAskedFor)
+{
+    const auto framesDrawn = [](int frames, double leastMs, double each) {
+        FrameQuota quota(frames, leastMs);
+        int        drawn = 0;
+        for (; quota.wantsMore(); ++drawn) quota.drawn(each);
+        return drawn;
+    };
+    EXPECT_EQ(framesDrawn(3, 0, 0.5), 3);
+    EXPECT_EQ(framesDrawn(3, 1, 0.5), 3);
+    EXPECT_EQ(framesDrawn(3, 1.75, 0.5), 4);
+    EXPECT_EQ(framesDrawn(3, 1000, 0.5), 2000);
+    EXPECT_EQ(framesDrawn(3, 1000, 0), static_cast<int>(FrameQuota::kMost));  // of a clock that stands still
+
+    auto request       = requestFor("cubes", {presetNamed("zbuffer"), presetNamed("scanline")});
+    request.frames     = 1;
+    const auto few     = bench(request);
+    request.leastMs    = 60;
+    const auto lasting = bench(request);
+    request.frames = request.rounds = 4;
+    const auto turns   = bench(request);
+    ASSERT_TRUE(few.ok() && lasting.ok() && turns.ok());
+    for (const BenchRow& row : *few) EXPECT_EQ(row.frames, 1u) << row.algorithm;
+    // One frame may have been enough, but then it was long.
+    for (const BenchRow& row : *lasting) EXPECT_TRUE(row.frames > 1 || row.medianMs >= 60) << row.algorithm << ": one frame of " << row.medianMs << " ms";
+    for (const BenchRow& row : *turns) EXPECT_TRUE(row.frames > 4 || std::ranges::min(row.roundMs) >= 15) << row.algorithm << ": four frames";
+    EXPECT_EQ(benchFromJson(benchToJson(*lasting))->front().frames, lasting->front().frames);
 }
 
 TEST(Bench, AnExactPictureHasFiguresOfZeroAndOthersAllThatCompareFinds)

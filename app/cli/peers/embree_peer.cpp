@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/base/stopwatch.h"
+#include "core/measure/frame_quota.h"
 
 namespace zscope::cli {
 namespace {
@@ -93,7 +94,7 @@ public:
 
         const Mode mode = fastestMode();
         for (int frame = 0; frame < m_request.warmUp; ++frame) trace(mode);
-        for (int frame = 0; frame < m_request.frames; ++frame) {
+        for (FrameQuota quota(m_request.frames, m_request.leastMs); quota.wantsMore(); quota.drawn(run.frameMs.back())) {
             if (m_request.progress.cancelled()) return Error{Trouble::Cancelled, "the rays were not wanted any more"};
             Stopwatch begun;
             trace(mode);

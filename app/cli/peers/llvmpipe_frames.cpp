@@ -10,6 +10,7 @@
 
 #include "app/cli/peers/gl_functions.h"
 #include "core/base/stopwatch.h"
+#include "core/measure/frame_quota.h"
 
 namespace zscope::cli {
 namespace {
@@ -100,11 +101,12 @@ public:
         run.buildMs = start.lap();
         if (!prepare()) return Error{Trouble::Limit, "OSMesa has no frame buffer of that size"};
 
-        for (int frame = -m_request.warmUp; frame < m_request.frames; ++frame) {
+        for (int frame = 0; frame < m_request.warmUp; ++frame) draw();
+        for (FrameQuota quota(m_request.frames, m_request.leastMs); quota.wantsMore(); quota.drawn(run.frameMs.back())) {
             if (m_request.progress.cancelled()) return Error{Trouble::Cancelled, "the frames were not wanted any more"};
             Stopwatch begun;
             draw();
-            if (frame >= 0) run.frameMs.push_back(begun.lap());
+            run.frameMs.push_back(begun.lap());
         }
         readDepth(run);
         if (gl.glGetError() != GL_NO_ERROR) return Error{Trouble::Limit, "OSMesa reports an error, most likely for lack of memory"};

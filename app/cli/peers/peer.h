@@ -29,6 +29,7 @@ struct PeerRequest {
     int          threads     = 1;  // cores it may use
     int          warmUp      = 3;  // frames before the timed ones
     int          frames      = 30; // timed, at least 1
+    double       leastMs     = 0;  // that the timed frames take together, by more of them if need be
     Progress     progress    = {};
 };
 

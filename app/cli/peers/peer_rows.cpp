@@ -71,6 +71,7 @@ Result<std::vector<BenchRow>> benchPeers(const BenchRequest& request)
                                             .threads     = threads,
                                             .warmUp      = request.warmUp,
                                             .frames      = request.frames,
+                                            .leastMs     = request.leastMs,
                                             .progress    = request.progress});
             if (!run) return run.error();
             const PeerDifference difference = differenceOf(*run, own->ids, own->depth);
@@ -83,6 +84,7 @@ Result<std::vector<BenchRow>> benchPeers(const BenchRequest& request)
             row.chosen      = run->setting;
             row.threads     = threads;
             row.simd        = Simd::Auto;
+            row.frames      = run->frameMs.size();
             row.shaded      = peer.shades;
             row.wrongPixels = difference.pixels;
             row.bestMs      = run->frameMs.front();
