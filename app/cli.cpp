@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/session.h"
@@ -28,9 +28,9 @@ bool isUnknownCommand(std::string_view word, const std::vector<Command>& command
 
 Exit usage(Session& session, const std::vector<Command>& commands, std::string sentence)
 {
-    const auto asked = std::ranges::find_if(commands, [](const Command& c) { return c.parser->parsed(); });
-    const std::string name = asked == commands.end() ? "" : asked->parser->get_name() + " ";
-    const Exit        exit = session.fail({Trouble::Usage, std::move(sentence)});
+    const auto        asked = std::ranges::find_if(commands, [](const Command& c) { return c.parser->parsed(); });
+    const std::string name  = asked == commands.end() ? "" : asked->parser->get_name() + " ";
+    const Exit        exit  = session.fail({Trouble::Usage, std::move(sentence)});
     session.note(fmt::format("'zscope-cli {}--help' lists what can be said", name));
     return exit;
 }
@@ -42,11 +42,11 @@ Exit run(int argc, char** argv)
                     "zscope-cli");
     parser.set_version_flag("--version", "ZScope " ZSCOPE_VERSION);
     parser.require_subcommand(1);
-    const std::vector<Command> commands{addRender(parser), addInfo(parser),  addExport(parser), addVerify(parser),
-                                        addStep(parser),   addExplain(parser), addLesson(parser), addCompare(parser), addBench(parser), addMerge(parser), addList(parser)};
-    bool quiet = false;
-    for (const Command& command : commands)
-        command.parser->add_flag("--quiet", quiet, "Show no progress");
+    const std::vector<Command> commands{addRender(parser), addInfo(parser),    addExport(parser), addVerify(parser),
+                                        addStep(parser),   addExplain(parser), addLesson(parser), addCompare(parser),
+                                        addBench(parser),  addMerge(parser),   addList(parser)};
+    bool                       quiet = false;
+    for (const Command& command : commands) command.parser->add_flag("--quiet", quiet, "Show no progress");
 
     if (argc > 1 && isUnknownCommand(argv[1], commands)) {
         std::vector<std::string> valid;

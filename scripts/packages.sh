@@ -16,7 +16,7 @@ packages_for_the_window=(
 packages_to_compare=(libembree-dev libosmesa6-dev)  # other renderers, for `bench --peers`
 packages_to_test=(
     libgtest-dev libgmp-dev xvfb xauth parallel poppler-utils
-    clang libomp-dev libclang-rt-14-dev llvm
+    clang libomp-dev libclang-rt-14-dev llvm clang-format
 )
 
 # require_packages NAME...: installs those that are missing, and asks nobody anything. Does nothing, and needs no

@@ -9,6 +9,9 @@ source scripts/packages.sh
 
 require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${packages_to_test[@]}" "${packages_to_compare[@]}"
 
+# The layout of the code is clang-format's, as .clang-format says: `git ls-files '*.h' '*.cpp' | xargs clang-format -i` mends it.
+git ls-files -z '*.h' '*.cpp' | xargs -0 clang-format --dry-run --Werror
+
 # Threads: the thread sanitizer must find the seeded race and nothing else.
 build_preset tsan threads_test seeded_race
 run_tests tsan -L threads

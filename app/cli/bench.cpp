@@ -22,8 +22,9 @@ namespace {
 struct BenchOptions {
     std::vector<std::string>   scenes;
     ViewOptions                view;
-    std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, frames, seconds, rounds, memoryLimit, path, sample, json, csv;
-    bool                       noVerify = false, noShade = false, noCount = false, peers = false;
+    std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, frames, seconds, rounds,
+        memoryLimit, path, sample, json, csv;
+    bool noVerify = false, noShade = false, noCount = false, peers = false;
 };
 
 constexpr std::int64_t kMaxFrames     = 1'000'000;
@@ -35,7 +36,8 @@ constexpr std::size_t  kWarningsShown = 0;  // 'info' is the place for them; her
 Result<const Suite*> suiteOf(const BenchOptions& options)
 {
     if (!options.suite) {
-        if (options.scenes.empty()) return Error{Trouble::Usage, "SCENE is missing: name a scene, or a suite with --suite"};
+        if (options.scenes.empty())
+            return Error{Trouble::Usage, "SCENE is missing: name a scene, or a suite with --suite"};
         return nullptr;
     }
     if (const Suite* suite = findSuite(*options.suite)) return suite;
@@ -90,7 +92,8 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
         const auto seconds = realNumber(*options.seconds, "--seconds");
         if (!seconds) return seconds.error();
         if (*seconds < 0 || *seconds > kMaxSeconds)
-            return Error{Trouble::Usage, fmt::format("--seconds is from 0 to {:.0f}, not '{}'", kMaxSeconds, *options.seconds)};
+            return Error{Trouble::Usage,
+                         fmt::format("--seconds is from 0 to {:.0f}, not '{}'", kMaxSeconds, *options.seconds)};
         request.leastMs = *seconds * 1000;
     }
     if (options.rounds) {
@@ -109,9 +112,14 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
 /// An experiment says itself what is drawn how: nothing else may.
 Result<Exit> benchExperiment(const BenchOptions& options, const ViewWords& words, Session& session)
 {
-    const bool saysMore = !options.scenes.empty() || !words.given.empty() || words.faceCulling || options.suite || options.algorithms || options.threads ||
-                          options.simd || options.frames || options.seconds || options.rounds || options.path || options.sample || options.peers || options.noVerify || options.noShade || options.noCount;
-    if (saysMore) return Error{Trouble::Usage, "an experiment says which scenes are drawn how: only --shard, --memory-limit, --json and --csv go with it"};
+    const bool saysMore = !options.scenes.empty() || !words.given.empty() || words.faceCulling || options.suite
+                          || options.algorithms || options.threads || options.simd || options.frames || options.seconds
+                          || options.rounds || options.path || options.sample || options.peers || options.noVerify
+                          || options.noShade || options.noCount;
+    if (saysMore)
+        return Error{
+            Trouble::Usage,
+            "an experiment says which scenes are drawn how: only --shard, --memory-limit, --json and --csv go with it"};
     ExperimentOptions experiment{.file = *options.experiment, .json = options.json, .csv = options.csv};
     if (options.shard) {
         const auto shard = shardOf(*options.shard);
@@ -131,10 +139,17 @@ Result<std::optional<NamedPath>> pathOf(const BenchOptions& options, const ViewW
 {
     if (!options.path) return std::optional<NamedPath>();
     for (const std::string& option : words.given)
-        if (option != "--size") return Error{Trouble::Usage, fmt::format("--path says where the camera is: only --size and --cull go with it, not {}", option)};
+        if (option != "--size")
+            return Error{
+                Trouble::Usage,
+                fmt::format("--path says where the camera is: only --size and --cull go with it, not {}", option)};
     if (options.peers) return Error{Trouble::Usage, "--peers are timed on one view, not along a path"};
-    if (options.rounds) return Error{Trouble::Usage, "--path is travelled as often as the timed frames need: --rounds part the frames of one view"};
-    if (options.seconds) return Error{Trouble::Usage, "--path is travelled as often as the timed frames need: --seconds are of one view"};
+    if (options.rounds)
+        return Error{Trouble::Usage,
+                     "--path is travelled as often as the timed frames need: --rounds part the frames of one view"};
+    if (options.seconds)
+        return Error{Trouble::Usage,
+                     "--path is travelled as often as the timed frames need: --seconds are of one view"};
     auto path = cameraPathOf(*options.path);
     if (!path) return path.error();
     return std::optional(*std::move(path));
@@ -143,7 +158,8 @@ Result<std::optional<NamedPath>> pathOf(const BenchOptions& options, const ViewW
 Result<std::optional<std::uint64_t>> samplesOf(const BenchOptions& options)
 {
     if (!options.sample) return std::optional<std::uint64_t>();
-    if (options.noVerify) return Error{Trouble::Usage, "--sample says how much is checked, and --no-verify that nothing is"};
+    if (options.noVerify)
+        return Error{Trouble::Usage, "--sample says how much is checked, and --no-verify that nothing is"};
     const auto samples = wholeNumber(*options.sample, "--sample", 1, kMaxSamples);
     if (!samples) return samples.error();
     return std::optional(static_cast<std::uint64_t>(*samples));
@@ -159,7 +175,8 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
     const std::vector<Output> outputs{{"--json", options.json}, {"--csv", options.csv}};
     if (const auto checked = checkOutputs(outputs, inputs); !checked) return checked.error();
     if (options.experiment) return benchExperiment(options, *words, session);
-    if (options.shard) return Error{Trouble::Usage, "--shard parts the cases of an experiment: name one with --experiment"};
+    if (options.shard)
+        return Error{Trouble::Usage, "--shard parts the cases of an experiment: name one with --experiment"};
     const Result<const Suite*> suite = suiteOf(options);
     if (!suite) return suite.error();
     Result<BenchRequest> request = requestOf(options, *suite, session);
@@ -180,23 +197,27 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
     const auto scenes = benchScenesOf(options.scenes, *suite);
     if (!scenes) return scenes.error();
 
-    // The peers come last: what their libraries leave in the process may make our later frames longer (docs/performance.md).
+    // The peers come last: what their libraries leave in the process may make our later frames longer
+    // (docs/performance.md).
     std::vector<std::vector<BenchRow>> rowsOf(scenes->size());
     for (const bool ofPeers : {false, true}) {
         if (ofPeers && !options.peers) break;
         for (std::size_t i = 0; i < scenes->size(); ++i) {
             const BenchScene& each = (*scenes)[i];
             request->load          = {};
-            const auto scene       = cli::loadScene(each.word, session, request->memoryLimit, kWarningsShown, &request->load);
+            const auto scene = cli::loadScene(each.word, session, request->memoryLimit, kWarningsShown, &request->load);
             if (!scene) return scene.error();
             if (const auto checked = checkOutputs(outputs, (*scene)->files); !checked) return checked.error();
             const auto view = each.viewOf(**scene, *words);
             if (!view) return view.error();
-            if (each.isStandIn && !ofPeers) session.note(fmt::format("'{}' stands in for a model that is not here: {}", each.word, each.title));
-            request->scene       = *scene;
-            request->camera      = view->camera;
-            request->faceCulling = view->faceCulling;
-            Result<std::vector<BenchRow>> measured = ofPeers ? benchPeers(*request) : *path ? alongPath(*request, **path) : bench(*request);
+            if (each.isStandIn && !ofPeers)
+                session.note(fmt::format("'{}' stands in for a model that is not here: {}", each.word, each.title));
+            request->scene                         = *scene;
+            request->camera                        = view->camera;
+            request->faceCulling                   = view->faceCulling;
+            Result<std::vector<BenchRow>> measured = ofPeers ? benchPeers(*request)
+                                                     : *path ? alongPath(*request, **path)
+                                                             : bench(*request);
             if (!measured) return measured.error();
             for (BenchRow& row : *measured) {
                 row.scene = each.nameFor(**scene);
@@ -222,21 +243,26 @@ Command addBench(CLI::App& parent)
 {
     CLI::App* parser  = parent.add_subcommand("bench", "Check algorithms, then time them");
     auto      options = std::make_shared<BenchOptions>();
-    parser->add_option("SCENE", options->scenes, "One or more scenes, as for render; with --suite instead of its own")->type_name("");
+    parser->add_option("SCENE", options->scenes, "One or more scenes, as for render; with --suite instead of its own")
+        ->type_name("");
     options->view.add(*parser);
     const auto option = [&](const char* name, std::optional<std::string>& value, const char* type, const char* help) {
         parser->add_option(name, value, help)->type_name(type);
     };
     option("--suite", options->suite, "NAME", "A named choice of scenes, algorithms and threads, see 'list suites'");
-    option("--experiment", options->experiment, "FILE.json", "A question written down in a file: its scenes, algorithms and rounds (docs/experiments.md)");
+    option("--experiment", options->experiment, "FILE.json",
+           "A question written down in a file: its scenes, algorithms and rounds (docs/experiments.md)");
     option("--shard", options->shard, "I/N", "Only every N-th case of the experiment, beginning with the I-th");
     option("--algorithms", options->algorithms, "NAME[,NAME...]|all", "Which algorithms (default all, or the suite's)");
     option("--threads", options->threads, "N[,N...]", "Thread counts (default: one per core, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
-    option("--seconds", options->seconds, "S", "Timed frames go on, beyond --frames, until those of a run took S seconds (default 0)");
-    option("--rounds", options->rounds, "N", "Turns that these frames are parted in, every run after the other in each (default 1)");
-    option("--path", options->path, "FILE.json", "Move the camera from key frame to key frame, as often as the timed frames need (docs/experiments.md)");
+    option("--seconds", options->seconds, "S",
+           "Timed frames go on, beyond --frames, until those of a run took S seconds (default 0)");
+    option("--rounds", options->rounds, "N",
+           "Turns that these frames are parted in, every run after the other in each (default 1)");
+    option("--path", options->path, "FILE.json",
+           "Move the camera from key frame to key frame, as often as the timed frames need (docs/experiments.md)");
     option("--sample", options->sample, "N", "Check N random pixels of each picture instead of all");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
     parser->add_flag("--peers", options->peers, "Time Embree and llvmpipe too, on the same triangles and camera");

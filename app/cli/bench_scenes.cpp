@@ -14,7 +14,9 @@ constexpr std::uint64_t kMaxCameraFile = 1 << 20;  // bytes; ten numbers need a 
 Result<Done> readCamera(std::string_view file, BenchScene& scene)
 {
     const auto path = findProjectFile(file);
-    if (!path) return Error{Trouble::Input, "this file of the project was not found, neither here nor above the program", std::string(file)};
+    if (!path)
+        return Error{Trouble::Input, "this file of the project was not found, neither here nor above the program",
+                     std::string(file)};
     const Result<std::string> text = readRegularFile(*path, kMaxCameraFile);
     if (!text) return text.error();
     const Result<Camera> camera = cameraFromJson(*text, *path);
@@ -58,10 +60,10 @@ std::string BenchScene::options() const
 
 Result<BenchScene> benchSceneOf(const SuiteScene& from, std::optional<FaceCulling> faceCulling)
 {
-    BenchScene scene{.word        = std::string(from.word),
-                     .view        = std::string(from.view),
-                     .title       = std::string(from.title),
-                     .faceCulling = faceCulling};
+    BenchScene       scene{.word        = std::string(from.word),
+                           .view        = std::string(from.view),
+                           .title       = std::string(from.title),
+                           .faceCulling = faceCulling};
     std::string_view camera = from.camera;
     if (!from.model.empty()) {
         const auto model = findProjectFile(from.model);
@@ -95,7 +97,8 @@ Result<std::vector<BenchScene>> benchScenesOf(const std::vector<std::string>& sa
 Result<NamedPath> cameraPathOf(const std::string& file)
 {
     const auto found = findProjectFile(file);
-    if (!found) return Error{Trouble::Input, "this camera path was not found, neither here nor above the program", file};
+    if (!found)
+        return Error{Trouble::Input, "this camera path was not found, neither here nor above the program", file};
     const Result<std::string> text = readRegularFile(*found, kMaxPathFile);
     if (!text) return text.error();
     Result<CameraPath> path = cameraPathFromJson(*text, *found);

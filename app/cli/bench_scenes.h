@@ -1,4 +1,5 @@
-// What a benchmark draws: scenes named on the command line, or those of a suite with the views and cameras it gives them.
+// What a benchmark draws: scenes named on the command line, or those of a suite with the views and cameras it gives
+// them.
 #pragma once
 
 #include <memory>
@@ -23,7 +24,8 @@ struct BenchScene {
     bool                       isStandIn   = false;
 
     std::string nameFor(const Scene& scene) const;
-    /// What was said on the command line goes over the file's camera: a size keeps the rest of it, anything else replaces it.
+    /// What was said on the command line goes over the file's camera: a size keeps the rest of it, anything else
+    /// replaces it.
     Result<ViewWords::View> viewOf(const Scene& scene, const ViewWords& words) const;
     /// The words that draw it again, for `render` and `bench`.
     std::string options() const;
@@ -31,7 +33,8 @@ struct BenchScene {
 
 /// What a suite or an experiment calls a scene. Errors: Input when a file of the project is missing.
 Result<BenchScene> benchSceneOf(const SuiteScene& scene, std::optional<FaceCulling> faceCulling);
-/// Scenes that were said replace those of the suite; suite may be nullptr. Errors: Input when a file of the project is missing.
+/// Scenes that were said replace those of the suite; suite may be nullptr. Errors: Input when a file of the project is
+/// missing.
 Result<std::vector<BenchScene>> benchScenesOf(const std::vector<std::string>& said, const Suite* suite);
 
 struct NamedPath {

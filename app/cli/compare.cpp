@@ -31,13 +31,17 @@ Result<CompareRequest> requestOf(const CompareOptions& options, Session& session
 {
     CompareRequest request;
     request.progress = session.progress();
-    if (!options.algorithms) return Error{Trouble::Usage, "--algorithms is missing: name two or more, see 'zscope-cli list algorithms'"};
+    if (!options.algorithms)
+        return Error{Trouble::Usage, "--algorithms is missing: name two or more, see 'zscope-cli list algorithms'"};
     const auto algorithms = algorithmsOf(*options.algorithms);
     if (!algorithms) return algorithms.error();
     if (algorithms->size() < 2) return Error{Trouble::Usage, "--algorithms wants two or more to compare: A,B[,C...]"};
     for (const NamedPipeline& each : *algorithms) request.algorithms.push_back({each.name, each.pipeline, each.claim});
-    if (!options.sheet && !options.requireEqual) return Error{Trouble::Usage, "say with -o where the sheet goes, or ask with --require-equal whether the pictures are the same"};
-    if (options.sheet && isPdf(*options.sheet) && !kHasPdf) return Error{Trouble::Usage, "this build writes no PDF, only PNG: Cairo was not found when it was made"};
+    if (!options.sheet && !options.requireEqual)
+        return Error{Trouble::Usage,
+                     "say with -o where the sheet goes, or ask with --require-equal whether the pictures are the same"};
+    if (options.sheet && isPdf(*options.sheet) && !kHasPdf)
+        return Error{Trouble::Usage, "this build writes no PDF, only PNG: Cairo was not found when it was made"};
     if (options.threads) {
         const Result<int> threads = threadsOf(*options.threads);
         if (!threads) return threads.error();
@@ -63,18 +67,29 @@ Result<CompareRequest> requestOf(const CompareOptions& options, Session& session
 
 std::string tableOf(const Comparison& comparison)
 {
-    Table table({{"algorithm", Table::Align::Left}, {"median ms"}, {"best ms"}, {"holes"}, {"spills"}, {"wrong surface"}, {"depth steps"},
-                 {"differ from first"}, {"depth bits differ"}, {"colours differ"}, {"", Table::Align::Left}});
+    Table table({{"algorithm", Table::Align::Left},
+                 {"median ms"},
+                 {"best ms"},
+                 {"holes"},
+                 {"spills"},
+                 {"wrong surface"},
+                 {"depth steps"},
+                 {"differ from first"},
+                 {"depth bits differ"},
+                 {"colours differ"},
+                 {"", Table::Align::Left}});
     for (const ComparedAlgorithm& a : comparison.algorithms) {
         const ErrorFigures& f = *a.againstReference;
-        table.row({a.algorithm.name, fmt::format("{:.3f}", a.report.frameMs), fmt::format("{:.3f}", a.bestMs), grouped(f.holes), grouped(f.spills),
-                   grouped(f.wrongSurface()), grouped(f.maxDepthSteps), grouped(a.againstFirst.wrongPixels()), grouped(a.againstFirst.depthBitsDiffer),
+        table.row({a.algorithm.name, fmt::format("{:.3f}", a.report.frameMs), fmt::format("{:.3f}", a.bestMs),
+                   grouped(f.holes), grouped(f.spills), grouped(f.wrongSurface()), grouped(f.maxDepthSteps),
+                   grouped(a.againstFirst.wrongPixels()), grouped(a.againstFirst.depthBitsDiffer),
                    grouped(a.coloursDiffer), a.isEqualToFirst ? "same picture" : "DIFFERS"});
     }
     return table.text();
 }
 
-Result<Done> writeSheet(const std::string& path, const Comparison& comparison, const Scene& scene, const Camera& camera, Session& session)
+Result<Done> writeSheet(const std::string& path, const Comparison& comparison, const Scene& scene, const Camera& camera,
+                        Session& session)
 {
     const SheetWords           words = sheetWordsOf(comparison, scene, camera, session.reproducingCommand());
     std::optional<TextPainter> text;
@@ -83,10 +98,13 @@ Result<Done> writeSheet(const std::string& path, const Comparison& comparison, c
         if (!opened) return opened.error();
         text.emplace(std::move(*opened));
     } else {
-        session.note("this build was made without FreeType and Fontconfig: the sheet has pictures and bars, but no text");
+        session.note(
+            "this build was made without FreeType and Fontconfig: the sheet has pictures and bars, but no text");
     }
     if (isPdf(path)) {
-        if (!text) return Error{Trouble::Output, "a PDF needs letters, and this build was made without FreeType and Fontconfig", path};
+        if (!text)
+            return Error{Trouble::Output,
+                         "a PDF needs letters, and this build was made without FreeType and Fontconfig", path};
         return writePdfSheet(path, comparison, scene, words, *text);
     }
     const Grid<std::uint32_t> sheet = composeSheet(comparison, scene, words, text ? &*text : nullptr);
@@ -101,7 +119,8 @@ Result<Exit> compareOnSheet(const CompareOptions& options, Session& session)
     Result<CompareRequest> request = requestOf(options, session);
     if (!request) return request.error();
     const std::vector<Output> outputs{{"-o", options.sheet}};
-    if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked) return checked.error();
+    if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked)
+        return checked.error();
     const Result<LoadedScene> scene = options.scene.prepare(session, request->memoryLimit);
     if (!scene) return scene.error();
     if (const auto checked = checkOutputs(outputs, scene->scene->files); !checked) return checked.error();
@@ -114,7 +133,8 @@ Result<Exit> compareOnSheet(const CompareOptions& options, Session& session)
     const auto comparison = compareAlgorithms(*request);
     if (!comparison) return comparison.error();
     if (options.sheet)
-        if (const auto done = writeSheet(*options.sheet, *comparison, *scene->scene, view->camera, session); !done) return done.error();
+        if (const auto done = writeSheet(*options.sheet, *comparison, *scene->scene, view->camera, session); !done)
+            return done.error();
     session.print(tableOf(*comparison));
     return options.requireEqual && !comparison->areAllEqual() ? Exit::CheckFailed : Exit::Done;
 }
@@ -123,20 +143,26 @@ Result<Exit> compareOnSheet(const CompareOptions& options, Session& session)
 
 Command addCompare(CLI::App& parent)
 {
-    CLI::App* parser  = parent.add_subcommand("compare", "Put algorithms side by side: pictures, differences, figures and times");
-    auto      options = std::make_shared<CompareOptions>();
+    CLI::App* parser =
+        parent.add_subcommand("compare", "Put algorithms side by side: pictures, differences, figures and times");
+    auto options = std::make_shared<CompareOptions>();
     options->scene.add(*parser);
     options->view.add(*parser);
     const auto option = [&](const char* name, std::optional<std::string>& value, const char* type, const char* help) {
         parser->add_option(name, value, help)->type_name(type);
     };
-    option("--algorithms", options->algorithms, "A,B[,C...]|all", "Which algorithms; the others are held against the first");
+    option("--algorithms", options->algorithms, "A,B[,C...]|all",
+           "Which algorithms; the others are held against the first");
     option("--threads", options->threads, "N", "How many threads (default: one per core)");
     option("--simd", options->simd, "WORD", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of each (default 9)");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
-    parser->add_flag("--require-equal", options->requireEqual, "Exit with 1 unless all pictures are the same, ids, depth bits and colours; by face where whole faces are drawn");
-    parser->add_option("-o,--output", options->sheet, "The sheet: PNG, or PDF if the name ends so")->type_name("FILE.png|FILE.pdf")->group("Output");
+    parser->add_flag("--require-equal", options->requireEqual,
+                     "Exit with 1 unless all pictures are the same, ids, depth bits and colours; by face where whole "
+                     "faces are drawn");
+    parser->add_option("-o,--output", options->sheet, "The sheet: PNG, or PDF if the name ends so")
+        ->type_name("FILE.png|FILE.pdf")
+        ->group("Output");
     return {parser, [options](Session& session) {
                 const Result<Exit> exit = compareOnSheet(*options, session);
                 return exit ? *exit : session.fail(exit.error());

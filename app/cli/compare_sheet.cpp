@@ -23,7 +23,8 @@ void paste(GridView<std::uint32_t> on, int left, int top, const Grid<std::uint32
                     for (std::size_t i = 0; i < 3; ++i) sums[i] += picture.at(u, v) >> (16 - 8 * i) & 0xFFu;
             const auto    count = static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0);
             std::uint32_t mean  = 0xFF;
-            for (const std::uint64_t sum : sums) mean = mean << 8 | static_cast<std::uint32_t>((sum + count / 2) / count);
+            for (const std::uint64_t sum : sums)
+                mean = mean << 8 | static_cast<std::uint32_t>((sum + count / 2) / count);
             on.at(left + x, top + y) = mean;
         }
 }
@@ -43,7 +44,10 @@ public:
         for (int y = std::max(y0, 0); y < std::min(y1, m_sheet.height()); ++y)
             for (int x = std::max(x0, 0); x < std::min(x1, m_sheet.width()); ++x) m_sheet.at(x, y) = colour;
     }
-    void picture(int x, int y, int width, int height, const Grid<std::uint32_t>& pixels) override { paste(m_sheet.view(), x, y, pixels, width, height); }
+    void picture(int x, int y, int width, int height, const Grid<std::uint32_t>& pixels) override
+    {
+        paste(m_sheet.view(), x, y, pixels, width, height);
+    }
 
     Grid<std::uint32_t> take() { return std::move(m_sheet); }
 
@@ -54,7 +58,8 @@ private:
 
 }  // namespace
 
-Grid<std::uint32_t> composeSheet(const Comparison& comparison, const Scene& scene, const SheetWords& words, TextPainter* text)
+Grid<std::uint32_t> composeSheet(const Comparison& comparison, const Scene& scene, const SheetWords& words,
+                                 TextPainter* text)
 {
     RasterCanvas canvas(text);
     drawSheet(comparison, scene, words, canvas);

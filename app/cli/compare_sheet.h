@@ -12,10 +12,12 @@
 namespace zscope::cli {
 
 /// `text`: nullptr if there is none.
-Grid<std::uint32_t> composeSheet(const Comparison& comparison, const Scene& scene, const SheetWords& words, TextPainter* text);
+Grid<std::uint32_t> composeSheet(const Comparison& comparison, const Scene& scene, const SheetWords& words,
+                                 TextPainter* text);
 
 extern const bool kHasPdf;
 /// Errors: Output.
-Result<Done> writePdfSheet(const std::string& path, const Comparison& comparison, const Scene& scene, const SheetWords& words, TextPainter& text);
+Result<Done> writePdfSheet(const std::string& path, const Comparison& comparison, const Scene& scene,
+                           const SheetWords& words, TextPainter& text);
 
 }  // namespace zscope::cli

@@ -29,16 +29,16 @@ Error at(const std::string& file, int line, const Error& error)
     return {Trouble::Input, fmt::format("'{}': {}", error.file, error.sentence), file, line};
 }
 
-/// Algorithms, files, names of scenes and their views of all parts are looked up before anything is measured: a misspelt one must not cost
-/// an hour.
+/// Algorithms, files, names of scenes and their views of all parts are looked up before anything is measured: a
+/// misspelt one must not cost an hour.
 struct PreparedScene {
     BenchScene                  scene;
     std::vector<BenchAlgorithm> algorithms;  // as those of the part, with the scene's choices
     ViewWords                   view;
 };
 struct PreparedPart {
-    std::vector<PreparedScene>  scenes;  // as those of the part
-    std::optional<NamedPath>    path;
+    std::vector<PreparedScene> scenes;  // as those of the part
+    std::optional<NamedPath>   path;
 };
 
 std::optional<Error> whyNotThere(const BenchScene& scene)
@@ -54,7 +54,8 @@ std::optional<Error> whyNotThere(const BenchScene& scene)
 }
 
 /// Those of the part, each with the scene's choices set. They keep their names: the choices belong to the scene.
-Result<std::vector<BenchAlgorithm>> algorithmsFor(const ExperimentScene& scene, const ExperimentPart& part, const std::string& file)
+Result<std::vector<BenchAlgorithm>> algorithmsFor(const ExperimentScene& scene, const ExperimentPart& part,
+                                                  const std::string& file)
 {
     std::vector<BenchAlgorithm> algorithms;
     for (std::size_t i = 0; i < part.algorithms.size(); ++i) {
@@ -89,7 +90,12 @@ Result<PreparedPart> prepare(const ExperimentPart& part, const std::string& file
     for (const ExperimentScene& from : part.scenes) {
         auto algorithms = algorithmsFor(from, part, file);
         if (!algorithms) return algorithms.error();
-        const SuiteScene scene{.word = from.word, .view = from.view, .title = from.title, .camera = from.camera, .model = from.model, .modelCamera = from.modelCamera};
+        const SuiteScene scene{.word        = from.word,
+                               .view        = from.view,
+                               .title       = from.title,
+                               .camera      = from.camera,
+                               .model       = from.model,
+                               .modelCamera = from.modelCamera};
         auto             named = benchSceneOf(scene, part.faceCulling);
         if (!named) return at(file, from.line, named.error());
         if (auto why = whyNotThere(*named)) return at(file, from.line, *why);
@@ -153,7 +159,8 @@ private:
         std::vector<std::string> inputs;
         for (const PreparedPart& part : m_parts) {
             if (part.path) inputs.push_back(part.path->file);
-            for (const PreparedScene& each : part.scenes) inputs.insert(inputs.end(), {each.scene.word, each.scene.cameraFile});
+            for (const PreparedScene& each : part.scenes)
+                inputs.insert(inputs.end(), {each.scene.word, each.scene.cameraFile});
         }
         return checkOutputs(outputs(), inputs);
     }
@@ -176,7 +183,7 @@ private:
     {
         std::map<std::string, std::vector<std::string>> viewsOf;
         for (const ExperimentCase& each : casesOf(m_experiment)) {
-            const BenchScene& named = preparedOf(each).scene;
+            const BenchScene& named   = preparedOf(each).scene;
             const bool        isModel = !each.scene->model.empty() && !named.isStandIn;  // its camera is in a file
             if (named.view.empty() || isModel) continue;
             auto known = viewsOf.find(named.word);
@@ -189,20 +196,28 @@ private:
             const std::vector<std::string>& views = known->second;
             if (std::ranges::find(views, named.view) != views.end()) continue;
             return Error{Trouble::Input,
-                         fmt::format("'{}' has no view '{}': it has {}", named.word, named.view, views.empty() ? "none" : fmt::format("{}", fmt::join(views, ", "))),
+                         fmt::format("'{}' has no view '{}': it has {}", named.word, named.view,
+                                     views.empty() ? "none" : fmt::format("{}", fmt::join(views, ", "))),
                          m_options.file, each.scene->line};
         }
         return Done{};
     }
 
-    const PreparedPart&  partOf(const ExperimentCase& each) const { return m_parts[static_cast<std::size_t>(each.part - m_experiment.parts.data())]; }
-    static std::size_t   numberOf(const ExperimentCase& each) { return static_cast<std::size_t>(each.scene - each.part->scenes.data()); }
+    const PreparedPart& partOf(const ExperimentCase& each) const
+    {
+        return m_parts[static_cast<std::size_t>(each.part - m_experiment.parts.data())];
+    }
+    static std::size_t numberOf(const ExperimentCase& each)
+    {
+        return static_cast<std::size_t>(each.scene - each.part->scenes.data());
+    }
     const PreparedScene& preparedOf(const ExperimentCase& each) const { return partOf(each).scenes[numberOf(each)]; }
 
     Result<std::shared_ptr<const Scene>> load(const ExperimentCase& each, LoadTimes* times = nullptr) const
     {
         auto scene = cli::loadScene(preparedOf(each).scene.word, m_session, m_options.memoryLimit, 0, times);
-        if (!scene) return scene.error().kind != Trouble::Usage ? scene : at(m_options.file, each.scene->line, scene.error());
+        if (!scene)
+            return scene.error().kind != Trouble::Usage ? scene : at(m_options.file, each.scene->line, scene.error());
         if (const auto checked = checkOutputs(outputs(), (*scene)->files); !checked) return checked.error();
         return scene;
     }
@@ -216,17 +231,19 @@ private:
         Result<Record> begun = recordFromJson(*text, *m_options.json);
         if (!begun) return begun.error();
         if (const std::string why = whyNotComparable(m_record.head, begun->head); !why.empty())
-            return Error{Trouble::Input, fmt::format("this record cannot be gone on with ({}): name another file", why), *m_options.json};
-        m_session.note(fmt::format("going on with '{}': {} of {} cases are there", *m_options.json, begun->cases.size(), m_experiment.caseCount()));
+            return Error{Trouble::Input, fmt::format("this record cannot be gone on with ({}): name another file", why),
+                         *m_options.json};
+        m_session.note(fmt::format("going on with '{}': {} of {} cases are there", *m_options.json, begun->cases.size(),
+                                   m_experiment.caseCount()));
         m_record.cases = std::move(begun->cases);
         return Done{};
     }
 
     Result<Done> measure(const ExperimentCase& each)
     {
-        const PreparedPart&   prepared = partOf(each);
-        const PreparedScene&  asked = preparedOf(each);
-        const BenchScene&     named = asked.scene;
+        const PreparedPart&  prepared = partOf(each);
+        const PreparedScene& asked    = preparedOf(each);
+        const BenchScene&    named    = asked.scene;
 
         LoadTimes  times;
         const auto scene = load(each, &times);
@@ -234,34 +251,41 @@ private:
         const std::string pathDigest = prepared.path ? prepared.path->digest : std::string();
         if (const RecordCase* known = m_record.find(each.index)) {
             if (known->sceneDigest != (*scene)->digest)
-                return Error{Trouble::Input,
-                             fmt::format("this record was made with another scene '{}': its digest was {} and is {}; name another file", known->scene,
-                                         known->sceneDigest, (*scene)->digest),
-                             m_options.json.value_or("")};
+                return Error{
+                    Trouble::Input,
+                    fmt::format(
+                        "this record was made with another scene '{}': its digest was {} and is {}; name another file",
+                        known->scene, known->sceneDigest, (*scene)->digest),
+                    m_options.json.value_or("")};
             if (known->pathDigest != pathDigest)
-                return Error{Trouble::Input, fmt::format("this record was made along another camera path than '{}': name another file", each.part->path),
+                return Error{Trouble::Input,
+                             fmt::format("this record was made along another camera path than '{}': name another file",
+                                         each.part->path),
                              m_options.json.value_or("")};
             return Done{};
         }
-        if (named.isStandIn) m_session.note(fmt::format("'{}' stands in for a model that is not here: {}", named.word, named.title));
+        if (named.isStandIn)
+            m_session.note(fmt::format("'{}' stands in for a model that is not here: {}", named.word, named.title));
         const auto view = named.viewOf(**scene, asked.view);
         if (!view) return view.error();
 
-        const BenchRequest request{.scene       = *scene,
-                                   .camera      = view->camera,
-                                   .faceCulling = view->faceCulling,
-                                   .algorithms  = asked.algorithms,
-                                   .threads     = each.part->threads,
-                                   .frames      = each.part->frames,
-                                   .rounds      = each.part->rounds,
-                                   .pictures    = picturesOf(*each.part),
-                                   .samples     = each.part->samples,
-                                   .memoryLimit = m_options.memoryLimit,
-                                   .load        = times,
-                                   .progress    = m_session.progress()};
+        const BenchRequest  request{.scene       = *scene,
+                                    .camera      = view->camera,
+                                    .faceCulling = view->faceCulling,
+                                    .algorithms  = asked.algorithms,
+                                    .threads     = each.part->threads,
+                                    .frames      = each.part->frames,
+                                    .rounds      = each.part->rounds,
+                                    .pictures    = picturesOf(*each.part),
+                                    .samples     = each.part->samples,
+                                    .memoryLimit = m_options.memoryLimit,
+                                    .load        = times,
+                                    .progress    = m_session.progress()};
         std::vector<Camera> cameras;
         if (prepared.path)
-            if (const auto along = camerasOf(prepared.path->path, (*scene)->bounds, view->camera.width, view->camera.height)) cameras = *along;
+            if (const auto along =
+                    camerasOf(prepared.path->path, (*scene)->bounds, view->camera.width, view->camera.height))
+                cameras = *along;
         auto rows = prepared.path ? alongPath(request, *prepared.path) : bench(request);
         if (!rows) return rows.error();
         if (each.part->peers) {
@@ -285,7 +309,10 @@ private:
         return writeRecord();
     }
 
-    Result<Done> writeRecord() const { return m_options.json ? writeFile(*m_options.json, recordToJson(m_record)) : Result<Done>(Done{}); }
+    Result<Done> writeRecord() const
+    {
+        return m_options.json ? writeFile(*m_options.json, recordToJson(m_record)) : Result<Done>(Done{});
+    }
 
     static BenchPictures picturesOf(const ExperimentPart& part)
     {
@@ -318,7 +345,9 @@ private:
     {
         if (std::ranges::any_of(rows, isPeer)) return peerTablesOf(rows);
         const std::string table = experimentTableOf(rows, m_experiment.baseline);
-        return std::ranges::any_of(rows, [](const BenchRow& row) { return row.series.has_value(); }) ? table + "\n" + seriesTableOf(rows) : table;
+        return std::ranges::any_of(rows, [](const BenchRow& row) { return row.series.has_value(); })
+                   ? table + "\n" + seriesTableOf(rows)
+                   : table;
     }
 
     const ExperimentOptions&  m_options;
@@ -333,7 +362,8 @@ private:
 Result<Shard> shardOf(const std::string& word)
 {
     const std::size_t slash = word.find('/');
-    const Error       wrong{Trouble::Usage, fmt::format("--shard is written i/n with 1 <= i <= n, for example 2/4, not '{}'", word)};
+    const Error       wrong{Trouble::Usage,
+                      fmt::format("--shard is written i/n with 1 <= i <= n, for example 2/4, not '{}'", word)};
     if (slash == std::string::npos) return wrong;
     const auto index = wholeNumber(word.substr(0, slash), "--shard", 1, 1'000'000);
     const auto count = wholeNumber(word.substr(slash + 1), "--shard", 1, 1'000'000);
@@ -341,6 +371,9 @@ Result<Shard> shardOf(const std::string& word)
     return Shard{static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
 }
 
-Result<Exit> runExperiment(const ExperimentOptions& options, Session& session) { return ExperimentRun(options, session).run(); }
+Result<Exit> runExperiment(const ExperimentOptions& options, Session& session)
+{
+    return ExperimentRun(options, session).run();
+}
 
 }  // namespace zscope::cli

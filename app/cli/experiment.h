@@ -1,4 +1,5 @@
-// bench --experiment: measures what an experiment's file asks for, case by case, into a record that outlives an interruption.
+// bench --experiment: measures what an experiment's file asks for, case by case, into a record that outlives an
+// interruption.
 #pragma once
 
 #include <cstddef>
@@ -23,11 +24,12 @@ Result<Shard> shardOf(const std::string& word);
 struct ExperimentOptions {
     std::string                file;
     Shard                      shard       = {};
-    std::uint64_t              memoryLimit = 0;   // bytes; 0: the default
-    std::optional<std::string> json, csv = {};    // the record, which is gone on with if it is there; a view of it
+    std::uint64_t              memoryLimit = 0;  // bytes; 0: the default
+    std::optional<std::string> json, csv = {};   // the record, which is gone on with if it is there; a view of it
 };
 
-/// `request` along the path, in pictures as large as its camera says. Errors: as benchPath(); Input where the path does not fit the scene.
+/// `request` along the path, in pictures as large as its camera says. Errors: as benchPath(); Input where the path does
+/// not fit the scene.
 Result<std::vector<BenchRow>> alongPath(const BenchRequest& request, const NamedPath& path);
 
 /// CheckFailed: a picture was wrong that its algorithm says is not.

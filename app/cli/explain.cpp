@@ -26,7 +26,8 @@ Error usage(std::string sentence) { return {Trouble::Usage, std::move(sentence)}
 
 Result<Asked> askedBy(const ExplainOptions& options)
 {
-    if (options.pixel.has_value() == options.triangle.has_value()) return usage("say either --pixel X,Y or --triangle ID");
+    if (options.pixel.has_value() == options.triangle.has_value())
+        return usage("say either --pixel X,Y or --triangle ID");
     Asked asked;
     if (options.triangle) {
         const auto id = wholeNumber(*options.triangle, "--triangle", 0, static_cast<std::int64_t>(kMaxTriangles));
@@ -79,14 +80,18 @@ Result<Exit> explain(const ExplainOptions& options, Session& session)
 
 Command addExplain(CLI::App& parent)
 {
-    CLI::App* parser  = parent.add_subcommand("explain", "Say why a pixel shows what it shows, or what has become of a triangle");
-    auto      options = std::make_shared<ExplainOptions>();
+    CLI::App* parser =
+        parent.add_subcommand("explain", "Say why a pixel shows what it shows, or what has become of a triangle");
+    auto options = std::make_shared<ExplainOptions>();
     options->scene.add(*parser);
     options->view.add(*parser);
     options->how.add(*parser, HowOptions::Algorithms::One);
-    parser->add_option("--pixel", options->pixel, "Every triangle that meets this pixel, 0,0 is the top left, and what became of it")
+    parser
+        ->add_option("--pixel", options->pixel,
+                     "Every triangle that meets this pixel, 0,0 is the top left, and what became of it")
         ->type_name("X,Y");
-    parser->add_option("--triangle", options->triangle, "What became of this triangle, and who took its pixels")->type_name("ID");
+    parser->add_option("--triangle", options->triangle, "What became of this triangle, and who took its pixels")
+        ->type_name("ID");
     parser->add_flag("--json", options->json, "JSON instead of text");
     return {parser, [options](Session& session) {
                 const Result<Exit> exit = explain(*options, session);

@@ -26,7 +26,8 @@ Result<Done> writeTriangles(const Scene& scene, const std::string& path, const S
         const Mesh& mesh  = *scene.meshes[instance.mesh.value];
         const bool  moved = !instance.toWorld.isIdentity();
         for (const auto& triangle : mesh.triangles) {
-            if (written++ % kTrianglesAtATime == 0 && session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
+            if (written++ % kTrianglesAtATime == 0 && session.interrupted())
+                return Error{Trouble::Cancelled, "interrupted"};
             std::array<double, 9> corners;
             for (std::size_t c = 0; c < 3; ++c) {
                 const dvec3& p = mesh.positions[triangle[c]];

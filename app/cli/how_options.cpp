@@ -18,10 +18,7 @@ std::vector<std::string> presetNames()
     return names;
 }
 
-std::string joined(const std::vector<std::string>& words)
-{
-    return fmt::format("{}", fmt::join(words, ", "));
-}
+std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
 void rename(NamedPipeline& algorithm, const Pipeline& changed)
 {
@@ -49,7 +46,9 @@ Result<Done> applyOrFault(const std::string& setting, std::vector<NamedPipeline>
     constexpr std::string_view kFault = "fault=";
     if (!setting.starts_with(kFault)) return apply(setting, algorithms);
     const FaultEntry* fault = findFault(setting.substr(kFault.size()));
-    if (!fault) return Error{Trouble::Usage, fmt::format("unknown fault '{}': see 'zscope-cli list faults'", setting.substr(kFault.size()))};
+    if (!fault)
+        return Error{Trouble::Usage,
+                     fmt::format("unknown fault '{}': see 'zscope-cli list faults'", setting.substr(kFault.size()))};
     for (NamedPipeline& algorithm : algorithms) {
         Pipeline faulty = algorithm.pipeline;
         faulty.fault    = fault->fault;
@@ -94,7 +93,7 @@ void keepValid(std::vector<NamedPipeline>& algorithms)
 
 void HowOptions::add(CLI::App& parser, Algorithms algorithms)
 {
-    m_algorithms = algorithms;
+    m_algorithms            = algorithms;
     const bool        one   = algorithms == Algorithms::One;
     const std::string which = joined(presetNames());
     parser
@@ -108,7 +107,9 @@ void HowOptions::add(CLI::App& parser, Algorithms algorithms)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->group("How");
-    parser.add_option("--fault", m_fault, "Make one mistake on purpose, see 'list faults'")->type_name("NAME")->group("How");
+    parser.add_option("--fault", m_fault, "Make one mistake on purpose, see 'list faults'")
+        ->type_name("NAME")
+        ->group("How");
     parser.add_option("--threads", m_threads, "Threads to draw with (default: one per core)")
         ->type_name("N")
         ->group("How");
@@ -125,7 +126,7 @@ void HowOptions::add(CLI::App& parser, Algorithms algorithms)
 Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words)
 {
     std::vector<NamedPipeline> algorithms;
-    const auto add = [&algorithms](const Preset& preset) {
+    const auto                 add = [&algorithms](const Preset& preset) {
         algorithms.push_back({std::string(preset.name), preset.pipeline, preset.claim});
     };
     if (words == "all") {
@@ -182,7 +183,7 @@ Result<std::uint64_t> memoryLimitOf(std::string_view word)
 
 Result<How> HowOptions::read() const
 {
-    How  how;
+    How               how;
     const FaultEntry* fault = m_fault ? findFault(*m_fault) : nullptr;
     if (m_fault && !fault) {
         std::vector<std::string> words;
@@ -206,7 +207,8 @@ Result<How> HowOptions::read() const
         }
     }
     if (!m_algorithm && !m_set.empty() && explainInvalid(how.algorithm().pipeline)) {
-        if (auto fitting = firstFitting(m_set, fault ? fault->fault : Fault::None)) how.algorithms = {*std::move(fitting)};
+        if (auto fitting = firstFitting(m_set, fault ? fault->fault : Fault::None))
+            how.algorithms = {*std::move(fitting)};
     }
     const NamedPipeline first = how.algorithm();
     if (algorithm == "all") keepValid(how.algorithms);

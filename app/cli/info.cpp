@@ -55,7 +55,10 @@ Times timesOf(const LoadTimes& load, const std::shared_ptr<const Scene>& scene)
 
 Json jsonOf(const Times& times)
 {
-    return {{"read_ms", times.load.readMs}, {"parse_ms", times.load.parseMs}, {"check_ms", times.load.checkMs}, {"prepare_ms", times.prepareMs}};
+    return {{"read_ms", times.load.readMs},
+            {"parse_ms", times.load.parseMs},
+            {"check_ms", times.load.checkMs},
+            {"prepare_ms", times.prepareMs}};
 }
 
 Json jsonOf(const Scene& scene, const Counts& counts)
@@ -63,22 +66,15 @@ Json jsonOf(const Scene& scene, const Counts& counts)
     Json warnings = Json::array();
     for (const Warning& warning : scene.warnings)
         warnings.push_back({{"file", warning.file}, {"line", warning.line}, {"message", warning.sentence}});
-    return {{"vertices", counts.vertices},
-            {"polygons", counts.polygons},
-            {"triangles", scene.triangleCount()},
-            {"instances", scene.instances.size()},
-            {"groups", counts.groups},
-            {"materials", counts.materials},
-            {"dropped", counts.dropped},
-            {"split", counts.split},
-            {"bounds", cli::jsonOf(scene.bounds)},
-            {"warnings", std::move(warnings)},
-            {"digest", scene.digest}};
+    return {{"vertices", counts.vertices},         {"polygons", counts.polygons}, {"triangles", scene.triangleCount()},
+            {"instances", scene.instances.size()}, {"groups", counts.groups},     {"materials", counts.materials},
+            {"dropped", counts.dropped},           {"split", counts.split},       {"bounds", cli::jsonOf(scene.bounds)},
+            {"warnings", std::move(warnings)},     {"digest", scene.digest}};
 }
 
 std::string tableOf(const Scene& scene, const Counts& counts, const Times* times)
 {
-    Table table({{"scene", Table::Align::Left}, {scene.name, Table::Align::Left}});
+    Table      table({{"scene", Table::Align::Left}, {scene.name, Table::Align::Left}});
     const auto row = [&table](const char* name, std::uint64_t value) { table.row({name, grouped(value)}); };
     row("vertices", counts.vertices);
     row("polygons", counts.polygons);
@@ -96,7 +92,9 @@ std::string tableOf(const Scene& scene, const Counts& counts, const Times* times
     table.row({"warnings", grouped(scene.warnings.size())});
     table.row({"digest", scene.digest});
     if (times) {
-        const auto ms = [&table](const char* name, double value) { table.row({name, fmt::format("{:.1f} ms", value)}); };
+        const auto ms = [&table](const char* name, double value) {
+            table.row({name, fmt::format("{:.1f} ms", value)});
+        };
         ms("read", times->load.readMs);
         ms("parse", times->load.parseMs);
         ms("check", times->load.checkMs);
@@ -118,7 +116,7 @@ Result<Exit> info(const InfoOptions& options, Session& session)
     const auto        scene = cli::loadScene(options.scene.word(), session, limit, shown, &load);
     if (!scene) return scene.error();
     const Counts counts = countsOf(**scene);
-    const Times times = options.times ? timesOf(load, *scene) : Times{};
+    const Times  times  = options.times ? timesOf(load, *scene) : Times{};
     if (!options.json) {
         session.print(tableOf(**scene, counts, options.times ? &times : nullptr));
         return Exit::Done;
@@ -137,7 +135,8 @@ Command addInfo(CLI::App& parent)
     auto      options = std::make_shared<InfoOptions>();
     options->scene.add(*parser);
     parser->add_flag("--json", options->json, "JSON instead of a table; warnings are part of it");
-    parser->add_flag("--times", options->times, "How long reading, parsing, checking and preparing it for drawing took");
+    parser->add_flag("--times", options->times,
+                     "How long reading, parsing, checking and preparing it for drawing took");
     parser->add_option("--memory-limit", options->memoryLimit, "Most memory that the scene may take")->type_name("MIB");
     return {parser, [options](Session& session) {
                 const Result<Exit> exit = info(*options, session);

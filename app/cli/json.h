@@ -14,15 +14,9 @@ namespace zscope::cli {
 using Json = nlohmann::ordered_json;
 
 /// Text that is no UTF-8 (a file name may be any bytes) has its bad bytes replaced.
-inline std::string textOf(const Json& json)
-{
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
+inline std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
-inline Json jsonOf(const dvec3& v)
-{
-    return Json::array({v.x, v.y, v.z});
-}
+inline Json jsonOf(const dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 /// null for a box without anything in it.
 inline Json jsonOf(const Bounds& box)

@@ -1,4 +1,5 @@
-// zscope-cli lesson: checks lessons that a teacher has written, and says where each page stops and what its right answer is.
+// zscope-cli lesson: checks lessons that a teacher has written, and says where each page stops and what its right
+// answer is.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -13,8 +14,11 @@ namespace {
 
 std::string answerText(const LessonQuestion& question, const LessonAnswer& answer)
 {
-    if (answer.choice) return fmt::format("choice {}: {}", *answer.choice + 1, question.choices[*answer.choice].text.in(false));
-    if (answer.number) return answer.tolerance > 0 ? fmt::format("{} +- {}", *answer.number, answer.tolerance) : fmt::format("{}", *answer.number);
+    if (answer.choice)
+        return fmt::format("choice {}: {}", *answer.choice + 1, question.choices[*answer.choice].text.in(false));
+    if (answer.number)
+        return answer.tolerance > 0 ? fmt::format("{} +- {}", *answer.number, answer.tolerance)
+                                    : fmt::format("{}", *answer.number);
     std::size_t pixels = 0;
     std::string first;
     for (int y = 0; y < answer.pixels.height(); ++y)
@@ -26,19 +30,26 @@ std::string answerText(const LessonQuestion& question, const LessonAnswer& answe
 std::optional<Error> checkPage(const LessonPage& page, std::size_t number, const std::string& file, Session& session)
 {
     auto scene = loadScene(page.scene, session, 0, 0);
-    const auto inLesson = [](Trouble kind) { return kind == Trouble::Usage ? Trouble::Input : kind; };  // what it says is the file's fault, not the command's
+    // what it says is the file's fault, not the command's
+    const auto inLesson = [](Trouble kind) { return kind == Trouble::Usage ? Trouble::Input : kind; };
     if (!scene) return Error{inLesson(scene.error().kind), scene.error().text(), file, page.fileLine};
     const ViewRequest view   = viewOfPage(page, **scene);
     const auto        camera = makeCamera(view, (*scene)->bounds);
     if (!camera) return Error{inLesson(camera.error().kind), camera.error().sentence, file, page.fileLine};
-    const DrawRequest request{.scene = std::make_shared<PreparedScene>(*scene), .camera = *camera, .faceCulling = view.faceCulling.value_or(FaceCulling::None), .pipeline = page.pipeline};
+    const DrawRequest request{.scene       = std::make_shared<PreparedScene>(*scene),
+                              .camera      = *camera,
+                              .faceCulling = view.faceCulling.value_or(FaceCulling::None),
+                              .pipeline    = page.pipeline};
     const auto        run = runPage(page, file, request);
     if (!run) return run.error();
     Replay     replay(request);
     const auto state = replay.at(run->grain, run->step);
     if (!state) return state.error();
-    session.print(fmt::format("page {}  {}  {} {} of {}  {}\n", number, state->algorithm, wordOf(run->grain), run->step.value, state->count, state->sentence));
-    if (page.question) session.print(fmt::format("        {} -> {}\n", page.question->ask.in(false), answerText(*page.question, *run->answer)));
+    session.print(fmt::format("page {}  {}  {} {} of {}  {}\n", number, state->algorithm, wordOf(run->grain),
+                              run->step.value, state->count, state->sentence));
+    if (page.question)
+        session.print(
+            fmt::format("        {} -> {}\n", page.question->ask.in(false), answerText(*page.question, *run->answer)));
     return std::nullopt;
 }
 
@@ -62,8 +73,9 @@ Exit check(const std::vector<std::string>& files, Session& session)
 
 Command addLesson(CLI::App& parent)
 {
-    CLI::App* parser = parent.add_subcommand("lesson", "Check lessons: each page's stop and the right answer to its question");
-    auto      files  = std::make_shared<std::vector<std::string>>();
+    CLI::App* parser =
+        parent.add_subcommand("lesson", "Check lessons: each page's stop and the right answer to its question");
+    auto files = std::make_shared<std::vector<std::string>>();
     parser->add_option("FILE", *files, "Lesson files, see docs/lessons.md")->required()->type_name("");
     return {parser, [files](Session& session) { return check(*files, session); }};
 }

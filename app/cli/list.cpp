@@ -16,10 +16,7 @@
 namespace zscope::cli {
 namespace {
 
-constexpr std::string_view wordOf(Family family)
-{
-    return family == Family::Sweep ? "sweep" : "stream";
-}
+constexpr std::string_view wordOf(Family family) { return family == Family::Sweep ? "sweep" : "stream"; }
 
 constexpr std::string_view titleOf(Grain grain)
 {
@@ -66,7 +63,11 @@ Json faultList()
 {
     Json list = Json::array();
     for (const FaultEntry& fault : faults())
-        list.push_back({{"name", fault.word}, {"title", fault.title}, {"algorithm", fault.preset}, {"cause", fault.cause}, {"cure", fault.cure}});
+        list.push_back({{"name", fault.word},
+                        {"title", fault.title},
+                        {"algorithm", fault.preset},
+                        {"cause", fault.cause},
+                        {"cure", fault.cure}});
     return list;
 }
 
@@ -106,8 +107,12 @@ Json suiteList()
     for (const Suite& suite : suites()) {
         Json scenes = Json::array();
         for (const SuiteScene& scene : suite.scenes)
-            scenes.push_back(std::string(scene.word) + (scene.view.empty() ? "" : " (" + std::string(scene.view) + ")"));
-        list.push_back({{"name", suite.name}, {"title", suite.title}, {"algorithms", suite.algorithms}, {"scenes", std::move(scenes)}});
+            scenes.push_back(std::string(scene.word)
+                             + (scene.view.empty() ? "" : " (" + std::string(scene.view) + ")"));
+        list.push_back({{"name", suite.name},
+                        {"title", suite.title},
+                        {"algorithms", suite.algorithms},
+                        {"scenes", std::move(scenes)}});
     }
     return list;
 }
@@ -118,7 +123,7 @@ struct Kind {
 };
 constexpr std::array kKinds{Kind{"algorithms", algorithms}, Kind{"choices", choices}, Kind{"scenes", scenes},
                             Kind{"layers", layerList},      Kind{"grains", grains},   Kind{"simd", simd},
-                            Kind{"suites", suiteList},  Kind{"faults", faultList}};
+                            Kind{"suites", suiteList},      Kind{"faults", faultList}};
 
 std::string cellOf(const Json& value)
 {
@@ -170,9 +175,9 @@ Result<Exit> list(const ListOptions& options, Session& session)
 
 Command addList(CLI::App& parent)
 {
-    CLI::App* parser  = parent.add_subcommand("list", "Show the words that the other commands understand");
-    auto      options = std::make_shared<ListOptions>();
-    std::string help  = "Which list:";
+    CLI::App*   parser  = parent.add_subcommand("list", "Show the words that the other commands understand");
+    auto        options = std::make_shared<ListOptions>();
+    std::string help    = "Which list:";
     for (const Kind& kind : kKinds) help += ' ' + std::string(kind.word);
     parser->add_option("LIST", options->kind, help)->type_name("")->required();
     parser->add_flag("--json", options->json, "JSON instead of a table");

@@ -40,7 +40,9 @@ Command addMerge(CLI::App& parent)
 {
     CLI::App* parser  = parent.add_subcommand("merge", "Join the records of an experiment's shards");
     auto      options = std::make_shared<MergeOptions>();
-    parser->add_option("RECORD", options->files, "Records that 'bench --experiment --json' wrote")->type_name("FILE.json...")->required();
+    parser->add_option("RECORD", options->files, "Records that 'bench --experiment --json' wrote")
+        ->type_name("FILE.json...")
+        ->required();
     parser->add_option("-o", options->output, "The joined record")->type_name("FILE.json")->required();
     return {parser, [options](Session& session) {
                 const Result<Exit> exit = merge(*options, session);

@@ -44,8 +44,8 @@ Result<std::shared_ptr<const Scene>> loadScene(const std::string& word, Session&
 
 /// What was said about the view, checked as far as it can be without a scene.
 struct ViewWords {
-    ViewRequest                request;       // what was not said is as in a default request
-    std::vector<std::string>   given;         // option names, without --cull
+    ViewRequest                request;  // what was not said is as in a default request
+    std::vector<std::string>   given;    // option names, without --cull
     std::optional<FaceCulling> faceCulling;
 
     struct View {
@@ -63,7 +63,7 @@ public:
     void              add(CLI::App& parser);
     Result<ViewWords> read() const;
     /// The file of --camera; empty: none was named.
-    std::string       cameraFile() const { return m_camera.value_or(""); }
+    std::string cameraFile() const { return m_camera.value_or(""); }
 
 private:
     Result<ViewWords> readCamera(ViewWords words) const;
@@ -86,7 +86,7 @@ struct How {
     std::uint64_t              memoryLimit = 0;  // bytes; 0: the default
 
     const NamedPipeline& algorithm() const { return algorithms.front(); }
-    DrawRequest request(const LoadedScene& scene, const ViewWords::View& view, const Session& session) const;
+    DrawRequest          request(const LoadedScene& scene, const ViewWords::View& view, const Session& session) const;
 };
 
 class HowOptions {

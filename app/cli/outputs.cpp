@@ -11,13 +11,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file that the name leads to. Nothing: it is no regular file, or cannot be looked at, which is told by whoever opens it.
+/// The file that the name leads to. Nothing: it is no regular file, or cannot be looked at, which is told by whoever
+/// opens it.
 std::optional<fs::path> fileBehind(const std::string& name)
 {
     std::error_code       trouble;
     const fs::file_status status = fs::status(name, trouble);
     if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
-    const fs::path whole = fs::absolute(name, trouble);  // weakly_canonical() leaves a name alone of which nothing exists
+    // weakly_canonical() leaves a name alone of which nothing exists
+    const fs::path whole = fs::absolute(name, trouble);
     fs::path       real  = trouble ? fs::path() : fs::weakly_canonical(whole, trouble);
     return trouble ? std::nullopt : std::optional(std::move(real));
 }
@@ -33,12 +35,15 @@ Result<Done> checkOutputs(const std::vector<Output>& outputs, const std::vector<
     std::vector<Target> targets;
     for (const Output& output : outputs) {
         if (!output.path) continue;
-        if (output.path->empty()) return Error{Trouble::Usage, fmt::format("{} wants the name of a file, not ''", output.option)};
+        if (output.path->empty())
+            return Error{Trouble::Usage, fmt::format("{} wants the name of a file, not ''", output.option)};
         targets.push_back({&output, fileBehind(*output.path)});
         if (!targets.back().file) continue;
         const auto same = std::ranges::find(targets, targets.back().file, &Target::file);
         if (same->output != &output)
-            return Error{Trouble::Usage, fmt::format("{} and {} name the same file '{}': each output needs one of its own", same->output->option, output.option, *output.path)};
+            return Error{Trouble::Usage,
+                         fmt::format("{} and {} name the same file '{}': each output needs one of its own",
+                                     same->output->option, output.option, *output.path)};
     }
     for (const std::string& input : inputs) {
         if (input.empty() || input.starts_with("builtin:")) continue;
@@ -46,7 +51,8 @@ Result<Done> checkOutputs(const std::vector<Output>& outputs, const std::vector<
         if (!file) continue;
         const auto same = std::ranges::find(targets, file, &Target::file);
         if (same != targets.end())
-            return Error{Trouble::Usage, fmt::format("{} would replace '{}', which is read: name another file", same->output->option, input)};
+            return Error{Trouble::Usage, fmt::format("{} would replace '{}', which is read: name another file",
+                                                     same->output->option, input)};
     }
     return Done{};
 }

@@ -1,8 +1,10 @@
-// Where a command's outputs go, looked at before anything is drawn: each has a name, none is another's, and none is what is read.
+// Where a command's outputs go, looked at before anything is drawn: each has a name, none is another's, and none is
+// what is read.
 //
-// Twice      with the files that a command line names, before any is read; then with those that scenes have led to (Scene::files)
-// Same       names that lead to one file, links followed, whether or not it is there yet. A device or a pipe may be named more
-//            than once: nothing in it can be lost
+// Twice      with the files that a command line names, before any is read; then with those that scenes have led to
+//            (Scene::files)
+// Same       names that lead to one file, links followed, whether or not it is there yet. A device or a pipe may be
+//            named more than once: nothing in it can be lost
 // Errors     Usage, with the options that are concerned
 #pragma once
 

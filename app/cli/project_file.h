@@ -1,4 +1,5 @@
-// Files that belong to the project and not to the user: found from where the program is run, or from where it was built.
+// Files that belong to the project and not to the user: found from where the program is run, or from where it was
+// built.
 #pragma once
 
 #include <optional>

@@ -107,39 +107,41 @@ Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& draw
     for (const DepthWork& depth : explained.work.depths) hierarchy.push_back(jsonOf(depth));
     Json pyramid = Json::array();
     for (const LevelWork& level : explained.work.levels)
-        pyramid.push_back({{"level", level.level}, {"cells_written", level.cellsWritten}, {"cells_changed", level.cellsChanged}});
+        pyramid.push_back(
+            {{"level", level.level}, {"cells_written", level.cellsWritten}, {"cells_changed", level.cellsChanged}});
     Json stages = Json::array();
     for (const StageTime& stage : drawn.report.stages)
         stages.push_back({{"name", wordOf(stage.stage)}, {"ms", stage.ms}, {"ran", stage.ran}, {"why", stage.why}});
     const VisibilityBuffer& visible = drawn.frame.visible;
-    const FrameReport& report = drawn.report;
-    return {{"algorithm", algorithm},
-            {"chosen", report.chosen.empty() ? Json(nullptr) : Json(report.chosen)},
-            {"why", report.why.empty() ? Json(nullptr) : Json(report.why)},
-            {"threads", drawn.report.threads},
-            {"simd", wordOf(drawn.report.simd)},
-            {"scene",
-             {{"name", scene.name},
-              {"triangles", scene.triangleCount()},
-              {"instances", scene.instances.size()},
-              {"meshes", scene.meshes.size()},
-              {"digest", scene.digest}}},
-            {"picture", {{"width", visible.width()}, {"height", visible.height()}, {"covered", coveredPixels(visible)}}},
-            {"stages", std::move(stages)},
-            {"counters", cli::jsonOf(explained.work.counters)},
-            {"hierarchy", std::move(hierarchy)},
-            {"pyramid", std::move(pyramid)},
-            {"missed_culls", missedCullsOf(explained.culls)},
-            {"over_render", jsonOf(overRenderOf(explained.work, visible))},
-            {"bytes", cli::jsonOf(drawn.report.bytes)},
-            {"frame_ms", drawn.report.frameMs}};
+    const FrameReport&      report  = drawn.report;
+    return {
+        {"algorithm", algorithm},
+        {"chosen", report.chosen.empty() ? Json(nullptr) : Json(report.chosen)},
+        {"why", report.why.empty() ? Json(nullptr) : Json(report.why)},
+        {"threads", drawn.report.threads},
+        {"simd", wordOf(drawn.report.simd)},
+        {"scene",
+         {{"name", scene.name},
+          {"triangles", scene.triangleCount()},
+          {"instances", scene.instances.size()},
+          {"meshes", scene.meshes.size()},
+          {"digest", scene.digest}}},
+        {"picture", {{"width", visible.width()}, {"height", visible.height()}, {"covered", coveredPixels(visible)}}},
+        {"stages", std::move(stages)},
+        {"counters", cli::jsonOf(explained.work.counters)},
+        {"hierarchy", std::move(hierarchy)},
+        {"pyramid", std::move(pyramid)},
+        {"missed_culls", missedCullsOf(explained.culls)},
+        {"over_render", jsonOf(overRenderOf(explained.work, visible))},
+        {"bytes", cli::jsonOf(drawn.report.bytes)},
+        {"frame_ms", drawn.report.frameMs}};
 }
 
 std::string summaryOf(const std::string& algorithm, const Scene& scene, const Drawn& drawn)
 {
     const VisibilityBuffer& visible = drawn.frame.visible;
-    std::string text = fmt::format("{}  {}x{}  {} triangles  {} pixels covered  {:.3f} ms  ({} thread{}, {})\n", algorithm,
-                                   visible.width(), visible.height(), grouped(scene.triangleCount()),
+    std::string text = fmt::format("{}  {}x{}  {} triangles  {} pixels covered  {:.3f} ms  ({} thread{}, {})\n",
+                                   algorithm, visible.width(), visible.height(), grouped(scene.triangleCount()),
                                    grouped(coveredPixels(visible)), drawn.report.frameMs, drawn.report.threads,
                                    drawn.report.threads == 1 ? "" : "s", wordOf(drawn.report.simd));
     if (!drawn.report.why.empty()) text += drawn.report.why + "\n";
@@ -150,8 +152,8 @@ std::string summaryOf(const std::string& algorithm, const Scene& scene, const Dr
 }
 
 /// Every output that was asked for, one after another; each is complete or absent.
-Result<Done> write(const RenderOptions& options, const Layer& layer, const Grid<std::uint32_t>& tests, const Scene& scene,
-                   const Drawn& drawn, const std::string& stats, const Session& session)
+Result<Done> write(const RenderOptions& options, const Layer& layer, const Grid<std::uint32_t>& tests,
+                   const Scene& scene, const Drawn& drawn, const std::string& stats, const Session& session)
 {
     const auto stillWanted = [&session](const std::optional<std::string>& output) -> Result<bool> {
         if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
@@ -161,7 +163,7 @@ Result<Done> write(const RenderOptions& options, const Layer& layer, const Grid<
         return wanted.error();
     } else if (*wanted) {
         const Grid<std::uint32_t> painted = layer.paint({.frame = drawn.frame, .tests = &tests, .range = {}});
-        const auto texts = reproducingTexts(session.reproducingCommand(), scene.digest);
+        const auto                texts   = reproducingTexts(session.reproducingCommand(), scene.digest);
         if (const auto done = writePng(*options.picture, painted.view(), texts); !done) return done;
     }
     if (options.ids || options.depth) {
@@ -184,8 +186,10 @@ Result<Exit> render(const RenderOptions& options, Session& session)
     if (!words) return words.error();
     const Result<How> how = options.how.read();
     if (!how) return how.error();
-    const std::vector<Output> outputs{{"-o", options.picture}, {"--ids", options.ids}, {"--depth", options.depth}, {"--stats", options.stats}};
-    if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked) return checked.error();
+    const std::vector<Output> outputs{
+        {"-o", options.picture}, {"--ids", options.ids}, {"--depth", options.depth}, {"--stats", options.stats}};
+    if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked)
+        return checked.error();
     if (options.layer && !options.picture)
         return Error{Trouble::Usage, "--show chooses what the picture shows: say with -o where it goes"};
     const Layer* layer = findLayer(options.layer.value_or(std::string(layers().front().word)));
@@ -197,7 +201,8 @@ Result<Exit> render(const RenderOptions& options, Session& session)
 
     if (options.printCamera) {
         if (std::ranges::any_of(outputs, [](const Output& output) { return output.path.has_value(); }))
-            return Error{Trouble::Usage, "--print-camera draws nothing: -o, --ids, --depth and --stats do not go with it"};
+            return Error{Trouble::Usage,
+                         "--print-camera draws nothing: -o, --ids, --depth and --stats do not go with it"};
         const auto scene = options.scene.load(session, how->memoryLimit);
         if (!scene) return scene.error();
         const auto view = words->of(**scene);
@@ -212,9 +217,9 @@ Result<Exit> render(const RenderOptions& options, Session& session)
     const auto view = words->of(*scene->scene);
     if (!view) return view.error();
 
-    const DrawRequest request = how->request(*scene, *view, session);
-    Renderer          renderer;
-    Drawn             drawn;
+    const DrawRequest   request = how->request(*scene, *view, session);
+    Renderer            renderer;
+    Drawn               drawn;
     Result<FrameReport> report = renderer.draw(request, drawn.frame);
     if (!report) return report.error();
     drawn.report = *std::move(report);
@@ -235,7 +240,8 @@ Result<Exit> render(const RenderOptions& options, Session& session)
         if (!explained) return explained.error();
         stats = textOf(statsOf(how->algorithm().name, *scene->scene, drawn, *explained));
     }
-    if (const auto done = write(options, *layer, tests, *scene->scene, drawn, stats, session); !done) return done.error();
+    if (const auto done = write(options, *layer, tests, *scene->scene, drawn, stats, session); !done)
+        return done.error();
     session.print(summaryOf(how->algorithm().name, *scene->scene, drawn));
     return Exit::Done;
 }

@@ -13,8 +13,8 @@ constexpr std::size_t kWarningsShown = 20;
 Result<std::shared_ptr<const Scene>> loadScene(const std::string& word, Session& session, std::uint64_t memoryLimit,
                                                std::size_t warningsShown, LoadTimes* times)
 {
-    Result<Scene> scene =
-        zscope::loadScene(word, LoadOptions{.memoryLimit = memoryLimit, .progress = session.progress(), .times = times});
+    Result<Scene> scene = zscope::loadScene(
+        word, LoadOptions{.memoryLimit = memoryLimit, .progress = session.progress(), .times = times});
     if (!scene) {
         // A path of any kind is an input, whether or not it looks like a scene; a misspelt generator is a wrong word.
         Error error = scene.error();
@@ -27,8 +27,7 @@ Result<std::shared_ptr<const Scene>> loadScene(const std::string& word, Session&
 
 void SceneOption::add(CLI::App& parser)
 {
-    parser
-        .add_option("SCENE", m_word, "An .obj file, a scene .json file, or builtin:NAME[?key=value&...]")
+    parser.add_option("SCENE", m_word, "An .obj file, a scene .json file, or builtin:NAME[?key=value&...]")
         ->type_name("")
         ->required();
 }

@@ -33,7 +33,8 @@ constexpr std::array<std::string_view, 6> kOutputOptions{"-o", "--output", "--id
 bool isUtf8(std::string_view text)
 {
     const Json json(std::string{text});
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) == json.dump(-1, ' ', false, Json::error_handler_t::ignore);
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace)
+           == json.dump(-1, ' ', false, Json::error_handler_t::ignore);
 }
 
 /// A word of any bytes in plain ASCII: $'...' with octal escapes.
@@ -42,8 +43,10 @@ std::string escapedForShell(std::string_view word)
     std::string escaped = "$'";
     for (const char c : word) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 || byte >= 0x7F) escaped += fmt::format("\\{:03o}", byte);
-        else escaped += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+        if (byte < 0x20 || byte >= 0x7F)
+            escaped += fmt::format("\\{:03o}", byte);
+        else
+            escaped += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
     }
     return escaped + "'";
 }
@@ -82,21 +85,23 @@ std::string diagnostic(const std::string& file, int line, std::string_view sever
     return printable(fmt::format("{}:{}: {}: {}", file, line, severity, sentence)) + '\n';
 }
 
-void toStandardError(std::string_view text)
-{
-    std::fwrite(text.data(), 1, text.size(), stderr);
-}
+void toStandardError(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace
 
 Exit exitOf(Trouble trouble)
 {
     switch (trouble) {
-    case Trouble::Usage: return Exit::Usage;
-    case Trouble::Input: return Exit::Input;
-    case Trouble::Output: return Exit::Output;
-    case Trouble::Limit: return Exit::Limit;
-    case Trouble::Cancelled: break;
+        case Trouble::Usage:
+            return Exit::Usage;
+        case Trouble::Input:
+            return Exit::Input;
+        case Trouble::Output:
+            return Exit::Output;
+        case Trouble::Limit:
+            return Exit::Limit;
+        case Trouble::Cancelled:
+            break;
     }
     return Exit::Interrupted;
 }
@@ -111,18 +116,11 @@ void catchInterrupts()
 
 Session::Session(std::span<char* const> arguments)
     : m_command(commandWithoutOutputs(arguments)), m_showsProgress(::isatty(STDERR_FILENO) == 1)
-{
-}
+{}
 
-const std::atomic<bool>* Session::cancel() const
-{
-    return &interruptRequested;
-}
+const std::atomic<bool>* Session::cancel() const { return &interruptRequested; }
 
-void Session::print(std::string_view text) const
-{
-    std::fwrite(text.data(), 1, text.size(), stdout);
-}
+void Session::print(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stdout); }
 
 Exit Session::fail(const Error& error)
 {
@@ -179,8 +177,8 @@ Exit Session::finish(Exit exit)
     const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     const int  reason  = errno;
     if (arrived) return exit;
-    const Exit output = fail({Trouble::Output, "standard output cannot be written: "
-                                                   + std::generic_category().message(reason)});
+    const Exit output =
+        fail({Trouble::Output, "standard output cannot be written: " + std::generic_category().message(reason)});
     return exit == Exit::Done ? output : exit;
 }
 

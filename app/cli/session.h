@@ -63,7 +63,8 @@ private:
     std::chrono::steady_clock::time_point m_lastProgress{};
 };
 
-/// Makes SIGINT, SIGTERM and SIGHUP set the flag of Session::cancel(), and a file that may not grow an error like any other.
+/// Makes SIGINT, SIGTERM and SIGHUP set the flag of Session::cancel(), and a file that may not grow an error like any
+/// other.
 void catchInterrupts();
 
 }  // namespace zscope::cli

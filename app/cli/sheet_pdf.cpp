@@ -37,7 +37,8 @@ public:
 
     void begin(int width, int height) override
     {
-        m_surface = cairo_pdf_surface_create_for_stream(append, &m_to, width * kPointsPerPixel, height * kPointsPerPixel);
+        m_surface =
+            cairo_pdf_surface_create_for_stream(append, &m_to, width * kPointsPerPixel, height * kPointsPerPixel);
         m_context = cairo_create(m_surface);
         cairo_scale(m_context, kPointsPerPixel, kPointsPerPixel);
     }
@@ -62,17 +63,20 @@ public:
             cairo_set_font_face(m_context, fontOf(each.face));
             const cairo_glyph_t        glyph{each.index, static_cast<double>(x + each.x), static_cast<double>(y)};
             const cairo_text_cluster_t cluster{static_cast<int>(each.bytes.size()), 1};
-            cairo_show_text_glyphs(m_context, each.bytes.data(), cluster.num_bytes, &glyph, 1, &cluster, 1, static_cast<cairo_text_cluster_flags_t>(0));
+            cairo_show_text_glyphs(m_context, each.bytes.data(), cluster.num_bytes, &glyph, 1, &cluster, 1,
+                                   static_cast<cairo_text_cluster_flags_t>(0));
         }
     }
     void picture(int x, int y, int width, int height, const Grid<std::uint32_t>& pixels) override
     {
         // Cairo's RGB24 is 0x00RRGGBB in the machine's order, as ours but for the unused byte; it only reads.
         auto*            data  = reinterpret_cast<unsigned char*>(const_cast<std::uint32_t*>(pixels.values().data()));
-        cairo_surface_t* image = cairo_image_surface_create_for_data(data, CAIRO_FORMAT_RGB24, pixels.width(), pixels.height(), 4 * pixels.width());
+        cairo_surface_t* image = cairo_image_surface_create_for_data(data, CAIRO_FORMAT_RGB24, pixels.width(),
+                                                                     pixels.height(), 4 * pixels.width());
         cairo_save(m_context);
         cairo_translate(m_context, x, y);
-        cairo_scale(m_context, static_cast<double>(width) / pixels.width(), static_cast<double>(height) / pixels.height());
+        cairo_scale(m_context, static_cast<double>(width) / pixels.width(),
+                    static_cast<double>(height) / pixels.height());
         cairo_set_source_surface(m_context, image, 0, 0);
         cairo_paint(m_context);
         cairo_restore(m_context);
@@ -110,7 +114,8 @@ private:
 
 }  // namespace
 
-Result<Done> writePdfSheet(const std::string& path, const Comparison& comparison, const Scene& scene, const SheetWords& words, TextPainter& text)
+Result<Done> writePdfSheet(const std::string& path, const Comparison& comparison, const Scene& scene,
+                           const SheetWords& words, TextPainter& text)
 {
     std::string bytes;
     {

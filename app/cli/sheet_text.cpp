@@ -37,17 +37,17 @@ char32_t nextOf(std::string_view text, std::size_t& at)
 /// The system's fonts in its order, opened when a character wants them.
 struct TextPainter::Fonts {
     struct Font {
-        std::string    file;
-        int            index = 0;
-        const FcCharSet* has = nullptr;  // of `order`
-        FT_Face        face  = nullptr;  // nullptr: not opened
-        bool           isBroken = false;
+        std::string      file;
+        int              index    = 0;
+        const FcCharSet* has      = nullptr;  // of `order`
+        FT_Face          face     = nullptr;  // nullptr: not opened
+        bool             isBroken = false;
     };
 
-    FT_Library        library = nullptr;
-    FcConfig*         config  = nullptr;
-    FcFontSet*        order   = nullptr;
-    std::vector<Font> fonts;
+    FT_Library                      library = nullptr;
+    FcConfig*                       config  = nullptr;
+    FcFontSet*                      order   = nullptr;
+    std::vector<Font>               fonts;
     std::map<char32_t, std::size_t> known;  // which font a character has
 
     ~Fonts()
@@ -61,7 +61,8 @@ struct TextPainter::Fonts {
 
     bool open(Font& font) const
     {
-        if (!font.face && !font.isBroken) font.isBroken = FT_New_Face(library, font.file.c_str(), font.index, &font.face) != 0;
+        if (!font.face && !font.isBroken)
+            font.isBroken = FT_New_Face(library, font.file.c_str(), font.index, &font.face) != 0;
         if (font.isBroken) font.face = nullptr;
         return font.face != nullptr;
     }
@@ -105,7 +106,8 @@ Result<TextPainter> TextPainter::open()
 {
     auto fonts    = std::make_unique<Fonts>();
     fonts->config = FcInitLoadConfigAndFonts();
-    if (FT_Init_FreeType(&fonts->library) != 0 || !fonts->config) return Error{Trouble::Output, "FreeType or Fontconfig cannot be started"};
+    if (FT_Init_FreeType(&fonts->library) != 0 || !fonts->config)
+        return Error{Trouble::Output, "FreeType or Fontconfig cannot be started"};
     FcPattern* wanted = FcNameParse(reinterpret_cast<const FcChar8*>("sans-serif"));
     FcConfigSubstitute(fonts->config, wanted, FcMatchPattern);
     FcDefaultSubstitute(wanted);
@@ -122,7 +124,8 @@ Result<TextPainter> TextPainter::open()
         fonts->fonts.push_back({reinterpret_cast<const char*>(file), index, has, nullptr, false});
     }
     while (!fonts->fonts.empty() && !fonts->open(fonts->fonts.front())) fonts->fonts.erase(fonts->fonts.begin());
-    if (fonts->fonts.empty()) return Error{Trouble::Output, "no font is installed to write the sheet with (fonts-dejavu-core has one)"};
+    if (fonts->fonts.empty())
+        return Error{Trouble::Output, "no font is installed to write the sheet with (fonts-dejavu-core has one)"};
     return TextPainter(std::move(fonts));
 }
 
@@ -131,7 +134,8 @@ int TextPainter::width(std::string_view utf8, int size)
     return m_fonts->walk(utf8, size, [](const FT_GlyphSlotRec&, int) {});
 }
 
-void TextPainter::draw(GridView<std::uint32_t> picture, int x, int y, std::string_view utf8, int size, std::uint32_t colour)
+void TextPainter::draw(GridView<std::uint32_t> picture, int x, int y, std::string_view utf8, int size,
+                       std::uint32_t colour)
 {
     m_fonts->walk(utf8, size, [&](const FT_GlyphSlotRec& glyph, int at) {
         const FT_Bitmap& bitmap = glyph.bitmap;

@@ -1,8 +1,10 @@
-// Text in pictures, without Qt: glyphs by FreeType, fonts found by Fontconfig, the way a desktop finds them. Both come with
-// every Debian desktop and with Qt; a build without them has no TextPainter (kHasText) and makes sheets of pictures only.
+// Text in pictures, without Qt: glyphs by FreeType, fonts found by Fontconfig, the way a desktop finds them. Both come
+// with every Debian desktop and with Qt; a build without them has no TextPainter (kHasText) and makes sheets of
+// pictures only.
 //
 // Script     any that an installed font has: each character from the first font of the system's order that holds it
-// Promise    the same fonts installed give the same pixels; without shaping, so right for Latin, Greek, Cyrillic and CJK
+// Promise    the same fonts installed give the same pixels; without shaping, so right for Latin, Greek, Cyrillic and
+//            CJK
 #pragma once
 
 #include <cstdint>
@@ -27,7 +29,8 @@ public:
 
     /// Pixels that a line of text takes at a size (of the em, in pixels).
     int width(std::string_view utf8, int size);
-    /// Draws it from x on; y is the base line. What lies outside the picture is left out. Colour 0xAARRGGBB, taken as opaque.
+    /// Draws it from x on; y is the base line. What lies outside the picture is left out. Colour 0xAARRGGBB, taken as
+    /// opaque.
     void draw(GridView<std::uint32_t> picture, int x, int y, std::string_view utf8, int size, std::uint32_t colour);
 
     /// One character where draw() would put it.

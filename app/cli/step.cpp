@@ -28,10 +28,7 @@ struct Asked {
     std::optional<StepIndex> at;  // nothing: how many there are
 };
 
-Error usage(std::string sentence)
-{
-    return {Trouble::Usage, std::move(sentence)};
-}
+Error usage(std::string sentence) { return {Trouble::Usage, std::move(sentence)}; }
 
 Result<Asked> askedBy(const StepOptions& options)
 {
@@ -64,7 +61,8 @@ Result<Exit> step(const StepOptions& options, Session& session)
     const Result<How> how = options.how.read();
     if (!how) return how.error();
     const std::vector<Output> outputs{{"--state", options.state}, {"-o", options.picture}};
-    if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked) return checked.error();
+    if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked)
+        return checked.error();
     const Result<LoadedScene> scene = options.scene.prepare(session, how->memoryLimit);
     if (!scene) return scene.error();
     if (const auto checked = checkOutputs(outputs, scene->scene->files); !checked) return checked.error();
@@ -82,15 +80,17 @@ Result<Exit> step(const StepOptions& options, Session& session)
     if (!state) return state.error();
     if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
     if (options.state)
-        if (const auto done = writeFile(*options.state, stateToJson(*state, options.levels ? PyramidCells::Written : PyramidCells::Left)); !done)
+        if (const auto done = writeFile(
+                *options.state, stateToJson(*state, options.levels ? PyramidCells::Written : PyramidCells::Left));
+            !done)
             return done.error();
     if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
     if (options.picture) {
         const auto texts = reproducingTexts(session.reproducingCommand(), scene->scene->digest);
-        if (const auto done = writePng(*options.picture, state->frame.colour.view(), texts); !done)
-            return done.error();
+        if (const auto done = writePng(*options.picture, state->frame.colour.view(), texts); !done) return done.error();
     }
-    session.print(fmt::format("{} {} of {}: {}\n", wordOf(state->grain), state->step.value, state->count, state->sentence));
+    session.print(
+        fmt::format("{} {} of {}: {}\n", wordOf(state->grain), state->step.value, state->count, state->sentence));
     return Exit::Done;
 }
 
@@ -109,7 +109,8 @@ Command addStep(CLI::App& parent)
     parser->add_option("--state", options->state, "The algorithm's state at that step")
         ->type_name("FILE.json")
         ->group("Output");
-    parser->add_flag("--levels", options->levels, "Put the values of the pyramid's levels into the state")->group("Output");
+    parser->add_flag("--levels", options->levels, "Put the values of the pyramid's levels into the state")
+        ->group("Output");
     parser->add_option("-o,--output", options->picture, "The picture at that step, PNG")
         ->type_name("FILE")
         ->group("Output");

@@ -27,7 +27,7 @@ std::string Table::text() const
         for (std::size_t c = 0; c < m_columns.size(); ++c) {
             if (c > 0) cells += "  ";
             cells += m_columns[c].align == Align::Left ? fmt::format("{:<{}}", cellOf(c), widths[c])
-                                                       : fmt::format("{:>{}}", cellOf(c), widths[c]);
+                                                        : fmt::format("{:>{}}", cellOf(c), widths[c]);
         }
         text += cells.substr(0, cells.find_last_not_of(' ') + 1) + '\n';
     };

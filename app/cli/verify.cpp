@@ -39,19 +39,37 @@ std::string verdictOf(const VerifyRow& row)
 
 std::string tableOf(const std::vector<VerifyRow>& rows)
 {
-    std::vector<Table::Column> columns{{"algorithm", Table::Align::Left}, {"exact", Table::Align::Left}, {"threads"},
-                 {"simd", Table::Align::Left}, {"covered"}, {"holes"}, {"spills"}, {"wrong surface"},
-                 {"depth bits differ"}, {"max depth steps"}, {"lost"}, {"false culls"}, {"", Table::Align::Left}};
+    std::vector<Table::Column> columns{{"algorithm", Table::Align::Left},
+                                       {"exact", Table::Align::Left},
+                                       {"threads"},
+                                       {"simd", Table::Align::Left},
+                                       {"covered"},
+                                       {"holes"},
+                                       {"spills"},
+                                       {"wrong surface"},
+                                       {"depth bits differ"},
+                                       {"max depth steps"},
+                                       {"lost"},
+                                       {"false culls"},
+                                       {"", Table::Align::Left}};
     const bool judgesColours = std::ranges::any_of(rows, [](const VerifyRow& row) { return row.colours.has_value(); });
     if (judgesColours) columns.insert(columns.end() - 1, {{"wrong colours"}, {"max channel"}});
     Table table(std::move(columns));
     for (const VerifyRow& row : rows) {
-        const ErrorFigures& f = row.figures;
-        std::vector<std::string> cells{row.algorithm, wordOf(row.claim), std::to_string(row.threads),
-                   std::string(wordOf(row.simd)), grouped(f.covered), grouped(f.holes), grouped(f.spills),
-                   grouped(f.wrongSurface()), grouped(f.depthBitsDiffer), grouped(f.maxDepthSteps),
-                   grouped(f.lostTriangles), grouped(row.falseCulls),
-                   verdictOf(row)};
+        const ErrorFigures&      f = row.figures;
+        std::vector<std::string> cells{row.algorithm,
+                                       wordOf(row.claim),
+                                       std::to_string(row.threads),
+                                       std::string(wordOf(row.simd)),
+                                       grouped(f.covered),
+                                       grouped(f.holes),
+                                       grouped(f.spills),
+                                       grouped(f.wrongSurface()),
+                                       grouped(f.depthBitsDiffer),
+                                       grouped(f.maxDepthSteps),
+                                       grouped(f.lostTriangles),
+                                       grouped(row.falseCulls),
+                                       verdictOf(row)};
         if (judgesColours) {
             cells.insert(cells.end() - 1, {row.colours ? grouped(row.colours->wrong) : "-",
                                            row.colours ? std::to_string(row.colours->maxChannel) : "-"});

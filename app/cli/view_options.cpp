@@ -29,7 +29,7 @@ void ViewOptions::add(CLI::App& parser)
 
 Result<ViewWords> ViewOptions::read() const
 {
-    ViewWords words;
+    ViewWords  words;
     const auto given = [&words](const std::optional<std::string>& value, const char* option) {
         if (value) words.given.emplace_back(option);
     };

@@ -1,7 +1,8 @@
-// What a pipeline may do less exactly than the definition, each a choice of its own. The first choice of every kind is the
-// definition's; a frame in which all are first is exact.
+// What a pipeline may do less exactly than the definition, each a choice of its own. The first choice of every kind is
+// the definition's; a frame in which all are first is exact.
 //
-// Use        to report speed against error, and to see what an error looks like: none of the others is ever called exact
+// Use        to report speed against error, and to see what an error looks like: none of the others is ever called
+//            exact
 // Source     docs/correctness.md, sections 2 to 4: what each of them costs in accuracy was measured there
 #pragma once
 
@@ -13,7 +14,8 @@ namespace zscope {
 enum class SnapBits { Eight, Four, Twelve };
 /// In which numbers vertices go from the model to the screen.
 enum class VertexNumbers { Float64, Float32 };
-/// How a fragment's depth is found: evaluated at the pixel, in float64 or float32, or carried along the span in float32.
+/// How a fragment's depth is found: evaluated at the pixel, in float64 or float32, or carried along the span in
+/// float32.
 enum class DepthNumbers { Float64, Float32, Accumulated };
 /// How an edge moves from line to line: exact integers with remainder, or a float32 that is added to.
 enum class EdgeSteps { Exact, Accumulated };
@@ -35,7 +37,7 @@ struct Approximation {
     CellDescent   cells  = CellDescent::Descend;
     SmallNodes    small  = SmallNodes::Keep;
 
-    bool isAny() const { return *this != Approximation{}; }
+    bool        isAny() const { return *this != Approximation{}; }
     friend bool operator==(const Approximation&, const Approximation&) = default;
 };
 

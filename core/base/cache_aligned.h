@@ -19,8 +19,7 @@ struct CacheAligned {
     CacheAligned() = default;
     template <class Other>
     CacheAligned(const CacheAligned<Other>&)
-    {
-    }
+    {}
 
     T*   allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), kLine)); }
     void deallocate(T* block, std::size_t) { ::operator delete(block, kLine); }

@@ -1,6 +1,8 @@
-// Memory that is walked over in all directions: asked for in large pages, of which the processor can keep all addresses at hand.
+// Memory that is walked over in all directions: asked for in large pages, of which the processor can keep all addresses
+// at hand.
 //
-// Pages      blocks of kLeast bytes and more begin on a border of large pages, and the system is asked to use them; it may decline
+// Pages      blocks of kLeast bytes and more begin on a border of large pages, and the system is asked to use them; it
+//            may decline
 // Errors     std::bad_alloc
 #pragma once
 
@@ -23,8 +25,7 @@ struct LargePages {
     LargePages() = default;
     template <class Other>
     LargePages(const LargePages<Other>&)
-    {
-    }
+    {}
 
     T* allocate(std::size_t count)
     {

@@ -1,5 +1,5 @@
-// Products of two vectors in float64 with one rounding per written operation, in the written order: cameras and patterns are
-// defined to the bit (docs/correctness.md), and a library may regroup.
+// Products of two vectors in float64 with one rounding per written operation, in the written order: cameras and
+// patterns are defined to the bit (docs/correctness.md), and a library may regroup.
 #pragma once
 
 #include "core/base/affine.h"

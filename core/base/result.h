@@ -51,10 +51,26 @@ public:
     bool     ok() const { return m_answer.index() == 0; }
     explicit operator bool() const { return ok(); }
 
-    T&           value() & { assert(ok()); return std::get<0>(m_answer); }
-    const T&     value() const& { assert(ok()); return std::get<0>(m_answer); }
-    T&&          value() && { assert(ok()); return std::get<0>(std::move(m_answer)); }
-    const Error& error() const { assert(!ok()); return std::get<1>(m_answer); }
+    T& value() &
+    {
+        assert(ok());
+        return std::get<0>(m_answer);
+    }
+    const T& value() const&
+    {
+        assert(ok());
+        return std::get<0>(m_answer);
+    }
+    T&& value() &&
+    {
+        assert(ok());
+        return std::get<0>(std::move(m_answer));
+    }
+    const Error& error() const
+    {
+        assert(!ok());
+        return std::get<1>(m_answer);
+    }
 
     T*       operator->() { return &value(); }
     const T* operator->() const { return &value(); }

@@ -1,7 +1,9 @@
 // Where a frame's time goes: laps between stages, per thread.
 //
-// Units      laps are counted in the processor's ticks; how long a tick is follows from the clock's whole life (core/base/ticks.h)
-// Cost       one look at the processor's counter per lap (about 8 ns); laps are taken per batch or coarser, never per triangle
+// Units      laps are counted in the processor's ticks; how long a tick is follows from the clock's whole life
+//            (core/base/ticks.h)
+// Cost       one look at the processor's counter per lap (about 8 ns); laps are taken per batch or coarser, never per
+//            triangle
 #pragma once
 
 #include <algorithm>
@@ -33,22 +35,23 @@ public:
     /// What the laps so far took.
     StageMs ms() const
     {
-        const double ms    = std::chrono::duration<double, std::milli>(Clock::now() - m_start).count();
+        const double ms = std::chrono::duration<double, std::milli>(Clock::now() - m_start).count();
         // Signed: where processors' counters differ, a thread that moves from one to another may see its own go back.
         const auto   signedTicks = [](std::uint64_t t) { return static_cast<double>(static_cast<std::int64_t>(t)); };
         const double ticks       = signedTicks(ticksNow() - m_startTicks);
         StageMs      stages{};
-        for (std::size_t i = 0; i < stages.size() && ticks > 0; ++i) stages[i] = std::clamp(signedTicks(m_ticks[i]) * (ms / ticks), 0.0, ms);
+        for (std::size_t i = 0; i < stages.size() && ticks > 0; ++i)
+            stages[i] = std::clamp(signedTicks(m_ticks[i]) * (ms / ticks), 0.0, ms);
         return stages;
     }
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    Clock::time_point                           m_start = Clock::now();
-    std::uint64_t                               m_startTicks = ticksNow(), m_last = m_startTicks;
-    std::array<std::uint64_t, kStages.size()>   m_ticks{};
-    std::optional<Stage>                        m_all;
+    Clock::time_point                         m_start      = Clock::now();
+    std::uint64_t                             m_startTicks = ticksNow(), m_last = m_startTicks;
+    std::array<std::uint64_t, kStages.size()> m_ticks{};
+    std::optional<Stage>                      m_all;
 };
 
 }  // namespace zscope

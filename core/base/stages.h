@@ -23,9 +23,9 @@ constexpr std::string_view wordOf(Stage stage)
 
 struct StageTime {
     Stage       stage = Stage::Other;
-    double      ms    = 0;      // wall time; with several threads the mean of theirs
+    double      ms    = 0;  // wall time; with several threads the mean of theirs
     bool        ran   = false;
-    std::string why;            // one clause: why it ran, or why this frame did not need it
+    std::string why;  // one clause: why it ran, or why this frame did not need it
 };
 
 /// A counter or a size in bytes with the name that stats.json uses.

@@ -1,7 +1,7 @@
 // The processor's own clock, for whoever reads it thousands of times a frame.
 //
-// Ticks      run evenly where the processor's counter is invariant, as on any x86-64 of the last fifteen years; how long one is nobody says here:
-//            measure some interval by a clock of the library as well (StageClock)
+// Ticks      run evenly where the processor's counter is invariant, as on any x86-64 of the last fifteen years; how
+//            long one is nobody says here: measure some interval by a clock of the library as well (StageClock)
 // Cost       some 8 ns where the processor's counter can be read (x86-64: rdtsc), else what the library's clock costs
 #pragma once
 

@@ -29,7 +29,7 @@ struct PassStarted {
 /// A node that was visible in the last frame and reaches the view is about to be drawn, its own triangles, unasked.
 struct NodeRecalled {
     static constexpr Grain grain = Grain::Node;
-    NodePlace              place;   // in the mesh tree of an instance
+    NodePlace              place;  // in the mesh tree of an instance
     const Tree&            instances;
     const TreeNode&        holder;  // the node of `instances` that holds the instance
 };
@@ -50,10 +50,10 @@ struct NodeOpened {
 
 /// The pyramid has been asked about a node or a triangle; what follows from it has not happened yet.
 struct PyramidAsked {
-    static constexpr Grain    grain = Grain::Query;
-    const PyramidQuery&       query;     // valid only during the call, like the next
-    const NodePlace*          node;      // nullptr: it was a triangle
-    TriangleId                triangle;  // of a triangle
+    static constexpr Grain grain = Grain::Query;
+    const PyramidQuery&    query;     // valid only during the call, like the next
+    const NodePlace*       node;      // nullptr: it was a triangle
+    TriangleId             triangle;  // of a triangle
 };
 
 /// A cell of the pyramid has been computed anew.

@@ -5,7 +5,8 @@
 //            slack far above its error, the snapping by its distance, the depth by one float32 step
 // Why        all of the box lies in the hull of its corners, and a projection keeps hulls in front of the eye
 // Near       a box that reaches before the near plane has no such bounds: it may cover anything, at any depth
-// Ball       where a ball about the box's middle holds what is in the box, reaches of both hold it: a ball that has been turned is one still
+// Ball       where a ball about the box's middle holds what is in the box, reaches of both hold it: a ball that has
+//            been turned is one still
 // Source     docs/correctness.md, Rules that make hierarchical methods exact, 1 and 4
 #pragma once
 
@@ -22,12 +23,13 @@ namespace zscope {
 
 struct NodeReach {
     PixelBox pixels;           // inside the region; empty: no pixel centre can be covered
-    float    nearest = 1;      // no depth inside the box is larger
+    float    nearest     = 1;  // no depth inside the box is larger
     bool     crossesNear = false;
-    double   area    = 0;      // of the whole rectangle, in the region or not, pixels
+    double   area        = 0;  // of the whole rectangle, in the region or not, pixels
 };
 
-/// The first pixel whose centre is at `edge` or beyond, for edges within 1e9 pixels; by hand: not every instruction set has an instruction that rounds up.
+/// The first pixel whose centre is at `edge` or beyond, for edges within 1e9 pixels; by hand: not every instruction set
+/// has an instruction that rounds up.
 [[gnu::always_inline]] inline int firstPixelFrom(double edge)
 {
     const double place = edge - 0.5;
@@ -36,7 +38,10 @@ struct NodeReach {
 }
 
 /// The next float32 up, as nextafter() finds it of a number that is not negative.
-[[gnu::always_inline]] inline float nextUp(float value) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) + 1); }
+[[gnu::always_inline]] inline float nextUp(float value)
+{
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) + 1);
+}
 
 /// Always inlined, so that each instruction set gets it in its own instructions.
 [[gnu::always_inline]] inline NodeReach reachOf(const ViewBox& box, const Projection& p, const PixelBox& region)
@@ -57,7 +62,8 @@ struct NodeReach {
             }
     // What an error of the corners, and of the points inside, may move on the screen; then the snapping.
     const double steepest = std::max(std::max(-x0, x1), std::max(-y0, y1)), pixelsPerSlope = p.pixelsPerSlope();
-    const double slip     = pixelsPerSlope * ((error + error * steepest) / nearestZ + PlacedView::kError * steepest) + 1 / kSubpixels;
+    const double slip =
+        pixelsPerSlope * ((error + error * steepest) / nearestZ + PlacedView::kError * steepest) + 1 / kSubpixels;
     const double left = p.centreX + x0 * pixelsPerSlope - slip, right = p.centreX + x1 * pixelsPerSlope + slip;
     const double top = p.centreY - y1 * pixelsPerSlope - slip, bottom = p.centreY - y0 * pixelsPerSlope + slip;
     const double area = (right - left) * (bottom - top);
@@ -72,21 +78,27 @@ struct NodeReach {
     return reach;
 }
 
-/// `reach` of the box, narrowed to what a ball of so large a radius about the middle of the box reaches, too; how large its rectangle is stays what it is. A
-/// ball that reaches before the near plane narrows nothing, nor does one whose numbers run over.
-[[gnu::always_inline]] inline NodeReach narrowedToBall(NodeReach reach, const ViewBox& box, double radius, const Projection& p)
+/// `reach` of the box, narrowed to what a ball of so large a radius about the middle of the box reaches, too; how large
+/// its rectangle is stays what it is. A ball that reaches before the near plane narrows nothing, nor does one whose
+/// numbers run over.
+[[gnu::always_inline]] inline NodeReach narrowedToBall(NodeReach reach, const ViewBox& box, double radius,
+                                                       const Projection& p)
 {
     const double r = radius + PlacedView::kError * box.magnitude, near = box.centre.z - r;
     if (!(near >= p.near)) return reach;
     // Along x and y a slope is largest at the ball's near or far side.
-    const double perNear = 1 / near, perFar = 1 / (box.centre.z + r), pixelsPerSlope = p.pixelsPerSlope(), slip = 2 / kSubpixels;
-    const auto   least = [=](double v) { return v * (v < 0 ? perNear : perFar); };
-    const auto   most  = [=](double v) { return v * (v < 0 ? perFar : perNear); };
-    const double left = p.centreX + least(box.centre.x - r) * pixelsPerSlope - slip, right = p.centreX + most(box.centre.x + r) * pixelsPerSlope + slip;
-    const double top = p.centreY - most(box.centre.y + r) * pixelsPerSlope - slip, bottom = p.centreY - least(box.centre.y - r) * pixelsPerSlope + slip;
+    const double perNear = 1 / near, perFar = 1 / (box.centre.z + r), pixelsPerSlope = p.pixelsPerSlope(),
+                 slip   = 2 / kSubpixels;
+    const auto   least  = [=](double v) { return v * (v < 0 ? perNear : perFar); };
+    const auto   most   = [=](double v) { return v * (v < 0 ? perFar : perNear); };
+    const double left   = p.centreX + least(box.centre.x - r) * pixelsPerSlope - slip,
+                 right  = p.centreX + most(box.centre.x + r) * pixelsPerSlope + slip;
+    const double top    = p.centreY - most(box.centre.y + r) * pixelsPerSlope - slip,
+                 bottom = p.centreY - least(box.centre.y - r) * pixelsPerSlope + slip;
     if (!(std::abs(left) + std::abs(right) + std::abs(top) + std::abs(bottom) < 1e9)) return reach;
-    reach.pixels = {std::max(reach.pixels.x0, firstPixelFrom(left)), std::max(reach.pixels.y0, firstPixelFrom(top)),
-                    std::min(reach.pixels.x1, firstPixelFrom(right)), std::min(reach.pixels.y1, firstPixelFrom(bottom))};
+    reach.pixels  = {std::max(reach.pixels.x0, firstPixelFrom(left)), std::max(reach.pixels.y0, firstPixelFrom(top)),
+                     std::min(reach.pixels.x1, firstPixelFrom(right)),
+                     std::min(reach.pixels.y1, firstPixelFrom(bottom))};
     reach.nearest = std::min(reach.nearest, nextUp(static_cast<float>(p.depthAtOne * perNear)));
     return reach;
 }

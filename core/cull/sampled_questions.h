@@ -1,9 +1,12 @@
 // Whether questions of one kind are worth asking, by how those before them were answered.
 //
-// Nodes      whose triangles are small: a question takes as long as a look at all pixels under the triangles, which comes later anyway
-//            (core/depth/hidden_squares.h), and pays where nodes are often hidden: all of a node is spared then, not one triangle after another
-// Patches    of large triangles: a question takes as long as the set-up of some, and pays where patches are often hidden
-// Sampled    one in kSampled of those that are left out is asked all the same, so that the answers come to know what lies farther back
+// Nodes      whose triangles are small: a question takes as long as a look at all pixels under the triangles, which
+//            comes later anyway (core/depth/hidden_squares.h), and pays where nodes are often hidden: all of a node is
+//            spared then, not one triangle after another
+// Patches    of large triangles: a question takes as long as the set-up of some, and pays where patches are often
+//            hidden
+// Sampled    one in kSampled of those that are left out is asked all the same, so that the answers come to know what
+//            lies farther back
 // Promise    decides no pixel: what nobody asked about is drawn
 // Cost       four numbers; deterministic for a given order of questions
 #pragma once

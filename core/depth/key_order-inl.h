@@ -1,10 +1,11 @@
 // The nearer of two keys and the farther of two depths, lane by lane.
 //
-// Idea       the bits of two positive float64 numbers compare as the numbers do. Not every processor knows the larger of two integers of 64
-//            bits, but each knows the larger of two such numbers
+// Idea       the bits of two positive float64 numbers compare as the numbers do. Not every processor knows the larger
+//            of two integers of 64 bits, but each knows the larger of two such numbers
 // Farther    who looks for a farthest depth need not know whose it is: the upper halves say it, integers of 32 bits
-// Normal     keys of depths above 0 are the bits of normal numbers above 0. Those of depths below 0 are the bits of no number: where a buffer
-//            may hold such, as that of background where there is no far plane, integers are compared
+// Normal     keys of depths above 0 are the bits of normal numbers above 0. Those of depths below 0 are the bits of no
+//            number: where a buffer may hold such, as that of background where there is no far plane, integers are
+//            compared
 // Source     core/depth/pixel_key.h; IEEE 754-2019, 5.10
 #if defined(ZSCOPE_KEY_ORDER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_KEY_ORDER_INL_H
@@ -56,7 +57,7 @@ HWY_INLINE Keys fartherOf(Keys a, Keys b)
 #if HWY_TARGET == HWY_SCALAR
     return hn::Min(a, b);
 #else
-    const hn::DFromV<Keys>                               keys;
+    const hn::DFromV<Keys>                              keys;
     const hn::Repartition<std::int32_t, decltype(keys)> halves;
     return hn::BitCast(keys, hn::Min(hn::BitCast(halves, a), hn::BitCast(halves, b)));
 #endif

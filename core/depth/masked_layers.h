@@ -1,10 +1,10 @@
-// Two depths and a mask per tile instead of its pixels: the reference layer bounds the whole tile, the working layer the pixels
-// in its mask.
+// Two depths and a mask per tile instead of its pixels: the reference layer bounds the whole tile, the working layer
+// the pixels in its mask.
 //
-// Idea       a triangle joins the working layer; when the mask is full, the working layer becomes the reference. A triangle
-//            far in front of the working layer begins a new one, and what the old one knew is forgotten
-// Promise    the reference is never nearer than the farthest pixel of the tile: it is the least of depths that were really
-//            offered to every pixel of it. What is forgotten costs culls and never makes false ones
+// Idea       a triangle joins the working layer; when the mask is full, the working layer becomes the reference. A
+//            triangle far in front of the working layer begins a new one, and what the old one knew is forgotten
+// Promise    the reference is never nearer than the farthest pixel of the tile: it is the least of depths that were
+//            really offered to every pixel of it. What is forgotten costs culls and never makes false ones
 // Cost       one mask and a few comparisons per triangle and tile; no pixel is read
 // Source     Hasselgren, Andersson, Akenine-Moller: Masked Software Occlusion Culling, HPG 2016
 #pragma once
@@ -21,8 +21,8 @@ class MaskedLayers {
 public:
     void reset(int width, int height) { m_working.reset(width, height, {}); }
 
-    /// A triangle no farther than `depth` has been drawn over the pixels `mask` of tile (x, y), whose reference is `reference`;
-    /// `all` is the mask of the pixels that the tile has. The new reference, if it has one.
+    /// A triangle no farther than `depth` has been drawn over the pixels `mask` of tile (x, y), whose reference is
+    /// `reference`; `all` is the mask of the pixels that the tile has. The new reference, if it has one.
     std::optional<float> cover(int x, int y, std::uint64_t mask, std::uint64_t all, float depth, float reference)
     {
         if (mask == 0 || !(depth > reference)) return std::nullopt;  // the whole tile is known to be at least as near

@@ -1,8 +1,8 @@
-// One number per pixel that says who is seen there: depth above, triangle below. Of two of them the larger is the winner's,
-// so that the depth test, its rule for equal depths included, is one maximum.
+// One number per pixel that says who is seen there: depth above, triangle below. Of two of them the larger is the
+// winner's, so that the depth test, its rule for equal depths included, is one maximum.
 //
-// Layout     bits 63 to 32: the stored depth, mapped so that signed integers compare as the float32 do (of a negative number the
-//            other bits are turned over). Bits 31 to 0: the complement of the rank
+// Layout     bits 63 to 32: the stored depth, mapped so that signed integers compare as the float32 do (of a negative
+//            number the other bits are turned over). Bits 31 to 0: the complement of the rank
 // Rank       triangle id + 1; 0 is background. On equal depth the lower rank wins, so background never loses to one
 // Promise    keyOf() is monotone in (depth, -rank); depthOf() and rankOf() give back what it was made of, to the bit
 // Source     docs/correctness.md, Depth and the winner

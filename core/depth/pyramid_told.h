@@ -1,9 +1,10 @@
-// The pyramid's questions and its upkeep, each told cell by cell to whoever wants to hear: one text for full speed, which
-// tells nobody, and for stepping.
+// The pyramid's questions and its upkeep, each told cell by cell to whoever wants to hear: one text for full speed,
+// which tells nobody, and for stepping.
 //
 // Told       called with a CellWrite right after the cell holds its new value; it may throw to end the run there
-// Full speed pyramid.cpp instantiates this once for Untold; only runs that are listened to include it. It looks at more pixels before
-//            cells: the same answers, but fewer cells are brought up to date than whoever listens is shown, who wants to see them
+// Full speed pyramid.cpp instantiates this once for Untold; only runs that are listened to include it. It looks at more
+//            pixels before cells: the same answers, but fewer cells are brought up to date than whoever listens is
+//            shown, who wants to see them
 #pragma once
 
 #include <algorithm>
@@ -15,15 +16,18 @@
 
 namespace zscope {
 
-/// The quick answers: what is stored says yes, or a pixel says no. Inlined where it is asked; what they leave undecided is not.
+/// The quick answers: what is stored says yes, or a pixel says no. Inlined where it is asked; what they leave undecided
+/// is not.
 template <class Shape, class Told>
-[[gnu::always_inline]] inline PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Shape& shape, const Told& told)
+[[gnu::always_inline]] inline PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Shape& shape,
+                                                        const Told& told)
 {
     if (m_fault == Fault::CornersOnly) return askAtCorners(box, nearest);
-    const int y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow, x0 = box.x0, x1 = box.x1 - 1;
+    const int    y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow, x0 = box.x0, x1 = box.x1 - 1;
     const auto   longest = static_cast<unsigned>(std::max(x1 - x0, y1 - y0)) + 1;
-    PyramidQuery query{box, nearest, static_cast<int>(std::bit_width(longest)) - 1, std::numeric_limits<float>::infinity(), true, 0};
-    int&         level = query.level;
+    PyramidQuery query{
+        box, nearest, static_cast<int>(std::bit_width(longest)) - 1, std::numeric_limits<float>::infinity(), true, 0};
+    int& level = query.level;
     if ((x1 >> level) - (x0 >> level) > 1 || (y1 >> level) - (y0 >> level) > 1) ++level;
     level = std::clamp(level, kTileLevel, levels() - 1);
 
@@ -42,7 +46,8 @@ template <class Shape, class Told>
     return query;
 }
 
-/// True if the pixel in the middle of the box, or one in its corners if they are looked at, is enough to know that something could be seen.
+/// True if the pixel in the middle of the box, or one in its corners if they are looked at, is enough to know that
+/// something could be seen.
 template <bool kLooksAtCorners, class Shape>
 bool Pyramid::shows(const PixelBox& box, float nearest, const Shape& shape) const
 {
@@ -52,18 +57,19 @@ bool Pyramid::shows(const PixelBox& box, float nearest, const Shape& shape) cons
     };
     if (showsAt((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)) return true;
     const int right = box.x1 - 1, bottom = box.y1 - 1;
-    return kLooksAtCorners && (showsAt(box.x0, box.y0) || showsAt(right, box.y0) || showsAt(box.x0, bottom) || showsAt(right, bottom));
+    return kLooksAtCorners
+           && (showsAt(box.x0, box.y0) || showsAt(right, box.y0) || showsAt(box.x0, bottom) || showsAt(right, bottom));
 }
 
 /// Cell by cell, each brought up to date if it must be. The query's value becomes what they hold then.
 template <class Shape, class Told>
 bool Pyramid::cellsHide(PyramidQuery& query, const Shape& shape, const Told& told)
 {
-    const PixelBox& box = query.box;
+    const PixelBox& box   = query.box;
     const int       level = query.level, y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow;
     bool            hidden = true;
-    m_cellsRead = 0;
-    query.value = std::numeric_limits<float>::infinity();
+    m_cellsRead            = 0;
+    query.value            = std::numeric_limits<float>::infinity();
     for (int y = y0 >> level; y <= y1 >> level; ++y) {
         for (int x = box.x0 >> level; x <= (box.x1 - 1) >> level; ++x) {
             if (!shape.overlaps(pixelsOf(level, x, y, box))) continue;
@@ -78,13 +84,13 @@ bool Pyramid::cellsHide(PyramidQuery& query, const Shape& shape, const Told& tol
 template <class Told>
 void Pyramid::drawnTiles(int x, int y, std::span<const float> farthest, const Told& told)
 {
-    Level&    tiles = at(kTileLevel);
-    const int line  = (y - m_firstRow) >> kTileLevel;
+    Level&    tiles  = at(kTileLevel);
+    const int line   = (y - m_firstRow) >> kTileLevel;
     int       column = x >> kTileLevel;
     for (const float now : farthest) {
         tiles.stale.at(column, line) = 0;  // its ancestors stay what they are
-        float&      value  = tiles.farthest.at(column, line);
-        const float before = value;
+        float&      value            = tiles.farthest.at(column, line);
+        const float before           = value;
         if (now != before) {
             value = now;
             markStaleFrom(kTileLevel + 1, column, line);
@@ -106,24 +112,28 @@ TileAnswer Pyramid::askTile(int left, int top, float nearest, const Told& told)
 
 /// Of a cell that the shape overlaps.
 template <class Shape, class Told>
-bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float nearest, const Shape& shape, const Told& told)
+bool Pyramid::cellHides(int level, int x, int y, const PixelBox& box, float nearest, const Shape& shape,
+                        const Told& told)
 {
     ++m_cellsRead;
     if (isBehind(nearest, at(level).farthest.at(x, y))) return true;
     const PixelBox within = pixelsOf(level, x, y, box);
-    const bool     isFew  = level == kTileLevel && m_readsPixels && (within.x1 - within.x0) * (within.y1 - within.y0) <= kFewPixels;
+    const bool     isFew =
+        level == kTileLevel && m_readsPixels && (within.x1 - within.x0) * (within.y1 - within.y0) <= kFewPixels;
     if (!isFew && at(level).stale.at(x, y) && isBehind(nearest, refresh(level, x, y, told))) return true;
 
     // Undecided: something in the cell is as far or farther. Is it inside the shape?
-    if (level == kTileLevel && m_isComplete) return false;  // its pixels are another frame's now
+    if (level == kTileLevel && m_isComplete) return false;                   // its pixels are another frame's now
     if (level == kTileLevel && m_kind == PyramidKind::Masked) return false;  // its pixels are nobody's to read
     if (level == kTileLevel) return pixelsHide(within, nearest, shape);
     const int below = level - 1;
     const int x0 = std::max(2 * x, box.x0 >> below), x1 = std::min(2 * x + 1, (box.x1 - 1) >> below);
-    const int y0 = std::max(2 * y, (box.y0 - m_firstRow) >> below), y1 = std::min(2 * y + 1, (box.y1 - 1 - m_firstRow) >> below);
+    const int y0 = std::max(2 * y, (box.y0 - m_firstRow) >> below),
+              y1 = std::min(2 * y + 1, (box.y1 - 1 - m_firstRow) >> below);
     for (int childY = y0; childY <= y1; ++childY)
         for (int childX = x0; childX <= x1; ++childX)
-            if (shape.overlaps(pixelsOf(below, childX, childY, box)) && !cellHides(below, childX, childY, box, nearest, shape, told))
+            if (shape.overlaps(pixelsOf(below, childX, childY, box))
+                && !cellHides(below, childX, childY, box, nearest, shape, told))
                 return false;
     return true;
 }
@@ -141,7 +151,8 @@ bool Pyramid::tileHides(int x, int y, const PixelBox& box, float nearest, const 
     if (!shape.overlaps(within)) return true;
     const int pixels = (within.x1 - within.x0) * (within.y1 - within.y0);
     if (pixels > kFewPixels && m_levels[0].stale.at(x, y) && nearest < refresh(kTileLevel, x, y, Untold{})) return true;
-    if (std::is_same_v<Shape, WholeBox> && pixels == 1 << 2 * kTileLevel) return false;  // one of them is as far as what is stored now
+    // one of them is as far as what is stored now
+    if (std::is_same_v<Shape, WholeBox> && pixels == 1 << 2 * kTileLevel) return false;
     return pixelsHide(within, nearest, shape);
 }
 
@@ -149,7 +160,8 @@ template <class Shape>
 bool Pyramid::pixelsHide(const PixelBox& box, float nearest, const Shape& shape) const
 {
     if (!m_visible->isReadable(box.x0, box.y0)) return false;  // nothing is drawn here
-    if (const TilePlane* plane = m_visible->planeAt(box.x0, box.y0)) return isBehind(nearest, farthestOver(plane->depth, box));
+    if (const TilePlane* plane = m_visible->planeAt(box.x0, box.y0))
+        return isBehind(nearest, farthestOver(plane->depth, box));
     for (int y = box.y0; y < box.y1; ++y) {
         const PixelKey* row = m_visible->row(y);
         for (int x = box.x0; x < box.x1; ++x)
@@ -169,7 +181,8 @@ float Pyramid::refresh(int level, int x, int y, const Told& told)
     const float before = value;
     value = level == kTileLevel ? farthestPixel(x, y) : farthestChild(level, x, y, [&](int childX, int childY) {
         const Level& below = at(level - 1);
-        return below.stale.at(childX, childY) ? refresh(level - 1, childX, childY, told) : below.farthest.at(childX, childY);
+        return below.stale.at(childX, childY) ? refresh(level - 1, childX, childY, told)
+                                              : below.farthest.at(childX, childY);
     });
     stale = 0;
     told(CellWrite{level, x, y, before, value});
@@ -180,7 +193,8 @@ template <class Told>
 PyramidQuery Pyramid::askOneLevel(const PixelBox& box, float nearest, const Told& told)
 {
     const auto   longest = static_cast<unsigned>(std::max(box.x1 - box.x0, box.y1 - box.y0));
-    PyramidQuery query{box, nearest, static_cast<int>(std::bit_width(longest)) - 1, std::numeric_limits<float>::infinity(), false, 0};
+    PyramidQuery query{
+        box, nearest, static_cast<int>(std::bit_width(longest)) - 1, std::numeric_limits<float>::infinity(), false, 0};
     query.level  = std::clamp(query.level, kTileLevel, levels() - 1);
     const int x0 = box.x0 >> query.level, x1 = (box.x1 - 1) >> query.level;
     const int y0 = (box.y0 - m_firstRow) >> query.level, y1 = (box.y1 - 1 - m_firstRow) >> query.level;
@@ -213,9 +227,10 @@ void Pyramid::cover(const PixelBox& box, const Shape& shape, const FarthestOver&
         for (int x = tiles.x0; x < tiles.x1; ++x) {
             const PixelBox touched = pixelsOf(kTileLevel, x, y, box);
             if (!shape.overlaps(touched)) continue;
-            float&     value     = at(kTileLevel).farthest.at(x, y);
-            const auto reference = m_layers.cover(x, y, maskOf(touched, shape), maskOf(pixelsOf(kTileLevel, x, y, region), WholeBox{}),
-                                                  farthestOver(touched), value);
+            float&     value = at(kTileLevel).farthest.at(x, y);
+            const auto reference =
+                m_layers.cover(x, y, maskOf(touched, shape), maskOf(pixelsOf(kTileLevel, x, y, region), WholeBox{}),
+                               farthestOver(touched), value);
             if (!reference) continue;
             const float before = value;
             value              = *reference;
@@ -243,7 +258,8 @@ void Pyramid::pushUp(int tileX, int tileY, const Told& told)
         const int   x = tileX >> up, y = tileY >> up;
         float&      value  = at(level).farthest.at(x, y);
         const float before = value;
-        value = farthestChild(level, x, y, [&](int childX, int childY) { return at(level - 1).farthest.at(childX, childY); });
+        const auto& below  = at(level - 1).farthest;
+        value = farthestChild(level, x, y, [&](int childX, int childY) { return below.at(childX, childY); });
         told(CellWrite{level, x, y, before, value});
         if (value == before) return;
     }
@@ -279,8 +295,9 @@ template <class ValueOf>
 float Pyramid::farthestChild(int level, int x, int y, const ValueOf& valueOf)
 {
     const Level& below = at(level - 1);
-    const int    endX = std::min(2 * x + 2, below.farthest.width()), endY = std::min(2 * y + 2, below.farthest.height());
-    if (m_fault == Fault::OddPadded && (endX - 2 * x < 2 || endY - 2 * y < 2)) return std::numeric_limits<float>::infinity();
+    const int endX = std::min(2 * x + 2, below.farthest.width()), endY = std::min(2 * y + 2, below.farthest.height());
+    if (m_fault == Fault::OddPadded && (endX - 2 * x < 2 || endY - 2 * y < 2))
+        return std::numeric_limits<float>::infinity();
     float all = valueOf(2 * x, 2 * y);
     for (int childY = 2 * y; childY < endY; ++childY)
         for (int childX = 2 * x; childX < endX; ++childX) all = kept(all, valueOf(childX, childY));

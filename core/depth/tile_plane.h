@@ -1,7 +1,8 @@
 // A rectangle of pixels that show one triangle: its plane stands for their depths.
 //
-// Depth      of a pixel is the definition's expression, float64 until it is limited and rounded: the same bits as in memory. It is
-//            monotone in x and in y, roundings included, so two corners of a rectangle have its nearest and farthest depth
+// Depth      of a pixel is the definition's expression, float64 until it is limited and rounded: the same bits as in
+//            memory. It is monotone in x and in y, roundings included, so two corners of a rectangle have its nearest
+//            and farthest depth
 // Source     docs/correctness.md, Depth and the winner
 #pragma once
 

@@ -9,8 +9,9 @@ void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encodi
     const bool isSameSize = width == m_width && height == m_height;
     // Whose tiles must be emptied, though the last picture's lie above others.
     const bool emptiesMore = m_encoding.isBounded && !encoding.isBounded;
-    const bool isSame = isSameSize && encoding.empty == m_encoding.empty && !emptiesMore, isAbove = isSameSize && encoding.isAbove(m_encoding);
-    m_encoding        = encoding;
+    const bool isSame      = isSameSize && encoding.empty == m_encoding.empty && !emptiesMore,
+               isAbove     = isSameSize && encoding.isAbove(m_encoding);
+    m_encoding             = encoding;
     if (isSame) return;
     if (isAbove) {  // what was drawn lies below the background now; what planes lie over may be anything
         for (Tile& tile : m_tiles.values())
@@ -18,7 +19,7 @@ void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encodi
         return;
     }
     m_width = m_height = 0;  // what follows may run out of memory
-    m_stride = static_cast<std::size_t>((width + 2 * kRowPadding - 1) / kRowPadding * kRowPadding);
+    m_stride           = static_cast<std::size_t>((width + 2 * kRowPadding - 1) / kRowPadding * kRowPadding);
     m_keys.resize(m_stride * static_cast<std::size_t>((height + 1) / 2 * 2) * sizeof(PixelKey) / sizeof(CacheLine));
     m_tiles.reset((width + kTileWidth - 1) / kTileWidth, (height + kTileLines - 1) / kTileLines, Tile::Stale);
     m_planes.reset(m_tiles.width(), m_tiles.height(), {});
@@ -59,7 +60,8 @@ void VisibilityBuffer::storePixels(const PixelBox& tile, const TilePlane& plane)
 
 Picture pictureOf(const VisibilityBuffer& visible)
 {
-    Picture picture{Grid<std::int64_t>(visible.width(), visible.height()), Grid<float>(visible.width(), visible.height())};
+    Picture picture{Grid<std::int64_t>(visible.width(), visible.height()),
+                    Grid<float>(visible.width(), visible.height())};
     for (int y = 0; y < visible.height(); ++y) {
         for (int x = 0; x < visible.width(); ++x) {
             picture.ids.at(x, y)   = visible.idAt(x, y);

@@ -3,19 +3,20 @@
 // Keys       a pixel's depth and triangle are one number (core/depth/pixel_key.h), the larger of two is the winner's
 // Depth      n/z as float32 (or as DepthEncoding says), larger is nearer. Background holds a value just below
 //            everything that may be kept, which makes the far test free; depthAt() reports it as 0
-// Rows       padded to kRowPadding values, so that a vector may be loaded at any pixel of the picture; and an odd number of
-//            rows to an even one. What is written there is read by nobody
-// Emptying   costs what was drawn, not what there is: tiles of kTileWidth x kTileLines pixels know whether they were drawn
-//            to. emptyRows() only forgets them; open() empties a tile when something is about to be drawn there, while it is
-//            in the cache; finishRows() empties those that nothing was drawn to
-// Planes     a tile whose pixels all show one triangle may be kept as that triangle's plane (setPlane()). Its keys are not written before
-//            something else is drawn to it or storePlanes() writes what is left; until then row() says nothing of its pixels,
-//            and what is told of single pixels is computed
-// Stacked    a picture whose encoding lies above the last one's (core/base/depth_format.h) need not have its tiles emptied: keys below the background's
-//            stand for it. Who reads row() has to know; keyAt() and what is told of single pixels do
+// Rows       padded to kRowPadding values, so that a vector may be loaded at any pixel of the picture; and an odd
+//            number of rows to an even one. What is written there is read by nobody
+// Emptying   costs what was drawn, not what there is: tiles of kTileWidth x kTileLines pixels know whether they were
+//            drawn to. emptyRows() only forgets them; open() empties a tile when something is about to be drawn there,
+//            while it is in the cache; finishRows() empties those that nothing was drawn to
+// Planes     a tile whose pixels all show one triangle may be kept as that triangle's plane (setPlane()). Its keys are
+//            not written before something else is drawn to it or storePlanes() writes what is left; until then row()
+//            says nothing of its pixels, and what is told of single pixels is computed
+// Stacked    a picture whose encoding lies above the last one's (core/base/depth_format.h) need not have its tiles
+//            emptied: keys below the background's stand for it. Who reads row() has to know; keyAt() and what is told
+//            of single pixels do
 // Promise    the winner is the maximum of (depth, -id) over all samples offered, in whatever order they come
-// Source     docs/correctness.md, Depth and the winner. Planes: Hasselgren, Akenine-Moller: Efficient Depth Buffer Compression, Graphics
-//            Hardware 2006
+// Source     docs/correctness.md, Depth and the winner. Planes: Hasselgren, Akenine-Moller: Efficient Depth Buffer
+//            Compression, Graphics Hardware 2006
 #pragma once
 
 #include <algorithm>
@@ -40,7 +41,8 @@ class VisibilityBuffer {
 public:
     static constexpr int kTileWidth = 64, kTileLines = 8;
 
-    /// Begins a picture. The contents are undefined until clearRows() has run over all rows, or emptyRows() and finishRows().
+    /// Begins a picture. The contents are undefined until clearRows() has run over all rows, or emptyRows() and
+    /// finishRows().
     void resize(int width, int height, const DepthEncoding& encoding);
 
     /// By which the next picture, `plain` but for its scale, need not be emptied for, wherever that can be.
@@ -54,8 +56,8 @@ public:
     }
     /// All pixels are background from now on, but only those of open tiles may be read or written.
     void emptyRows(int first, int end);
-    /// Makes the tiles under the box ready to be drawn to; it lies in the picture. `store` writes the keys of planes, as keyAt() has
-    /// them: called with the pixels of a tile and its plane.
+    /// Makes the tiles under the box ready to be drawn to; it lies in the picture. `store` writes the keys of planes,
+    /// as keyAt() has them: called with the pixels of a tile and its plane.
     template <class Store>
     void open(const PixelBox& box, const Store& store)
     {
@@ -70,8 +72,8 @@ public:
     /// True if the box, which lies in one tile, holds all of its pixels in the picture.
     bool isWholeTile(const PixelBox& box) const
     {
-        return box.x0 % kTileWidth == 0 && box.y0 % kTileLines == 0 && (box.x1 % kTileWidth == 0 || box.x1 == m_width) &&
-               (box.y1 % kTileLines == 0 || box.y1 == m_height);
+        return box.x0 % kTileWidth == 0 && box.y0 % kTileLines == 0 && (box.x1 % kTileWidth == 0 || box.x1 == m_width)
+               && (box.y1 % kTileLines == 0 || box.y1 == m_height);
     }
     /// All pixels may be read, but those of planes.
     void finishRows(int first, int end);
@@ -91,8 +93,8 @@ public:
     /// First column of the tiles that hold column x, first line of those that hold line y.
     static int leftOfTile(int x) { return x / kTileWidth * kTileWidth; }
     static int topOfTile(int y) { return y / kTileLines * kTileLines; }
-    int tileColumns() const { return m_tiles.width(); }
-    int tileRows() const { return m_tiles.height(); }
+    int        tileColumns() const { return m_tiles.width(); }
+    int        tileRows() const { return m_tiles.height(); }
     /// False if nothing was drawn to the tile of the pixel, which is background then.
     bool isOpen(int x, int y) const { return m_tiles.at(x / kTileWidth, y / kTileLines) >= Tile::Drawn; }
     /// True if pixels of its tile may be drawn to.
@@ -103,7 +105,8 @@ public:
         x /= kTileWidth, y /= kTileLines;
         return m_tiles.at(x, y) == Tile::Plane ? &m_planes.at(x, y) : nullptr;
     }
-    /// All pixels of the tile that holds (x, y) show this triangle, nearer than the background; what it held is forgotten.
+    /// All pixels of the tile that holds (x, y) show this triangle, nearer than the background; what it held is
+    /// forgotten.
     void setPlane(int x, int y, const TilePlane& plane)
     {
         x /= kTileWidth, y /= kTileLines;
@@ -176,13 +179,13 @@ private:
 
     std::size_t offset(int y) const { return static_cast<std::size_t>(y) * m_stride; }
 
-    int                    m_width  = 0;
-    int                    m_height = 0;
-    std::size_t            m_stride = 0;  // >= m_width + kRowPadding
-    DepthEncoding          m_encoding;
-    Grid<Tile>             m_tiles;
-    Grid<TilePlane>        m_planes;  // of tiles that are kept as one
-    std::vector<CacheLine, LargePages<CacheLine>> m_keys;  // m_stride * m_height of them, rounded up to even rows
+    int                                           m_width  = 0;
+    int                                           m_height = 0;
+    std::size_t                                   m_stride = 0;  // >= m_width + kRowPadding
+    DepthEncoding                                 m_encoding;
+    Grid<Tile>                                    m_tiles;
+    Grid<TilePlane>                               m_planes;  // of tiles that are kept as one
+    std::vector<CacheLine, LargePages<CacheLine>> m_keys;    // m_stride * m_height of them, rounded up to even rows
 };
 
 /// The reported picture, as the files ids.npy and depth.npy hold it.

@@ -13,7 +13,8 @@ namespace zscope {
 
 namespace {
 
-constexpr std::array<std::string_view, AutoChoice::kCandidates> kCandidateNames{"zbuffer", "hzb-octree", "hzb-bvh", "two-pass", "scanline"};
+constexpr std::array<std::string_view, AutoChoice::kCandidates> kCandidateNames{"zbuffer", "hzb-octree", "hzb-bvh",
+                                                                                "two-pass", "scanline"};
 
 bool visitsTree(const Preset& preset) { return preset.pipeline.order != Order::Submitted; }
 
@@ -26,11 +27,12 @@ SceneNumbers numbersOf(const PreparedScene& scene, const Camera& camera, int thr
     const Projection      projection(camera);
     const StripeVolume    view(projection, camera.width, 0, camera.height);
     const std::size_t     step = std::max<std::size_t>(1, instances.size() / kSampled);
-    SceneNumbers          numbers{.pixels  = static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height),
-                                  .threads = threads};
+    SceneNumbers numbers{.pixels = static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height),
+                         .threads = threads};
     for (std::size_t i = 0; i < instances.size(); i += step) {
         const MeshBatches& mesh = scene.batchesOf(instances[i].mesh);
-        if (!view.misses(PlacedView(projection, instances[i].toWorld)(mesh.bounds))) numbers.trianglesInView += step * mesh.triangleCount();
+        if (!view.misses(PlacedView(projection, instances[i].toWorld)(mesh.bounds)))
+            numbers.trianglesInView += step * mesh.triangleCount();
     }
     return numbers;
 }
@@ -62,8 +64,9 @@ AutoChoice::AutoChoice(const SceneNumbers& numbers) : m_numbers(numbers)
             m_waiting.push_back(m_candidates.size() - 1);
     }
     const bool few = numbers.trianglesInView <= kFewTriangles;
-    m_why = fmt::format("auto begins with {}: {} triangles may be in view, and {} {} a tree {} expected to pay.", first.name,
-                        numbers.trianglesInView, few ? "up to" : "above", kFewTriangles, few ? "is not" : "is");
+    m_why =
+        fmt::format("auto begins with {}: {} triangles may be in view, and {} {} a tree {} expected to pay.",
+                    first.name, numbers.trianglesInView, few ? "up to" : "above", kFewTriangles, few ? "is not" : "is");
 }
 
 void AutoChoice::drawn(const FrameCost& cost)
@@ -136,8 +139,8 @@ void AutoChoice::nextTrial()
         m_waiting.erase(m_waiting.begin());
         if (!canPay(m_candidates[m_now])) continue;
         m_frames = 0;
-        m_why    = fmt::format("auto tries {}: the best so far is {}, which takes {:.2f} ms a frame.", preset().name, best().preset->name,
-                               best().cost.whole);
+        m_why    = fmt::format("auto tries {}: the best so far is {}, which takes {:.2f} ms a frame.", preset().name,
+                               best().preset->name, best().cost.whole);
         return;
     }
     if (!m_takesTurns) return nextTrial();
@@ -178,16 +181,16 @@ bool AutoChoice::canPay(const Candidate& candidate) const
     return leastMs(candidate) <= kHopeless * best().cost.whole;
 }
 
-/// What trying the others will take longer than drawing the same frames in `keptMs` each. What was never tried is taken for
-/// hopeless, and what has become slower or faster since for as much so as the one kept.
+/// What trying the others will take longer than drawing the same frames in `keptMs` each. What was never tried is taken
+/// for hopeless, and what has become slower or faster since for as much so as the one kept.
 double AutoChoice::costOfTrials(double keptMs) const
 {
     const double usual = m_candidates[m_now].cost.whole;
     double       extra = 0;
     for (std::size_t i = 0; i < m_candidates.size(); ++i) {
         if (i == m_now || !canPay(m_candidates[i])) continue;
-        const double ms     = m_candidates[i].cost.whole;
-        const double ratio  = ms > 0 && usual > 0 ? ms / usual : kHopeless;
+        const double ms         = m_candidates[i].cost.whole;
+        const double ratio      = ms > 0 && usual > 0 ? ms / usual : kHopeless;
         const bool   isHopeless = ratio > kHopeless && !visitsTree(*m_candidates[i].preset);
         const int    whole      = kWarmUp + kTimed;
         const int    frames     = isHopeless ? 1 : ratio > kClose ? whole : whole + kTurns * (kWarmUp + kTimedInTurn);
@@ -198,25 +201,30 @@ double AutoChoice::costOfTrials(double keptMs) const
 
 std::string AutoChoice::whyKept() const
 {
-    const Candidate& kept   = m_candidates[m_now];
-    const Candidate* plain  = nullptr;  // draws all that may be in view
-    const Candidate* culls  = nullptr;  // the fastest that visits a tree
+    const Candidate& kept  = m_candidates[m_now];
+    const Candidate* plain = nullptr;  // draws all that may be in view
+    const Candidate* culls = nullptr;  // the fastest that visits a tree
     std::string      others;
     for (const Candidate& candidate : m_candidates) {
         if (!candidate.isKnown) continue;
-        if (!visitsTree(*candidate.preset) && familyOf(candidate.preset->pipeline) == Family::Stream) plain = &candidate;
+        if (!visitsTree(*candidate.preset) && familyOf(candidate.preset->pipeline) == Family::Stream)
+            plain = &candidate;
         if (visitsTree(*candidate.preset) && (!culls || candidate.cost.whole < culls->cost.whole)) culls = &candidate;
-        if (&candidate != &kept) others += fmt::format("{} {} {:.2f} ms", others.empty() ? ";" : ",", candidate.preset->name, candidate.cost.whole);
+        if (&candidate != &kept)
+            others += fmt::format("{} {} {:.2f} ms", others.empty() ? ";" : ",", candidate.preset->name,
+                                  candidate.cost.whole);
     }
     std::string share;  // of the work on triangles that culling saves
     if (plain && culls && plain->cost.geometry > 0)
-        share = fmt::format(", for {:.0f} % of the work on triangles saved", 100 * std::max(0.0, 1 - culls->cost.geometry / plain->cost.geometry));
+        share = fmt::format(", for {:.0f} % of the work on triangles saved",
+                            100 * std::max(0.0, 1 - culls->cost.geometry / plain->cost.geometry));
     const double nsPerPixel = m_numbers.pixels > 0 ? 1e6 * kept.cost.raster / static_cast<double>(m_numbers.pixels) : 0;
-    const std::string culling = &kept == culls ? fmt::format("culling takes {:.2f} ms{}", kept.cost.culling, share)
-                                : culls        ? fmt::format("culling by {} would take {:.2f} ms{}", culls->preset->name, culls->cost.culling, share)
-                                               : "nothing else was tried";
-    return fmt::format("auto keeps {}, the fastest with {:.2f} ms a frame: {}, and pixels take {:.1f} ns each{}.", kept.preset->name,
-                       kept.cost.whole, culling, nsPerPixel, others);
+    const std::string culling =
+        &kept == culls ? fmt::format("culling takes {:.2f} ms{}", kept.cost.culling, share)
+        : culls ? fmt::format("culling by {} would take {:.2f} ms{}", culls->preset->name, culls->cost.culling, share)
+                : "nothing else was tried";
+    return fmt::format("auto keeps {}, the fastest with {:.2f} ms a frame: {}, and pixels take {:.1f} ns each{}.",
+                       kept.preset->name, kept.cost.whole, culling, nsPerPixel, others);
 }
 
 }  // namespace zscope

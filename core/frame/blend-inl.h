@@ -1,9 +1,11 @@
-// The transparent pass: after a stripe's opaque pixels have their colours, its transparent surfaces are blended over them.
+// The transparent pass: after a stripe's opaque pixels have their colours, its transparent surfaces are blended over
+// them.
 //
-// Idea       the same sweep as the scanline algorithm, over the transparent triangles only; each line's fragments are put in
-//            order and blended (core/sweep/blend_line.h)
+// Idea       the same sweep as the scanline algorithm, over the transparent triangles only; each line's fragments are
+//            put in order and blended (core/sweep/blend_line.h)
 // Runs       only in a scene that has transparent triangles, and only in a frame that is shaded
-// Promise    ids and depth are not touched; with BlendOrder::Sorted a pixel's colour depends on nothing but the surfaces there
+// Promise    ids and depth are not touched; with BlendOrder::Sorted a pixel's colour depends on nothing but the
+//            surfaces there
 // Cost       that of a scanline frame of these triangles, and sorting the fragments of each pixel
 #if defined(ZSCOPE_BLEND_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_BLEND_INL_H
@@ -50,11 +52,12 @@ private:
     }
 };
 
-/// Blends the stripe's transparent surfaces over `colour`. `rules` without a fault: faults belong to the opaque picture.
+/// Blends the stripe's transparent surfaces over `colour`. `rules` without a fault: faults belong to the opaque
+/// picture.
 template <class Probe>
-void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order, const ChosenRules& rules,
-                 const Stripe& stripe, StripeScratch& scratch, StageClock& clock, GridView<std::uint32_t> colour,
-                 const Probe& probe)
+void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order,
+                 const ChosenRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                 GridView<std::uint32_t> colour, const Probe& probe)
 {
     BlendScratch& blend = scratch.blend;
     blend.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), EdgeTable::Sides::OfWide, stripe.memory);

@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-void drawStripeByChosenRules(const Pipeline& pipeline, const ChosenRules& rules, const Stripe& stripe, StripeScratch& scratch,
-                             StageClock& clock)
+void drawStripeByChosenRules(const Pipeline& pipeline, const ChosenRules& rules, const Stripe& stripe,
+                             StripeScratch& scratch, StageClock& clock)
 {
     drawStripe(pipeline, stripe, scratch, clock, rules, NoProbe{});
 }
@@ -29,15 +29,19 @@ DrawStripeByRules drawStripeByRulesOf(Simd target)
 {
     switch (target) {
 #if HWY_TARGETS & HWY_AVX3
-    case Simd::Avx512: return N_AVX3::drawStripeByChosenRules;
+        case Simd::Avx512:
+            return N_AVX3::drawStripeByChosenRules;
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    case Simd::Avx2: return N_AVX2::drawStripeByChosenRules;
+        case Simd::Avx2:
+            return N_AVX2::drawStripeByChosenRules;
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    case Simd::Sse4: return N_SSE4::drawStripeByChosenRules;
+        case Simd::Sse4:
+            return N_SSE4::drawStripeByChosenRules;
 #endif
-    default: return N_SCALAR::drawStripeByChosenRules;
+        default:
+            return N_SCALAR::drawStripeByChosenRules;
     }
 }
 

@@ -59,7 +59,7 @@ struct ScanConvert {
             return ShadedFragments<ShadingMoment::BeforeTest>(*stripe.painter, triangle.rank());
         };
         DrawnTriangles all;
-        const bool shades = pass.shading != ShadingMoment::Never;
+        const bool     shades = pass.shading != ShadingMoment::Never;
         if (pass.keep == Keep::DepthOnly)
             all = convert<Keep::DepthOnly>(triangles, unshaded);
         else if (pass.keep == Keep::Equal)
@@ -73,15 +73,16 @@ struct ScanConvert {
     }
 
 private:
-    /// Pixels in a triangle's box from which a question about it may pay, where its node has been asked about: on average over a batch, and
-    /// of one that is compact (measured, docs/performance.md).
+    /// Pixels in a triangle's box from which a question about it may pay, where its node has been asked about: on
+    /// average over a batch, and of one that is compact (measured, docs/performance.md).
     static constexpr std::uint64_t kWorthAsking = 32, kWorthAskingOne = 128;
 
     template <Keep kKeep, class FragmentsOf>
     DrawnTriangles convert(TriangleList& triangles, const FragmentsOf& fragmentsOf) const
     {
         using Fragments = decltype(fragmentsOf(ScreenTriangle{}));
-        // A large triangle may hide the next one; of small ones all are asked first, so that they can be drawn together.
+        // A large triangle may hide the next one; of small ones all are asked first, so that they can be drawn
+        // together.
         const bool     asks       = asksTriangles(triangles);
         const bool     asksInTurn = asks && triangles.hasLarge();
         DrawnTriangles all;
@@ -105,7 +106,8 @@ private:
             const ScreenTriangle triangle = triangles[i];
             probe(TriangleReached{triangle});
             if (!drawByWindows<kKeep, Fragments>(triangles, i)) draw<kKeep>(triangle, fragmentsOf);
-            if (!pass.tiles && occlusion.afterDrawing != AfterDrawing::MarkStale) keepTrue(occlusion, triangle, rules, probe);
+            if (!pass.tiles && occlusion.afterDrawing != AfterDrawing::MarkStale)
+                keepTrue(occlusion, triangle, rules, probe);
             probe(TriangleFinished{triangle.id});
         }
         return all;
@@ -118,11 +120,13 @@ private:
         return std::is_same_v<Scan, HalfSpace> && Rules::kExact && Fragments::kMoment == ShadingMoment::Never;
     }
 
-    /// What listens or keeps a pyramid true wants to know of each triangle when it has been drawn; tiles are asked before.
+    /// What listens or keeps a pyramid true wants to know of each triangle when it has been drawn; tiles are asked
+    /// before.
     bool needsEachAtOnce() const
     {
-        return Probe::listens || pass.tiles ||
-               (occlusion.afterDrawing != AfterDrawing::Nothing && occlusion.afterDrawing != AfterDrawing::MarkStale);
+        return Probe::listens || pass.tiles
+               || (occlusion.afterDrawing != AfterDrawing::Nothing
+                   && occlusion.afterDrawing != AfterDrawing::MarkStale);
     }
 
     /// First those that stand alone: they may hide each other and the others, which are drawn together.
@@ -142,8 +146,8 @@ private:
         testWindows<kKeep>(triangles, windows, stripe.visible, probe);
     }
 
-    /// Opens what compact triangles may be drawn to, and lets the pyramid know: all of their reach where it has no more tiles than there are
-    /// triangles, else what each of them meets.
+    /// Opens what compact triangles may be drawn to, and lets the pyramid know: all of their reach where it has no more
+    /// tiles than there are triangles, else what each of them meets.
     void openCompact(const TriangleList& triangles) const
     {
         const PixelBox& reach     = triangles.compactReach;
@@ -179,8 +183,9 @@ private:
     void draw(const ScreenTriangle& triangle, const FragmentsOf& fragmentsOf) const
     {
         if (triangle.patterned)
-            fill<kKeep>(triangle, PatternedFragments(fragmentsOf(triangle),
-                                                     patternPlaneOf(stripe.scene.scene(), stripe.projection, triangle.id)));
+            fill<kKeep>(triangle,
+                        PatternedFragments(fragmentsOf(triangle),
+                                           patternPlaneOf(stripe.scene.scene(), stripe.projection, triangle.id)));
         else
             fill<kKeep>(triangle, fragmentsOf(triangle));
     }
@@ -188,11 +193,14 @@ private:
     template <Keep kKeep, class Fragments>
     void fill(const ScreenTriangle& triangle, const Fragments& fragments) const
     {
-        const bool waits = occlusion.afterDrawing == AfterDrawing::MarkStale && !pass.tiles;
-        const TileUpkeep<Probe> upkeep{waits ? occlusion.pyramid : nullptr, waits || occlusion.afterDrawing == AfterDrawing::Nothing, probe};
+        const bool              waits = occlusion.afterDrawing == AfterDrawing::MarkStale && !pass.tiles;
+        const TileUpkeep<Probe> upkeep{waits ? occlusion.pyramid : nullptr,
+                                       waits || occlusion.afterDrawing == AfterDrawing::Nothing, probe};
         if constexpr (std::is_same_v<Scan, HalfSpace>) {
             if constexpr (kKeep == Keep::Nearest) {
-                if (pass.tiles) return HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, tellingOfCells(probe), fragments, stripe.visible, rules, probe);
+                if (pass.tiles)
+                    return HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, tellingOfCells(probe), fragments,
+                                                         stripe.visible, rules, probe);
             }
             HalfSpace::fill<kKeep>(triangle, fragments, upkeep, stripe.visible, rules, probe);
         } else {
@@ -202,8 +210,8 @@ private:
         }
     }
 
-    /// Nodes are asked about, and questions bring cells up to date. Of a small triangle of such a node a question costs more than the
-    /// pixels that it could save.
+    /// Nodes are asked about, and questions bring cells up to date. Of a small triangle of such a node a question costs
+    /// more than the pixels that it could save.
     bool asksOfAskedNodes() const { return occlusion.asksNodes && occlusion.afterDrawing == AfterDrawing::MarkStale; }
 
     /// Whether any of a batch is asked about; if so, isWorthAsking() says which.
@@ -217,7 +225,8 @@ private:
 
     bool isWorthAsking(const TriangleList& triangles, std::size_t i) const
     {
-        return !asksOfAskedNodes() || !triangles.is(TriangleList::kCompact, i) || triangles.box(i).area() >= kWorthAskingOne;
+        return !asksOfAskedNodes() || !triangles.is(TriangleList::kCompact, i)
+               || triangles.box(i).area() >= kWorthAskingOne;
     }
 
     void dropIfHidden(TriangleList& triangles, std::size_t i, DrawnTriangles& all) const
@@ -233,8 +242,9 @@ private:
         const auto ask = [&](const auto& shape) {
             return askPyramid(*occlusion.pyramid, triangles.box(i), triangles.nearest[i], shape, rules, probe);
         };
-        const PyramidQuery query = occlusion.asksByShape ? ask(TriangleCover(triangles[i], rules.notOwned())) : ask(WholeBox{});
-        const TriangleId   id = triangles.id(i);
+        const PyramidQuery query =
+            occlusion.asksByShape ? ask(TriangleCover(triangles[i], rules.notOwned())) : ask(WholeBox{});
+        const TriangleId id = triangles.id(i);
         probe(PyramidAsked{query, nullptr, id});
         if (query.hidden)
             probe(TriangleHidden{id, query});
@@ -252,8 +262,9 @@ void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratc
     using Convert = ScanConvert<Scan, Rules, Probe>;
     scratch.memory.begin(trees, Rules::kExact && !Probe::listens && occlusion.asksPixels);
     probe(PassStarted{1});
-    const Occlusion blind{.pyramid = occlusion.pyramid, .asksPixels = occlusion.asksPixels, .afterDrawing = occlusion.afterDrawing};
-    const Convert   drawAll{pass, stripe, scratch.windows, scratch.samples, blind, clock, rules, probe};
+    const Occlusion blind{
+        .pyramid = occlusion.pyramid, .asksPixels = occlusion.asksPixels, .afterDrawing = occlusion.afterDrawing};
+    const Convert drawAll{pass, stripe, scratch.windows, scratch.samples, blind, clock, rules, probe};
     FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, probe, &scratch.memory).drawRemembered();
     probe(PassStarted{2});
     const Convert drawUnhidden{pass, stripe, scratch.windows, scratch.samples, occlusion, clock, rules, probe};
@@ -266,7 +277,8 @@ template <class Scan, class Rules, class Probe>
 void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, StripeScratch& scratch,
               const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
 {
-    const ScanConvert<Scan, Rules, Probe> convert{pass, stripe, scratch.windows, scratch.samples, occlusion, clock, rules, probe};
+    const ScanConvert<Scan, Rules, Probe> convert{pass,      stripe, scratch.windows, scratch.samples,
+                                                  occlusion, clock,  rules,           probe};
     if (pipeline.order == Order::Submitted) {
         visitAsSubmitted(stripe, scratch, clock, convert, rules, probe);
         return;
@@ -281,7 +293,8 @@ void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, 
     drawTwoPasses<Scan>(pass, stripe, scratch, trees, occlusion, clock, rules, probe);
 }
 
-/// Forgets the last picture. Who listens may look at any time; approximate edges may leave the boxes of their triangles.
+/// Forgets the last picture. Who listens may look at any time; approximate edges may leave the boxes of their
+/// triangles.
 template <class Rules, class Probe>
 void beginPicture(const Stripe& stripe)
 {
@@ -293,22 +306,28 @@ void beginPicture(const Stripe& stripe)
 inline AfterDrawing afterDrawing(const Pipeline& pipeline)
 {
     switch (pipeline.upkeep) {
-    case Upkeep::None:
-    case Upkeep::AfterPrepass: return AfterDrawing::Nothing;
-    case Upkeep::OnQuery: return AfterDrawing::MarkStale;
-    case Upkeep::Pushed: return AfterDrawing::Push;
-    case Upkeep::PushedFarthest: return AfterDrawing::PushFromFarthest;
-    case Upkeep::Masked: return AfterDrawing::Cover;
+        case Upkeep::None:
+        case Upkeep::AfterPrepass:
+            return AfterDrawing::Nothing;
+        case Upkeep::OnQuery:
+            return AfterDrawing::MarkStale;
+        case Upkeep::Pushed:
+            return AfterDrawing::Push;
+        case Upkeep::PushedFarthest:
+            return AfterDrawing::PushFromFarthest;
+        case Upkeep::Masked:
+            return AfterDrawing::Cover;
     }
     return AfterDrawing::Nothing;
 }
 
-/// Whether the visibility buffer's own pixels are asked, before set-up, where nodes and triangles are asked about: only where each frame's
-/// pyramid is its own and whatever is hidden costs nothing.
+/// Whether the visibility buffer's own pixels are asked, before set-up, where nodes and triangles are asked about: only
+/// where each frame's pyramid is its own and whatever is hidden costs nothing.
 inline bool asksPixels(const Pipeline& pipeline, ShadingMoment shading)
 {
-    return pipeline.cull == Cull::NodesAndTriangles && pipeline.upkeep == Upkeep::OnQuery && pipeline.depth == DepthMoment::Deferred &&
-           pipeline.coherence != Coherence::LastPyramid && shading == ShadingMoment::Never;
+    return pipeline.cull == Cull::NodesAndTriangles && pipeline.upkeep == Upkeep::OnQuery
+           && pipeline.depth == DepthMoment::Deferred && pipeline.coherence != Coherence::LastPyramid
+           && shading == ShadingMoment::Never;
 }
 
 /// At full speed lanes read many tiles at once, and whoever asks pixels asks no other levels.
@@ -320,13 +339,13 @@ PyramidKind pyramidKind(const Pipeline& pipeline, bool asksPixels)
 }
 
 template <class Scan, class Rules, class Probe>
-void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
-                const Probe& probe)
+void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                const Rules& rules, const Probe& probe)
 {
     const bool hasPrepass = pipeline.depth == DepthMoment::Prepass;
     const bool hasPyramid = pipeline.upkeep != Upkeep::None;
     const bool hasTiles   = pipeline.depth == DepthMoment::ZCull;
-    const auto shading    = !stripe.painter                          ? ShadingMoment::Never
+    const auto shading    = !stripe.painter                       ? ShadingMoment::Never
                             : pipeline.depth == DepthMoment::Late ? ShadingMoment::BeforeTest
                                                                   : ShadingMoment::AfterTest;
 
@@ -338,7 +357,8 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     const bool looksItself = asksPixels(pipeline, shading) && std::is_same_v<Scan, HalfSpace>;
     const bool continues   = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
     if ((hasPyramid || hasTiles) && !continues)
-        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault, pyramidKind<Rules, Probe>(pipeline, looksItself));
+        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault,
+                              pyramidKind<Rules, Probe>(pipeline, looksItself));
     clock.lap(Stage::Clear);
     probe(StageFinished{Stage::Clear});
 
@@ -423,10 +443,11 @@ private:
 };
 
 template <class Rules, class Probe>
-void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
-                   const Probe& probe)
+void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                   const Rules& rules, const Probe& probe)
 {
-    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), Probe::listens ? EdgeTable::Sides::All : EdgeTable::Sides::OfWide, stripe.memory);
+    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(),
+                        Probe::listens ? EdgeTable::Sides::All : EdgeTable::Sides::OfWide, stripe.memory);
     const EnterEdges<Rules> enter{stripe, scratch.edges, scratch.faces.waiting, clock, rules};
     scratch.faces.waiting.clear();
     if (drawsFaces(pipeline)) {
@@ -439,13 +460,14 @@ void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch
 }
 
 template <class Resolve, class Rules, class Probe>
-void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, Resolve resolve, StageClock& clock,
-               const Rules& rules, const Probe& probe)
+void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, Resolve resolve,
+               StageClock& clock, const Rules& rules, const Probe& probe)
 {
     beginPicture<Rules, Probe>(stripe);
     clock.lap(Stage::Clear);
     probe(StageStarted{Stage::Setup});
-    if (!probe.isOnTheWay()) fillEdgeTable(pipeline, stripe, scratch, clock, rules, probe);  // otherwise it is still full
+    // otherwise it is still full
+    if (!probe.isOnTheWay()) fillEdgeTable(pipeline, stripe, scratch, clock, rules, probe);
     if (stripe.progress.cancelled()) return;  // to sort the edges of millions of triangles takes seconds
     if (!probe.leavesOut(Checkpoint::EdgeTable)) probe(EdgeTableReady{scratch.edges});
     clock.lap(Stage::Setup);
@@ -459,20 +481,24 @@ void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& sc
 
 /// The one place where a pipeline's words become the types that draw.
 template <class Rules, class Probe>
-void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
-                const Probe& probe)
+void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                const Rules& rules, const Probe& probe)
 {
     const PatternFinder patterns{stripe.scene.scene(), stripe.projection};
     switch (pipeline.scan) {
-    case Scan::HalfSpace: drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules, probe); break;
-    case Scan::EdgeWalk: drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules, probe); break;
-    case Scan::SweepZLine:
-        drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, patterns, rules), clock, rules, probe);
-        break;
-    case Scan::SweepIntervals:
-    case Scan::SweepPolygons:
-        drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, rules), clock, rules, probe);
-        break;
+        case Scan::HalfSpace:
+            drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules, probe);
+            break;
+        case Scan::EdgeWalk:
+            drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules, probe);
+            break;
+        case Scan::SweepZLine:
+            drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, patterns, rules), clock, rules, probe);
+            break;
+        case Scan::SweepIntervals:
+        case Scan::SweepPolygons:
+            drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, rules), clock, rules, probe);
+            break;
     }
     stripe.visible.finishRows(stripe.firstRow, stripe.endRow);
     clock.lap(Stage::Clear);

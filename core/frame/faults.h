@@ -3,8 +3,8 @@
 // Use        `--fault WORD`, or a pipeline's `fault`: one at a time, in a composition in which it can happen
 // Promise    the exact text is the same text: a fault is one rule answered wrongly (core/geometry/rules.h,
 //            core/depth/pyramid.h)
-// Figures    what a fault costs is counted by `verify` against the reference: wrong pixels, all of them. FarFirst costs work
-//            done in vain besides (missed culls)
+// Figures    what a fault costs is counted by `verify` against the reference: wrong pixels, all of them. FarFirst costs
+//            work done in vain besides (missed culls)
 #pragma once
 
 #include <span>

@@ -15,10 +15,12 @@ namespace zscope {
 
 namespace {
 
-/// What the picture's buffers take. Scratch memory depends on what is in view; running out of it is caught while drawing.
+/// What the picture's buffers take. Scratch memory depends on what is in view; running out of it is caught while
+/// drawing.
 std::uint64_t estimatedBytes(const DrawRequest& request)
 {
-    const auto pixels = static_cast<std::uint64_t>(request.camera.width + 2 * kRowPadding) * static_cast<std::uint64_t>(request.camera.height);
+    const auto pixels = static_cast<std::uint64_t>(request.camera.width + 2 * kRowPadding)
+                        * static_cast<std::uint64_t>(request.camera.height);
     return pixels * (sizeof(float) + sizeof(std::uint32_t) + (request.shade ? sizeof(std::uint32_t) : 0));
 }
 
@@ -34,17 +36,20 @@ Result<FramePlan> planFrame(const DrawRequest& request)
     if (!entry->available)
         return Error{Trouble::Usage, "this machine or build has no '" + std::string(entry->word) + "' kernels"};
 
-    const std::uint64_t limit = effectiveMemoryLimit(request.memoryLimit);
+    const std::uint64_t limit  = effectiveMemoryLimit(request.memoryLimit);
     const std::uint64_t needed = estimatedBytes(request);
     if (needed > limit) {
-        return Error{Trouble::Limit, "a picture of " + std::to_string(request.camera.width) + "x" +
-                                         std::to_string(request.camera.height) + " needs " + std::to_string(needed >> 20) +
-                                         " MiB, more than the limit of " + std::to_string(limit >> 20) + " MiB"};
+        return Error{Trouble::Limit, "a picture of " + std::to_string(request.camera.width) + "x"
+                                         + std::to_string(request.camera.height) + " needs "
+                                         + std::to_string(needed >> 20) + " MiB, more than the limit of "
+                                         + std::to_string(limit >> 20) + " MiB"};
     }
-    // What the last frame's pyramid hides would depend on where the borders between the stripes stood, and so would what a fault spoils: a sweep that
-    // begins in the middle of the picture does not make the mistake of the lines before it.
-    const bool isOneStripe = request.pipeline.coherence == Coherence::LastPyramid || request.pipeline.fault != Fault::None;
-    const int  wanted      = isOneStripe ? 1 : request.threads > 0 ? request.threads : omp_get_num_procs();
+    // What the last frame's pyramid hides would depend on where the borders between the stripes stood, and so would
+    // what a fault spoils: a sweep that begins in the middle of the picture does not make the mistake of the lines
+    // before it.
+    const bool isOneStripe =
+        request.pipeline.coherence == Coherence::LastPyramid || request.pipeline.fault != Fault::None;
+    const int wanted = isOneStripe ? 1 : request.threads > 0 ? request.threads : omp_get_num_procs();
     return FramePlan{std::clamp(wanted, 1, std::max(1, request.camera.height)), simd};
 }
 
@@ -62,27 +67,42 @@ namespace {
 StageReason reasonForPrepass(DepthMoment moment)
 {
     switch (moment) {
-    case DepthMoment::Prepass: return {true, "depth alone first, for every triangle in view"};
-    case DepthMoment::Deferred: return {false, "depth is decided before anything is shaded, in one pass"};
-    case DepthMoment::Late: return {false, "each fragment is shaded, then tested, in one pass"};
-    case DepthMoment::Early: return {false, "each fragment is tested, then shaded, in one pass"};
-    case DepthMoment::ZCull: return {false, "tiles, then each of their fragments, are tested in one pass"};
+        case DepthMoment::Prepass:
+            return {true, "depth alone first, for every triangle in view"};
+        case DepthMoment::Deferred:
+            return {false, "depth is decided before anything is shaded, in one pass"};
+        case DepthMoment::Late:
+            return {false, "each fragment is shaded, then tested, in one pass"};
+        case DepthMoment::Early:
+            return {false, "each fragment is tested, then shaded, in one pass"};
+        case DepthMoment::ZCull:
+            return {false, "tiles, then each of their fragments, are tested in one pass"};
     }
     return {false, ""};
 }
 
 StageReason reasonForUpkeep(const Pipeline& pipeline)
 {
-    if (pipeline.coherence == Coherence::LastPyramid) return {true, "the whole pyramid, when the frame is over, for the next one"};
-    if (pipeline.coherence == Coherence::TwoPass) return {true, "all cells made stale after the first pass; then recomputed when a query meets them: counted with cull and raster"};
+    if (pipeline.coherence == Coherence::LastPyramid)
+        return {true, "the whole pyramid, when the frame is over, for the next one"};
+    if (pipeline.coherence == Coherence::TwoPass)
+        return {true,
+                "all cells made stale after the first pass; then recomputed when a query meets them: counted with cull "
+                "and raster"};
     switch (pipeline.upkeep) {
-    case Upkeep::None:
-        return pipeline.depth == DepthMoment::ZCull ? StageReason{true, "stale tiles, when one is read: counted with raster"}
-                                                    : StageReason{false, "there is no pyramid to keep"};
-    case Upkeep::Pushed:
-    case Upkeep::PushedFarthest: return {true, "after each triangle, upwards as far as cells change: counted with raster"};
-    case Upkeep::Masked: return {true, "two layers per tile after each triangle, cells above them when a query meets them: counted with raster and cull"};
-    default: return {true, "stale cells, when a query meets them: counted with cull and raster"};
+        case Upkeep::None:
+            return pipeline.depth == DepthMoment::ZCull
+                       ? StageReason{true, "stale tiles, when one is read: counted with raster"}
+                       : StageReason{false, "there is no pyramid to keep"};
+        case Upkeep::Pushed:
+        case Upkeep::PushedFarthest:
+            return {true, "after each triangle, upwards as far as cells change: counted with raster"};
+        case Upkeep::Masked:
+            return {true,
+                    "two layers per tile after each triangle, cells above them when a query meets them: counted with "
+                    "raster and cull"};
+        default:
+            return {true, "stale cells, when a query meets them: counted with cull and raster"};
     }
 }
 
@@ -123,31 +143,41 @@ PatternedTriangles patternedTrianglesOf(const PreparedScene& scene)
 
 std::string aboutPatterns(const PreparedScene& scene, DepthMoment moment)
 {
-    const PatternedTriangles all = patternedTrianglesOf(scene);
-    const auto triangles = [](std::uint64_t count) { return std::to_string(count) + (count == 1 ? " triangle" : " triangles"); };
+    const PatternedTriangles all       = patternedTrianglesOf(scene);
+    const auto               triangles = [](std::uint64_t count) {
+        return std::to_string(count) + (count == 1 ? " triangle" : " triangles");
+    };
     if (!all.any()) return "; no fragment can be discarded or moved";
     std::string about;
-    if (all.cutOut > 0) about += "; " + triangles(all.cutOut) + " can be discarded: " + (all.cutOut == 1 ? "its" : "their") + " depth is written late";
+    if (all.cutOut > 0)
+        about += "; " + triangles(all.cutOut) + " can be discarded: " + (all.cutOut == 1 ? "its" : "their")
+                 + " depth is written late";
     if (all.moved == 0) return about;
     about += "; the fragments of " + triangles(all.moved) + " are moved away from the eye: ";
-    return about + (moment == DepthMoment::Late ? "each is shaded, moved and tested once"
-                                                : "an early test, a tile or the pyramid can only say no for where the triangle is; what passes is moved and tested again");
+    return about
+           + (moment == DepthMoment::Late ? "each is shaded, moved and tested once"
+                                          : "an early test, a tile or the pyramid can only say no for where the "
+                                            "triangle is; what passes is moved and tested again");
 }
 
-/// No depth, and nothing that a plane of depths is computed from, comes near the ends of float64, whatever the scale: none loses bits.
+/// No depth, and nothing that a plane of depths is computed from, comes near the ends of float64, whatever the scale:
+/// none loses bits.
 bool isFarFromLimits(const Camera& camera, const Bounds& bounds)
 {
     const auto isModest = [](double value) { return std::abs(value) < 0x1p100; };
     const auto isSize   = [&](double value) { return value > 0x1p-100 && isModest(value); };
     const auto isPlace  = [&](const dvec3& p) { return isModest(p.x) && isModest(p.y) && isModest(p.z); };
-    return isSize(camera.near) && isSize(camera.focal) && isPlace(camera.eye) && isPlace(bounds.min) && isPlace(bounds.max);
+    return isSize(camera.near) && isSize(camera.focal) && isPlace(camera.eye) && isPlace(bounds.min)
+           && isPlace(bounds.max);
 }
 
 StageReason reasonForShade(const DrawRequest& request)
 {
     if (!request.shade) return {false, "no colours were asked for"};
     if (shadesFragments(request.pipeline.depth)) {
-        return toBeBlended(request) ? StageReason{true, "opaque fragments were shaded one by one, counted with raster; transparent surfaces over them"}
+        return toBeBlended(request) ? StageReason{true,
+                                                  "opaque fragments were shaded one by one, counted with raster; "
+                                                  "transparent surfaces over them"}
                                     : StageReason{false, "shaded with each fragment: counted with raster"};
     }
     return {true, toBeBlended(request) ? "each pixel once, from its triangle; then transparent surfaces over it"
@@ -162,22 +192,36 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
     const bool      sweeps   = familyOf(pipeline) == Family::Sweep;
     const bool      byFaces  = drawsFaces(pipeline);
     switch (stage) {
-    case Stage::Clear:
-        return sweeps ? StageReason{true, "buffers sized; each line is cleared when the sweep reaches it"}
-                      : StageReason{true, "a z-buffer starts from background"};
-    case Stage::Transform: return {true, "every batch that may reach the picture"};
-    case Stage::Cull: return {true, asksNodes(pipeline.cull) ? "nodes against the frustum and the pyramid" : "boxes against the frustum"};
-    case Stage::Setup: return {true, byFaces ? "faces and the edge table" : sweeps ? "triangles and the edge table" : "triangles of every batch"};
-    case Stage::Prepass: return reasonForPrepass(pipeline.depth);
-    case Stage::Build:
-        if (byFaces) return {true, "whole faces, cut into batches on the first frame and kept"};
-        if (drawsPatchedBatches(request)) return {true, "batches patch by patch, made on the first frame and kept"};
-        return pipeline.order != Order::Submitted ? StageReason{true, "the hierarchy's nodes, when first entered; kept between frames"}
-                                                  : StageReason{false, "no hierarchy is visited"};
-    case Stage::Raster: return {true, (sweeps ? "the sweep, line by line" : "the pixels of every triangle") + aboutPatterns(*request.scene, pipeline.depth)};
-    case Stage::Upkeep: return reasonForUpkeep(pipeline);
-    case Stage::Shade: return reasonForShade(request);
-    case Stage::Other: return {true, "sizing buffers, starting threads, waiting for the slowest; on a first frame also the colours"};
+        case Stage::Clear:
+            return sweeps ? StageReason{true, "buffers sized; each line is cleared when the sweep reaches it"}
+                          : StageReason{true, "a z-buffer starts from background"};
+        case Stage::Transform:
+            return {true, "every batch that may reach the picture"};
+        case Stage::Cull:
+            return {true, asksNodes(pipeline.cull) ? "nodes against the frustum and the pyramid"
+                                                   : "boxes against the frustum"};
+        case Stage::Setup:
+            return {true, byFaces  ? "faces and the edge table"
+                          : sweeps ? "triangles and the edge table"
+                                   : "triangles of every batch"};
+        case Stage::Prepass:
+            return reasonForPrepass(pipeline.depth);
+        case Stage::Build:
+            if (byFaces) return {true, "whole faces, cut into batches on the first frame and kept"};
+            if (drawsPatchedBatches(request)) return {true, "batches patch by patch, made on the first frame and kept"};
+            return pipeline.order != Order::Submitted
+                       ? StageReason{true, "the hierarchy's nodes, when first entered; kept between frames"}
+                       : StageReason{false, "no hierarchy is visited"};
+        case Stage::Raster:
+            return {true, (sweeps ? "the sweep, line by line" : "the pixels of every triangle")
+                              + aboutPatterns(*request.scene, pipeline.depth)};
+        case Stage::Upkeep:
+            return reasonForUpkeep(pipeline);
+        case Stage::Shade:
+            return reasonForShade(request);
+        case Stage::Other:
+            return {true,
+                    "sizing buffers, starting threads, waiting for the slowest; on a first frame also the colours"};
     }
     return {false, ""};
 }
@@ -185,7 +229,8 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
 bool drawsPatchedBatches(const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
-    if (pipeline.order != Order::Submitted || !pipeline.usesExactRules() || request.faceCulling != FaceCulling::Back) return false;
+    if (pipeline.order != Order::Submitted || !pipeline.usesExactRules() || request.faceCulling != FaceCulling::Back)
+        return false;
     return !drawsFaces(pipeline) || facesOf(*request.scene).someAreTriangles();
 }
 
@@ -193,12 +238,16 @@ DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& vis
 {
     const Camera&       camera = request.camera;
     const DepthEncoding plain(request.pipeline.approximation.format, camera.near, camera.far);
-    // Faces and reliefs know depths of one scale only, a pyramid that is kept for the next frame holds those of this one, what is blended is compared with
-    // what memory holds, and a fragment that is shaded where it wins must not win over less than the background.
-    const bool isOne = drawsFaces(request.pipeline) || patternedTrianglesOf(*request.scene).any() || request.pipeline.coherence == Coherence::LastPyramid ||
-                       toBeBlended(request) || (request.shade && shadesFragments(request.pipeline.depth));
+    // Faces and reliefs know depths of one scale only, a pyramid that is kept for the next frame holds those of this
+    // one, what is blended is compared with what memory holds, and a fragment that is shaded where it wins must not win
+    // over less than the background.
+    const bool isOne = drawsFaces(request.pipeline) || patternedTrianglesOf(*request.scene).any()
+                       || request.pipeline.coherence == Coherence::LastPyramid || toBeBlended(request)
+                       || (request.shade && shadesFragments(request.pipeline.depth));
     if (isOne || !request.pipeline.usesExactRules()) return plain;
-    return plain.empty >= std::numeric_limits<float>::min() && isFarFromLimits(camera, request.scene->scene().bounds) ? visible.encodingAbove(plain) : plain;
+    return plain.empty >= std::numeric_limits<float>::min() && isFarFromLimits(camera, request.scene->scene().bounds)
+               ? visible.encodingAbove(plain)
+               : plain;
 }
 
 const TransparentSurfaces* toBeBlended(const DrawRequest& request)

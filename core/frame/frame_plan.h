@@ -20,8 +20,8 @@ struct FramePlan {
 /// Errors: Usage (composition, SIMD target, thread count), Limit (memory).
 Result<FramePlan> planFrame(const DrawRequest& request);
 
-/// The request that stands for this one in a run that must depend on its inputs only: a measured choice becomes the first
-/// one, which nothing has been measured for. Others stay as they are.
+/// The request that stands for this one in a run that must depend on its inputs only: a measured choice becomes the
+/// first one, which nothing has been measured for. Others stay as they are.
 DrawRequest repeatable(const DrawRequest& request);
 
 struct StageReason {
@@ -33,8 +33,8 @@ StageReason reasonFor(Stage stage, const DrawRequest& request);
 /// Whether the frame, at full speed, draws batches that stand patch by patch (PatchedBatches).
 bool drawsPatchedBatches(const DrawRequest& request);
 
-/// How the frame's depths are stored at full speed: where nothing but the triangles' own depths is compared, above the last picture of `visible`, so that
-/// what that left need not be emptied (core/base/depth_format.h).
+/// How the frame's depths are stored at full speed: where nothing but the triangles' own depths is compared, above the
+/// last picture of `visible`, so that what that left need not be emptied (core/base/depth_format.h).
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible);
 
 /// The scene's transparent surfaces if this frame blends them: it is shaded, and there are any; else nullptr.

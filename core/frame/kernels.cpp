@@ -35,7 +35,7 @@ namespace {
 
 /// A target is available if this file was compiled for it and the machine has it.
 constexpr bool isCompiled(std::int64_t target) { return (HWY_TARGETS & target) != 0; }
-bool           isAvailable(std::int64_t target) { return isCompiled(target) && (hwy::SupportedTargets() & target) != 0; }
+bool isAvailable(std::int64_t target) { return isCompiled(target) && (hwy::SupportedTargets() & target) != 0; }
 
 }  // namespace
 
@@ -43,15 +43,19 @@ const Kernels& kernelsOf(Simd target)
 {
     switch (target) {
 #if HWY_TARGETS & HWY_AVX3
-    case Simd::Avx512: return N_AVX3::kernels();
+        case Simd::Avx512:
+            return N_AVX3::kernels();
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    case Simd::Avx2: return N_AVX2::kernels();
+        case Simd::Avx2:
+            return N_AVX2::kernels();
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    case Simd::Sse4: return N_SSE4::kernels();
+        case Simd::Sse4:
+            return N_SSE4::kernels();
 #endif
-    default: return N_SCALAR::kernels();
+        default:
+            return N_SCALAR::kernels();
     }
 }
 

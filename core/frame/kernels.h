@@ -1,7 +1,7 @@
 // Everything that is compiled once per instruction set, behind plain function pointers.
 //
-// Stripe     drawStripe() may leave tiles as planes (core/depth/visibility_buffer.h); storePlanes() is for whoever reads pixels next,
-//            shadeRows() knows of them unless shading has a cost
+// Stripe     drawStripe() may leave tiles as planes (core/depth/visibility_buffer.h); storePlanes() is for whoever
+//            reads pixels next, shadeRows() knows of them unless shading has a cost
 // Promise    every target gives the same bits; they differ in how many pixels or vertices they work on side by side
 #pragma once
 

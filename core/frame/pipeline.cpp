@@ -93,8 +93,8 @@ Result<Pipeline> withChoice(Pipeline pipeline, std::string_view axis, std::strin
     }
     const auto entry = std::ranges::find(found->choices, choice, &ChoiceEntry::word);
     if (entry == found->choices.end()) {
-        return Error{Trouble::Usage, "axis '" + std::string(axis) + "' has no choice '" + std::string(choice) +
-                                         "'; its choices are " + joined(found->choices)};
+        return Error{Trouble::Usage, "axis '" + std::string(axis) + "' has no choice '" + std::string(choice)
+                                         + "'; its choices are " + joined(found->choices)};
     }
     withAxis(pipeline, axis, [&](auto& member) {
         member = static_cast<std::remove_reference_t<decltype(member)>>(entry - found->choices.begin());
@@ -121,7 +121,8 @@ std::string nameOf(const Pipeline& pipeline)
     const Preset& closest = *std::ranges::min_element(kPresets, {}, distance);
     std::string   name(closest.name);
     for (const AxisEntry& axis : axes())
-        if (differs(closest, axis)) name += '+' + std::string(axis.word) + '=' + std::string(chosen(pipeline, axis.word));
+        if (differs(closest, axis))
+            name += '+' + std::string(axis.word) + '=' + std::string(chosen(pipeline, axis.word));
     if (pipeline.fault != Fault::None) name += "+fault=" + std::string(entryOf(pipeline.fault).word);
     return name;
 }
@@ -129,11 +130,13 @@ std::string nameOf(const Pipeline& pipeline)
 Family familyOf(const Pipeline& pipeline)
 {
     switch (pipeline.scan) {
-    case Scan::HalfSpace:
-    case Scan::EdgeWalk: return Family::Stream;
-    case Scan::SweepZLine:
-    case Scan::SweepIntervals:
-    case Scan::SweepPolygons: break;
+        case Scan::HalfSpace:
+        case Scan::EdgeWalk:
+            return Family::Stream;
+        case Scan::SweepZLine:
+        case Scan::SweepIntervals:
+        case Scan::SweepPolygons:
+            break;
     }
     return Family::Sweep;
 }
@@ -142,7 +145,9 @@ bool drawsFaces(const Pipeline& pipeline) { return pipeline.scan == Scan::SweepP
 
 Claim claimOf(const Pipeline& pipeline)
 {
-    if (!pipeline.usesExactRules() || pipeline.coherence == Coherence::LastPyramid || pipeline.transparency != BlendOrder::Sorted) return Claim::Approximate;
+    if (!pipeline.usesExactRules() || pipeline.coherence == Coherence::LastPyramid
+        || pipeline.transparency != BlendOrder::Sorted)
+        return Claim::Approximate;
     return drawsFaces(pipeline) ? Claim::ExactByFace : Claim::Exact;
 }
 
@@ -150,7 +155,8 @@ std::vector<Grain> grainsOf(const Pipeline& pipeline)
 {
     if (pipeline.scan == Scan::SweepIntervals || drawsFaces(pipeline))
         return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Interval, Grain::Span, Grain::Pixel};
-    if (familyOf(pipeline) == Family::Sweep) return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Span, Grain::Pixel};
+    if (familyOf(pipeline) == Family::Sweep)
+        return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Span, Grain::Pixel};
     std::vector<Grain> grains{Grain::Frame, Grain::Stage};
     if (pipeline.order != Order::Submitted) grains.push_back(Grain::Node);
     grains.push_back(Grain::Triangle);
@@ -164,14 +170,16 @@ std::vector<Grain> grainsOf(const Pipeline& pipeline)
 
 namespace {
 
-/// Whether only the chooser, what shading and blending do, the approximations and the fault differ from a plain z-buffer's.
+/// Whether only the chooser, what shading and blending do, the approximations and the fault differ from a plain
+/// z-buffer's.
 bool leavesChoicesOpen(const Pipeline& pipeline)
 {
-    return pipeline == Pipeline{.chooser       = pipeline.chooser,
-                                .cost          = pipeline.cost,
-                                .transparency  = pipeline.transparency,
-                                .approximation = pipeline.approximation,
-                                .fault         = pipeline.fault};
+    return pipeline
+           == Pipeline{.chooser       = pipeline.chooser,
+                       .cost          = pipeline.cost,
+                       .transparency  = pipeline.transparency,
+                       .approximation = pipeline.approximation,
+                       .fault         = pipeline.fault};
 }
 
 /// Why the approximations and the fault do not fit the rest, or nothing.
@@ -188,13 +196,14 @@ std::optional<std::string> explainMisfit(const Pipeline& pipeline)
     if (approximation.cells == CellDescent::OneLevel) {
         if (!asksNodes(pipeline.cull) && !asksTriangles(pipeline.cull))
             return "Nobody asks the pyramid: choose a cull by nodes or triangles, or cells=descend";
-        if (pipeline.query == TriangleQuery::Triangle) return "One level is asked by rectangles: choose query=box or cells=descend";
+        if (pipeline.query == TriangleQuery::Triangle)
+            return "One level is asked by rectangles: choose query=box or cells=descend";
     }
     if (approximation.small != SmallNodes::Keep && pipeline.order == Order::Submitted)
         return "Only a hierarchy has nodes that could be small: choose order=octree or order=bvh, or small-nodes=keep";
     if (pipeline.fault == Fault::None || entryOf(pipeline.fault).canHappen(pipeline)) return std::nullopt;
-    return "The fault '" + std::string(entryOf(pipeline.fault).word) + "' cannot happen here: it is one of " +
-           std::string(entryOf(pipeline.fault).place) + ", as in " + std::string(entryOf(pipeline.fault).preset);
+    return "The fault '" + std::string(entryOf(pipeline.fault).word) + "' cannot happen here: it is one of "
+           + std::string(entryOf(pipeline.fault).place) + ", as in " + std::string(entryOf(pipeline.fault).preset);
 }
 
 }  // namespace
@@ -202,15 +211,19 @@ std::optional<std::string> explainMisfit(const Pipeline& pipeline)
 std::optional<std::string> explainInvalid(const Pipeline& pipeline)
 {
     if (pipeline.chooser == Chooser::Measured && !leavesChoicesOpen(pipeline))
-        return "What is measured makes the choices itself: leave order, cull, upkeep, query, scan, depth and coherence as they are, or choose chooser=composed";
+        return "What is measured makes the choices itself: leave order, cull, upkeep, query, scan, depth and coherence "
+               "as they are, or choose chooser=composed";
     if (auto misfit = explainMisfit(pipeline)) return misfit;
     const bool asks = asksNodes(pipeline.cull) || asksTriangles(pipeline.cull);
     if (pipeline.query == TriangleQuery::Triangle && !asksTriangles(pipeline.cull))
         return "Nobody asks the pyramid about triangles: choose cull=triangles or cull=nodes-triangles, or query=box";
     if (familyOf(pipeline) == Family::Sweep) {
-        if (pipeline.order != Order::Submitted) return "A sweep sorts the scene by lines itself: choose order=submitted";
-        if (asks || pipeline.upkeep != Upkeep::None) return "A sweep keeps no depth buffer to build a pyramid on: choose cull=frustum and upkeep=none";
-        if (shadesFragments(pipeline.depth)) return "A sweep decides each line once and shades it once: choose depth=deferred";
+        if (pipeline.order != Order::Submitted)
+            return "A sweep sorts the scene by lines itself: choose order=submitted";
+        if (asks || pipeline.upkeep != Upkeep::None)
+            return "A sweep keeps no depth buffer to build a pyramid on: choose cull=frustum and upkeep=none";
+        if (shadesFragments(pipeline.depth))
+            return "A sweep decides each line once and shades it once: choose depth=deferred";
         if (pipeline.coherence != Coherence::None) return "A sweep visits no nodes to remember: choose coherence=none";
         return std::nullopt;
     }
@@ -219,16 +232,25 @@ std::optional<std::string> explainInvalid(const Pipeline& pipeline)
     if (pipeline.depth == DepthMoment::ZCull && pipeline.upkeep != Upkeep::None && pipeline.upkeep != Upkeep::OnQuery)
         return "Z-cull finds a stale tile's depth again when it reads it: choose upkeep=on-query or none";
     if (asks && pipeline.upkeep == Upkeep::None) return "Culling by depth needs a pyramid: choose an upkeep";
-    if (!asks && pipeline.upkeep != Upkeep::None) return "Nobody would ask the pyramid: choose a cull by nodes or triangles, or upkeep=none";
-    if (asksNodes(pipeline.cull) && pipeline.order == Order::Submitted) return "Culling nodes needs a hierarchy: choose order=octree or order=bvh";
-    if (pipeline.upkeep == Upkeep::AfterPrepass && pipeline.depth != DepthMoment::Prepass) return "There is no pre-pass to build the pyramid after: choose depth=prepass or upkeep=on-query";
+    if (!asks && pipeline.upkeep != Upkeep::None)
+        return "Nobody would ask the pyramid: choose a cull by nodes or triangles, or upkeep=none";
+    if (asksNodes(pipeline.cull) && pipeline.order == Order::Submitted)
+        return "Culling nodes needs a hierarchy: choose order=octree or order=bvh";
+    if (pipeline.upkeep == Upkeep::AfterPrepass && pipeline.depth != DepthMoment::Prepass)
+        return "There is no pre-pass to build the pyramid after: choose depth=prepass or upkeep=on-query";
     const bool followsWrites = pipeline.upkeep != Upkeep::None && pipeline.upkeep != Upkeep::AfterPrepass;
-    if (followsWrites && pipeline.depth == DepthMoment::Prepass) return "After a pre-pass depths no longer change: choose upkeep=after-prepass";
-    if (pipeline.coherence == Coherence::LastPyramid && !asks) return "Nobody would ask the last frame's pyramid: choose a cull by nodes or triangles, or coherence=none";
-    if (pipeline.coherence == Coherence::TwoPass && !asksNodes(pipeline.cull)) return "Only nodes that the pyramid is asked about are remembered: choose a cull by nodes, or coherence=none";
+    if (followsWrites && pipeline.depth == DepthMoment::Prepass)
+        return "After a pre-pass depths no longer change: choose upkeep=after-prepass";
+    if (pipeline.coherence == Coherence::LastPyramid && !asks)
+        return "Nobody would ask the last frame's pyramid: choose a cull by nodes or triangles, or coherence=none";
+    if (pipeline.coherence == Coherence::TwoPass && !asksNodes(pipeline.cull))
+        return "Only nodes that the pyramid is asked about are remembered: choose a cull by nodes, or coherence=none";
     const bool testsTwice = pipeline.depth == DepthMoment::Prepass || pipeline.depth == DepthMoment::ZCull;
-    if (pipeline.coherence != Coherence::None && testsTwice) return "Between frames only one test of depth is at work: choose depth=deferred, late or early, or coherence=none";
-    if (pipeline.coherence != Coherence::None && pipeline.upkeep != Upkeep::OnQuery) return "What a frame takes over is brought up to date as a whole: choose upkeep=on-query, or coherence=none";
+    if (pipeline.coherence != Coherence::None && testsTwice)
+        return "Between frames only one test of depth is at work: choose depth=deferred, late or early, or "
+               "coherence=none";
+    if (pipeline.coherence != Coherence::None && pipeline.upkeep != Upkeep::OnQuery)
+        return "What a frame takes over is brought up to date as a whole: choose upkeep=on-query, or coherence=none";
     return std::nullopt;
 }
 

@@ -49,20 +49,20 @@ constexpr bool asksTriangles(Cull cull) { return cull == Cull::Triangles || cull
 enum class Chooser { Composed, Measured };
 
 struct Pipeline {
-    Chooser       chooser = Chooser::Composed;
-    Order         order  = Order::Submitted;
-    Cull          cull   = Cull::Frustum;
-    Upkeep        upkeep = Upkeep::None;
-    TriangleQuery query  = TriangleQuery::Box;
-    Scan          scan   = Scan::HalfSpace;
-    DepthMoment   depth  = DepthMoment::Deferred;
-    ShadingCost   cost   = ShadingCost::None;
+    Chooser       chooser       = Chooser::Composed;
+    Order         order         = Order::Submitted;
+    Cull          cull          = Cull::Frustum;
+    Upkeep        upkeep        = Upkeep::None;
+    TriangleQuery query         = TriangleQuery::Box;
+    Scan          scan          = Scan::HalfSpace;
+    DepthMoment   depth         = DepthMoment::Deferred;
+    ShadingCost   cost          = ShadingCost::None;
     Coherence     coherence     = Coherence::None;
-    BlendOrder    transparency = BlendOrder::Sorted;  // in a scene that has transparent surfaces
-    Approximation approximation = {};          // each of its members is an axis
-    Fault         fault  = Fault::None; // see core/frame/faults.h
+    BlendOrder    transparency  = BlendOrder::Sorted;  // in a scene that has transparent surfaces
+    Approximation approximation = {};                  // each of its members is an axis
+    Fault         fault         = Fault::None;         // see core/frame/faults.h
 
-    bool usesExactRules() const { return !approximation.isAny() && fault == Fault::None; }
+    bool        usesExactRules() const { return !approximation.isAny() && fault == Fault::None; }
     friend bool operator==(const Pipeline&, const Pipeline&) = default;
 };
 
@@ -88,9 +88,10 @@ enum class Family { Stream, Sweep };  // triangles one after another | the scene
 
 /// What a method promises of its pictures.
 enum class Claim {
-    Exact,        // the definition's picture, to the bit
-    ExactByFace,  // draws whole faces: which pixels each of them covers is exact; ids are those of a face's first triangle,
-                  // and the depth on faces that are not plane is a figure
+    Exact,  // the definition's picture, to the bit
+    // draws whole faces: which pixels each of them covers is exact; ids are those of a face's first triangle,
+    ExactByFace,
+    // and the depth on faces that are not plane is a figure
     Approximate,  // publishes its error figures
 };
 
@@ -105,15 +106,16 @@ struct Preset {
 std::span<const Preset> presets();
 /// What draws where nobody has said how.
 inline constexpr std::string_view kDefaultPreset = "auto";
-const Preset*           findPreset(std::string_view name);  // nullptr: no preset has this name
-/// The name of the preset that the pipeline is, or of the one that comes closest with what differs: "zbuffer+near=drop".
+const Preset*                     findPreset(std::string_view name);  // nullptr: no preset has this name
+/// The name of the preset that the pipeline is, or of the one that comes closest with what differs:
+/// "zbuffer+near=drop".
 std::string nameOf(const Pipeline& pipeline);
 
-/// Of a measured pipeline, these three speak of the z-buffer, with which it begins where little is in view; what a larger
-/// scene begins with may have more grains, see repeatable() in core/frame/frame_plan.h.
-Family             familyOf(const Pipeline& pipeline);
+/// Of a measured pipeline, these three speak of the z-buffer, with which it begins where little is in view; what a
+/// larger scene begins with may have more grains, see repeatable() in core/frame/frame_plan.h.
+Family familyOf(const Pipeline& pipeline);
 /// It draws whole faces as they were read, so that the ids in its pictures are those of faces' first triangles.
-bool               drawsFaces(const Pipeline& pipeline);
+bool drawsFaces(const Pipeline& pipeline);
 /// What it promises of its pictures: nothing but figures as soon as an approximation or a fault is chosen.
 Claim              claimOf(const Pipeline& pipeline);
 std::vector<Grain> grainsOf(const Pipeline& pipeline);  // coarse to fine

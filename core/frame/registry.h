@@ -32,8 +32,11 @@ inline constexpr std::array kUpkeepChoices{
     ChoiceEntry{"on-query", "A stale cell is recomputed when a query meets it"},
     ChoiceEntry{"after-prepass", "Built once, after a depth pre-pass"},
     ChoiceEntry{"pushed", "Pushed to the ancestors per write, tile by tile, with early stop"},
-    ChoiceEntry{"pushed-farthest", "Pushed to the ancestors once all tiles are right, from the triangle's farthest corner on"},
-    ChoiceEntry{"masked", "Two depths and a mask per tile, updated by coverage; it forgets, so it misses culls and makes no false ones"},
+    ChoiceEntry{"pushed-farthest",
+                "Pushed to the ancestors once all tiles are right, from the triangle's farthest corner on"},
+    ChoiceEntry{
+        "masked",
+        "Two depths and a mask per tile, updated by coverage; it forgets, so it misses culls and makes no false ones"},
 };
 
 inline constexpr std::array kQueryChoices{
@@ -113,7 +116,9 @@ inline constexpr std::array kNearChoices{
 
 inline constexpr std::array kCellChoices{
     ChoiceEntry{"descend", "The pyramid is asked down to the pixels where it is undecided"},
-    ChoiceEntry{"one-level", "Only the cells under a rectangle's corners on one coarse level: a third cell between them goes unseen"},
+    ChoiceEntry{
+        "one-level",
+        "Only the cells under a rectangle's corners on one coarse level: a third cell between them goes unseen"},
 };
 
 inline constexpr std::array kSmallNodeChoices{

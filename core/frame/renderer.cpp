@@ -47,8 +47,9 @@ struct Measured {
     bool isOf(const DrawRequest& request, const FramePlan& now) const
     {
         const bool sameScene = !scene.owner_before(request.scene) && !request.scene.owner_before(scene);
-        return choice && sameScene && width == request.camera.width && height == request.camera.height && plan.threads == now.threads &&
-               plan.simd == now.simd && faceCulling == request.faceCulling && pipeline == request.pipeline;
+        return choice && sameScene && width == request.camera.width && height == request.camera.height
+               && plan.threads == now.threads && plan.simd == now.simd && faceCulling == request.faceCulling
+               && pipeline == request.pipeline;
     }
 };
 
@@ -69,10 +70,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double msSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+double msSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
-/// The stages of a report: mean over the threads, and what was built before they began; what nobody accounts for is Other.
-std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<StageMs>& perThread, double builtMs, double frameMs)
+/// The stages of a report: mean over the threads, and what was built before they began; what nobody accounts for is
+/// Other.
+std::vector<StageTime> stageTimes(const DrawRequest& request, const std::vector<StageMs>& perThread, double builtMs,
+                                  double frameMs)
 {
     std::vector<StageTime> times;
     double                 accounted = 0;
@@ -97,8 +103,9 @@ std::optional<Error> whyTooLarge(const std::vector<NamedCount>& bytes, const Dra
     std::uint64_t           taken     = 0;
     for (const NamedCount& each : bytes) taken += each.value;
     if (taken <= limit) return std::nullopt;
-    return Error{Trouble::Limit, "drawing this scene with " + nameOf(request.pipeline) + " takes " + std::to_string((taken + kMebibyte - 1) / kMebibyte) +
-                                     " MiB, more than the limit of " + std::to_string(limit / kMebibyte) + " MiB"};
+    return Error{Trouble::Limit, "drawing this scene with " + nameOf(request.pipeline) + " takes "
+                                     + std::to_string((taken + kMebibyte - 1) / kMebibyte)
+                                     + " MiB, more than the limit of " + std::to_string(limit / kMebibyte) + " MiB"};
 }
 
 /// A frame that nobody got need not keep what the next one may want: gigabytes of edges, for example.
@@ -131,12 +138,17 @@ Result<FrameReport> Renderer::drawMeasured(const DrawRequest& request, Frame& fr
     if (!plan) return plan.error();
     Measured& measured = m_workspace->measured;
     if (!measured.isOf(request, *plan)) {
-        measured = {request.scene, request.camera.width, request.camera.height, *plan, request.faceCulling, request.pipeline,
+        measured = {request.scene,
+                    request.camera.width,
+                    request.camera.height,
+                    *plan,
+                    request.faceCulling,
+                    request.pipeline,
                     AutoChoice(numbersOf(*request.scene, request.camera, plan->threads))};
     }
-    AutoChoice& choice   = *measured.choice;
-    DrawRequest composed = request;
-    composed.pipeline    = chosenInstead(request.pipeline, choice.preset());
+    AutoChoice& choice         = *measured.choice;
+    DrawRequest composed       = request;
+    composed.pipeline          = chosenInstead(request.pipeline, choice.preset());
     Result<FrameReport> report = drawComposed(composed, frame);
     if (!report) return report;
     report->chosen  = choice.preset().name;
@@ -151,21 +163,21 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     const Result<FramePlan> plan = planFrame(request);
     if (!plan) return plan.error();
 
-    const Clock::time_point start = Clock::now();
-    const Camera&           camera = request.camera;
-    const Kernels&          kernels = kernelsOf(plan->simd);
-    const bool              exact   = request.pipeline.usesExactRules();
-    const ChosenRules       rules(request.pipeline.approximation, request.pipeline.fault, camera);
-    std::vector<StageMs>    stageMs(static_cast<std::size_t>(plan->threads));
-    std::vector<double>     stripeMs(static_cast<std::size_t>(plan->threads));
-    std::atomic<bool>       outOfMemory = false;
-    const ColourTable*      colours     = nullptr;
-    bool                    shadesByTiles = false;
-    const TransparentSurfaces* transparent = nullptr;
-    const PatchedBatches*   patched     = nullptr;
-    double                  builtMs     = 0;
-    const ChosenRules       blendRules  = rulesOfBlending(request);
-    DepthEncoding           encoding;
+    const Clock::time_point    start   = Clock::now();
+    const Camera&              camera  = request.camera;
+    const Kernels&             kernels = kernelsOf(plan->simd);
+    const bool                 exact   = request.pipeline.usesExactRules();
+    const ChosenRules          rules(request.pipeline.approximation, request.pipeline.fault, camera);
+    std::vector<StageMs>       stageMs(static_cast<std::size_t>(plan->threads));
+    std::vector<double>        stripeMs(static_cast<std::size_t>(plan->threads));
+    std::atomic<bool>          outOfMemory   = false;
+    const ColourTable*         colours       = nullptr;
+    bool                       shadesByTiles = false;
+    const TransparentSurfaces* transparent   = nullptr;
+    const PatchedBatches*      patched       = nullptr;
+    double                     builtMs       = 0;
+    const ChosenRules          blendRules    = rulesOfBlending(request);
+    DepthEncoding              encoding;
     try {
         transparent   = toBeBlended(request);
         shadesByTiles = !transparent && !shadesFragments(request.pipeline.depth);
@@ -192,10 +204,12 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     const Projection       projection(camera, encoding.scale);
     std::optional<Painter> painter;
     if (colours)
-        painter.emplace(Painter{request.scene->scene(), *colours, frame.colour.view(), operationsOf(request.pipeline.cost),
+        painter.emplace(Painter{request.scene->scene(), *colours, frame.colour.view(),
+                                operationsOf(request.pipeline.cost),
                                 shadesByTiles ? frame.painted.view() : GridView<std::uint8_t>{}});
     const bool defers = painter && !shadesFragments(request.pipeline.depth);
-    // A picture that is asked for by its colours leaves planes planes: depths and triangles are told when somebody asks for them.
+    // A picture that is asked for by its colours leaves planes planes: depths and triangles are told when somebody asks
+    // for them.
     const bool needsPixels = !defers || painter->operations != 0 || transparent;
     m_workspace->borders.prepare(camera.height, plan->threads);
 
@@ -205,7 +219,13 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         const Clock::time_point stripeStart = Clock::now();
         StageClock              clock;
         const auto [first, end] = m_workspace->borders.stripe(i);
-        const Stripe stripe{*request.scene, projection, request.faceCulling, frame.visible, first, end, {.cancel = request.cancel},
+        const Stripe stripe{*request.scene,
+                            projection,
+                            request.faceCulling,
+                            frame.visible,
+                            first,
+                            end,
+                            {.cancel = request.cancel},
                             shadesFragments(request.pipeline.depth) && painter ? &*painter : nullptr,
                             effectiveMemoryLimit(request.memoryLimit) / static_cast<std::uint64_t>(plan->threads)};
         try {
@@ -232,15 +252,16 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     if (isCancelled || outOfMemory) giveBackLarge(m_workspace->scratch);
     if (isCancelled) return Error{Trouble::Cancelled, "the frame was cancelled"};
     if (outOfMemory)
-        return Error{Trouble::Limit, "drawing this scene with " + nameOf(request.pipeline) + " takes more memory than there is, or than the limit of " +
-                                         std::to_string(effectiveMemoryLimit(request.memoryLimit) >> 20) + " MiB"};
+        return Error{Trouble::Limit, "drawing this scene with " + nameOf(request.pipeline)
+                                         + " takes more memory than there is, or than the limit of "
+                                         + std::to_string(effectiveMemoryLimit(request.memoryLimit) >> 20) + " MiB"};
     m_workspace->borders.rebalance(stripeMs);
 
     FrameReport report;
-    report.frameMs = msSince(start);
-    report.stages  = stageTimes(request, stageMs, builtMs, report.frameMs);
-    report.threads = plan->threads;
-    report.simd    = plan->simd;
+    report.frameMs             = msSince(start);
+    report.stages              = stageTimes(request, stageMs, builtMs, report.frameMs);
+    report.threads             = plan->threads;
+    report.simd                = plan->simd;
     std::uint64_t scratchBytes = 0;
     for (const StripeScratch& scratch : m_workspace->scratch) scratchBytes += scratch.bytes();
     report.bytes = {{"visibility_buffer", frame.visible.bytes()},

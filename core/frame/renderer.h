@@ -1,7 +1,8 @@
 // Draws a frame: scene and camera in, visibility buffer and colours out.
 //
 // Promise    the picture depends on scene, camera, face culling and the pipeline's approximations only: never on
-//            threads, lanes or order (but what cells=one-level leaves out depends on where the stripes begin). No allocation per frame once the sizes have settled
+//            threads, lanes or order (but what cells=one-level leaves out depends on where the stripes begin). No
+//            allocation per frame once the sizes have settled
 // Threads    draw() is called from one thread at a time and uses OpenMP inside: the picture is cut into stripes
 //            of whole lines, and each stripe is drawn from start to finish by one thread
 #pragma once
@@ -17,10 +18,10 @@
 #include "core/base/grid.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/stages.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/frame/frame_work.h"
 #include "core/frame/pipeline.h"
-#include "core/base/stages.h"
 #include "core/geometry/prepared_scene.h"
 #include "core/scene/view.h"
 
@@ -55,15 +56,16 @@ struct DrawRequest {
 
 /// What a frame leaves behind. Reuse one object for many frames.
 struct Frame {
-    VisibilityBuffer    visible;  // its pixels are written if the request did not ask for shading; else some tiles may be kept as planes
-    Grid<std::uint32_t> colour;  // 0xAARRGGBB, opaque; empty if the request did not ask for shading
-    Grid<std::uint8_t>  painted; // the renderer's own: which tiles of `colour` the last frame painted
+    // its pixels are written if the request did not ask for shading; else some tiles may be kept as planes
+    VisibilityBuffer    visible;
+    Grid<std::uint32_t> colour;   // 0xAARRGGBB, opaque; empty if the request did not ask for shading
+    Grid<std::uint8_t>  painted;  // the renderer's own: which tiles of `colour` the last frame painted
 };
 
 struct FrameReport {
     double                  frameMs = 0;
-    std::vector<StageTime>  stages;   // all of kStages, in order; their ms add up to frameMs
-    std::vector<NamedCount> bytes;    // of every structure of the frame
+    std::vector<StageTime>  stages;  // all of kStages, in order; their ms add up to frameMs
+    std::vector<NamedCount> bytes;   // of every structure of the frame
     int                     threads = 1;
     Simd                    simd    = Simd::Scalar;
 

@@ -29,7 +29,8 @@ namespace zscope::HWY_NAMESPACE {
 inline Painter painterOf(const DrawRequest& request, Frame& frame)
 {
     frame.colour.reset(request.camera.width, request.camera.height, kBackgroundColour);
-    return {request.scene->scene(), coloursOf(*request.scene), frame.colour.view(), operationsOf(request.pipeline.cost)};
+    return {request.scene->scene(), coloursOf(*request.scene), frame.colour.view(),
+            operationsOf(request.pipeline.cost)};
 }
 
 inline void shadeWhole(const DrawRequest& request, Frame& frame)
@@ -52,8 +53,8 @@ template <class Probe>
 void runSerially(const DrawRequest& asked, Frame& frame, StripeScratch& scratch, const Probe& probe)
 {
     const DrawRequest request = repeatable(asked);
-    const Camera&    camera = request.camera;
-    const Projection projection(camera);
+    const Camera&     camera  = request.camera;
+    const Projection  projection(camera);
     frame.visible.resize(camera.width, camera.height, {request.pipeline.approximation.format, camera.near, camera.far});
     frame.visible.clearRows(0, camera.height);
 
@@ -61,20 +62,29 @@ void runSerially(const DrawRequest& asked, Frame& frame, StripeScratch& scratch,
     std::optional<Painter> painter;
     if (withFragments) painter.emplace(painterOf(request, frame));
     StageClock   clock;
-    const Stripe whole{*request.scene, projection, request.faceCulling, frame.visible, 0, camera.height,
-                       {.report = {}, .cancel = request.cancel}, painter ? &*painter : nullptr, effectiveMemoryLimit(request.memoryLimit)};
-    if (request.pipeline.coherence != Coherence::None && !probe.isOnTheWay()) drawUnobserved(request, whole, scratch, clock);
+    const Stripe whole{*request.scene,
+                       projection,
+                       request.faceCulling,
+                       frame.visible,
+                       0,
+                       camera.height,
+                       {.report = {}, .cancel = request.cancel},
+                       painter ? &*painter : nullptr,
+                       effectiveMemoryLimit(request.memoryLimit)};
+    if (request.pipeline.coherence != Coherence::None && !probe.isOnTheWay())
+        drawUnobserved(request, whole, scratch, clock);
     if (request.pipeline.usesExactRules())
         drawStripe(request.pipeline, whole, scratch, clock, ExactRules{}, probe);
     else
-        drawStripe(request.pipeline, whole, scratch, clock, ChosenRules(request.pipeline.approximation, request.pipeline.fault, camera), probe);
+        drawStripe(request.pipeline, whole, scratch, clock,
+                   ChosenRules(request.pipeline.approximation, request.pipeline.fault, camera), probe);
     const TransparentSurfaces* surfaces = toBeBlended(request);
     if (request.shade && (!withFragments || surfaces)) {
         probe(StageStarted{Stage::Shade});
         if (!withFragments) shadeWhole(request, frame);
         if (surfaces)
-            blendStripe(*surfaces, coloursOf(*request.scene), request.pipeline.transparency, rulesOfBlending(request), whole, scratch,
-                        clock, frame.colour.view(), probe);
+            blendStripe(*surfaces, coloursOf(*request.scene), request.pipeline.transparency, rulesOfBlending(request),
+                        whole, scratch, clock, frame.colour.view(), probe);
         probe(StageFinished{Stage::Shade});
     }
     probe(FrameFinished{});

@@ -2,9 +2,10 @@
 //
 // Idea       the borders move after every frame: the time a stripe took is spread evenly over its lines, and the next
 //            borders give every stripe the same share of it
-// Noise      a thread that was held up once says nothing of its lines: a border moves only to a side where two frames in a row want it, half as
-//            far as the one that wants less
-// Grid       borders lie on multiples of kStripeGrid lines, so that blocks and tiles of the picture belong to one stripe
+// Noise      a thread that was held up once says nothing of its lines: a border moves only to a side where two frames
+//            in a row want it, half as far as the one that wants less
+// Grid       borders lie on multiples of kStripeGrid lines, so that blocks and tiles of the picture belong to one
+//            stripe
 // Promise    stripes cover every line exactly once, in order; the picture does not depend on the borders
 #pragma once
 
@@ -43,7 +44,7 @@ public:
         double total = 0;
         for (const double one : ms) total += one;
         if (total <= 0 || ms.size() < 2) return;
-        const double     share = total / static_cast<double>(ms.size());
+        const double     share  = total / static_cast<double>(ms.size());
         std::vector<int> wanted = m_borders;
         double           done   = 0;  // time of the stripes before `from`
         std::size_t      from   = 0;

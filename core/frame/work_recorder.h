@@ -1,6 +1,6 @@
 // Counts the work of a frame. Every triangle of the scene ends in exactly one of the counters from
-// triangles_transparent to triangles_drawn, so that triangles_in is their sum. A depth pre-pass is counted apart. What can
-// be said of a node or of the triangles in it is counted again per depth of its tree.
+// triangles_transparent to triangles_drawn, so that triangles_in is their sum. A depth pre-pass is counted apart. What
+// can be said of a node or of the triangles in it is counted again per depth of its tree.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 #include "core/base/stages.h"
 #include "core/cull/cull_events.h"
+#include "core/depth/visibility_buffer.h"
 #include "core/frame/frame_events.h"
 #include "core/frame/frame_work.h"
-#include "core/depth/visibility_buffer.h"
 #include "core/geometry/geometry_events.h"
 #include "core/scan/pixel_events.h"
 #include "core/scene/scene.h"
@@ -70,7 +70,7 @@ public:
     {
         DepthWork& work = at(e.place);
         ++work.nodesRecalled;
-        m_here = &work;
+        m_here                  = &work;
         const std::uint32_t own = e.place.node.size();
         for (const TreeNode* node = &e.place.node; node; node = node->parent) m_ahead[{e.place.instance, node}] += own;
         m_ahead[{e.place.instance, nullptr}] += own;
@@ -82,22 +82,24 @@ public:
         ++work.nodesVisited;
         if (e.query) ask(*e.query, &work);
         switch (e.verdict) {
-        case Verdict::Outside: {
-            const std::uint64_t triangles = trianglesBelow(e.place);
-            ++work.nodesOutside;
-            work.trianglesOutside += triangles;
-            add(SetUp::Outside, triangles);
-            break;
-        }
-        case Verdict::Hidden:
-            ++work.nodesHidden;
-            work.trianglesHiddenByNode += trianglesBelow(e.place);
-            break;
-        case Verdict::Entered: ++work.nodesEntered; break;
-        case Verdict::Small:
-            ++work.nodesDropped;
-            work.trianglesDropped += trianglesBelow(e.place);
-            break;
+            case Verdict::Outside: {
+                const std::uint64_t triangles = trianglesBelow(e.place);
+                ++work.nodesOutside;
+                work.trianglesOutside += triangles;
+                add(SetUp::Outside, triangles);
+                break;
+            }
+            case Verdict::Hidden:
+                ++work.nodesHidden;
+                work.trianglesHiddenByNode += trianglesBelow(e.place);
+                break;
+            case Verdict::Entered:
+                ++work.nodesEntered;
+                break;
+            case Verdict::Small:
+                ++work.nodesDropped;
+                work.trianglesDropped += trianglesBelow(e.place);
+                break;
         }
     }
     void observe(const NodeDrawn& e)
@@ -112,7 +114,7 @@ public:
     {
         ask(e.query, m_here);
         if (m_lastPart == e.triangle) return;
-        m_lastPart = e.triangle;
+        m_lastPart       = e.triangle;
         m_lastPartHidden = true;
         countHidden(1);
     }
@@ -128,7 +130,8 @@ public:
     void observe(const CellUpdated& e)
     {
         const auto above = static_cast<std::size_t>(e.write.level - Pyramid::kTileLevel);
-        while (m_levels.size() <= above) m_levels.push_back({.level = Pyramid::kTileLevel + static_cast<int>(m_levels.size())});
+        while (m_levels.size() <= above)
+            m_levels.push_back({.level = Pyramid::kTileLevel + static_cast<int>(m_levels.size())});
         ++m_levels[above].cellsWritten;
         m_levels[above].cellsChanged += e.write.after != e.write.before;
     }
@@ -292,18 +295,18 @@ private:
         return found == m_ahead.end() ? 0 : found->second;
     }
 
-    const Scene&                 m_scene;
-    bool                         m_inPrepass = false;
-    std::array<std::uint64_t, 8> m_fates{};  // by SetUp
-    std::vector<LevelWork>               m_levels;          // of the pyramid, from the tiles up
-    std::array<std::uint64_t, 4> m_polygons{};  // by FaceSetUpAs::How
-    std::uint64_t                m_polygonsDrawn = 0;
+    const Scene&                         m_scene;
+    bool                                 m_inPrepass = false;
+    std::array<std::uint64_t, 8>         m_fates{};     // by SetUp
+    std::vector<LevelWork>               m_levels;      // of the pyramid, from the tiles up
+    std::array<std::uint64_t, 4>         m_polygons{};  // by FaceSetUpAs::How
+    std::uint64_t                        m_polygonsDrawn = 0;
     std::array<std::deque<DepthWork>, 2> m_depths;          // instance tree, mesh trees; [depth]
     DepthWork*                           m_here = nullptr;  // of the node whose triangles are being drawn, if any
     /// Triangles drawn ahead of the visit, below each node of an instance's mesh tree; nullptr: in the whole instance.
     std::map<std::pair<InstanceId, const TreeNode*>, std::uint64_t> m_ahead;
-    std::optional<TriangleId>    m_lastPart;
-    bool                         m_lastPartHidden = false;
+    std::optional<TriangleId>                                       m_lastPart;
+    bool                                                            m_lastPartHidden = false;
     std::uint64_t m_drawnInPrepass = 0, m_hidden = 0, m_queries = 0, m_cells = 0;
     std::uint64_t m_clipped = 0, m_wide = 0, m_batches = 0, m_batchesOutside = 0, m_vertices = 0;
     std::uint64_t m_edges = 0, m_edgeLines = 0, m_spans = 0, m_prepassPixels = 0, m_pixelsTested = 0, m_pixelsWon = 0;

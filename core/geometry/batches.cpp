@@ -7,15 +7,16 @@
 #include <numeric>
 #include <utility>
 
+#include <meshoptimizer.h>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <meshoptimizer.h>
 
 namespace zscope {
 
 namespace {
 
-/// Numbers of 16 bits by keys of 32, at most `most` of them: a small hash table, so that its cost does not depend on the mesh.
+/// Numbers of 16 bits by keys of 32, at most `most` of them: a small hash table, so that its cost does not depend on
+/// the mesh.
 template <std::size_t most>
 class SmallTable {
 public:
@@ -54,7 +55,10 @@ private:
 /// Fills one batch after another.
 class BatchBuilder {
 public:
-    BatchBuilder(const Mesh& mesh, BatchSize size, MeshBatches& out) : m_mesh(mesh), m_size(size), m_out(out) { m_places.clear(); }
+    BatchBuilder(const Mesh& mesh, BatchSize size, MeshBatches& out) : m_mesh(mesh), m_size(size), m_out(out)
+    {
+        m_places.clear();
+    }
 
     void add(std::uint32_t triangle)
     {
@@ -99,9 +103,9 @@ private:
         return place;
     }
 
-    const Mesh&                    m_mesh;
-    BatchSize                      m_size;
-    MeshBatches&                   m_out;
+    const Mesh&  m_mesh;
+    BatchSize    m_size;
+    MeshBatches& m_out;
     // Of the batch at hand, by vertex: no mesh has as many as a key could name.
     // Twice the room: at most a quarter full, nearly every search ends where it begins.
     SmallTable<2 * kBatchVertices> m_places;
@@ -128,8 +132,9 @@ std::vector<std::uint32_t> neighboursTogether(const Mesh& mesh)
     return order;
 }
 
-/// Divides triangles by that key in which they differ most, until what is left is a patch: where their normals leave a gap, as the walls of
-/// houses do, and else in the middle. What a gap leaves over of a patch waits, and is divided by itself, so that few patches face two ways.
+/// Divides triangles by that key in which they differ most, until what is left is a patch: where their normals leave a
+/// gap, as the walls of houses do, and else in the middle. What a gap leaves over of a patch waits, and is divided by
+/// itself, so that few patches face two ways.
 class PatchOrder {
 public:
     PatchOrder(const Mesh& mesh, std::span<const std::uint32_t> triangles)
@@ -142,9 +147,10 @@ public:
         m_items.reserve(triangles.size());
         for (const std::uint32_t t : triangles) {
             const auto& [a, b, c] = mesh.triangles[t];
-            const dvec3  along = mesh.positions[b] - mesh.positions[a], across = glm::cross(along, mesh.positions[c] - mesh.positions[a]);
-            const double area   = glm::length(across);
-            const dvec3  centre = mesh.positions[a] / 3.0 + mesh.positions[b] / 3.0 + mesh.positions[c] / 3.0;
+            const dvec3 along     = mesh.positions[b] - mesh.positions[a],
+                        across    = glm::cross(along, mesh.positions[c] - mesh.positions[a]);
+            const double area     = glm::length(across);
+            const dvec3  centre   = mesh.positions[a] / 3.0 + mesh.positions[b] / 3.0 + mesh.positions[c] / 3.0;
             Item         item{t, {}};
             for (int i = 0; i < 3; ++i) {
                 item.keys[static_cast<std::size_t>(i)]     = keyOf((centre[i] - box.min[i]) / longest);
@@ -170,7 +176,8 @@ private:
         std::array<float, kKeys> keys;  // of the centre, as parts of the longest side of all; of the normal
     };
 
-    /// Of a ratio from -1 to 1; 0 where there was nothing to divide by, and of numbers that have run over: what is sorted needs an order.
+    /// Of a ratio from -1 to 1; 0 where there was nothing to divide by, and of numbers that have run over: what is
+    /// sorted needs an order.
     static float keyOf(double ratio) { return std::abs(ratio) <= 1.01 ? static_cast<float>(ratio) : 0; }
 
     /// Two normals that differ by more than this in one coordinate, and none between.
@@ -193,9 +200,10 @@ private:
             const auto [least, most] = std::ranges::minmax(items, {}, [k](const Item& item) { return item.keys[k]; });
             if (most.keys[k] - least.keys[k] > width) widest = k, width = most.keys[k] - least.keys[k];
         }
-        const auto place = [widest](const Item& item) { return std::pair(item.keys[widest], item.triangle); };
-        const std::size_t gap = atGaps && widest >= kKeys / 2 && width > kGap ? widestGap(items, widest, place) : 0;
-        const std::size_t patches = (items.size() + kPatchTriangles - 1) / kPatchTriangles, middle = gap > 0 ? gap : patches / 2 * kPatchTriangles;
+        const auto        place   = [widest](const Item& item) { return std::pair(item.keys[widest], item.triangle); };
+        const std::size_t gap     = atGaps && widest >= kKeys / 2 && width > kGap ? widestGap(items, widest, place) : 0;
+        const std::size_t patches = (items.size() + kPatchTriangles - 1) / kPatchTriangles,
+                          middle  = gap > 0 ? gap : patches / 2 * kPatchTriangles;
         if (gap == 0) std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(middle), {}, place);
         divide(items.first(middle), atGaps);
         divide(items.subspan(middle), atGaps);
@@ -251,7 +259,9 @@ MeshBatches inPatchesEach(const Mesh& mesh, const MeshBatches& batches, std::siz
     return built(mesh, {}, batches.triangleCount() / step, [&](BatchBuilder& builder) {
         for (std::size_t b = 0; b < batches.batches.size(); b += step) {
             const Batch& batch = batches.batches[b];
-            for (const std::uint32_t t : inPatches(mesh, batches.meshTriangles().subspan(batch.firstTriangle, batch.triangleCount))) builder.add(t);
+            for (const std::uint32_t t :
+                 inPatches(mesh, batches.meshTriangles().subspan(batch.firstTriangle, batch.triangleCount)))
+                builder.add(t);
             builder.close();
         }
     });
@@ -285,14 +295,17 @@ private:
     void addPatches(Batch& batch)
     {
         batch.firstBlock = static_cast<std::uint32_t>(m_mesh.patches.size());
-        m_mesh.patches.resize(m_mesh.patches.size() + (batch.patchCount() + PatchBlock::kPatches - 1) / PatchBlock::kPatches);
+        m_mesh.patches.resize(m_mesh.patches.size()
+                              + (batch.patchCount() + PatchBlock::kPatches - 1) / PatchBlock::kPatches);
         for (std::uint32_t patch = 0; patch < batch.patchCount(); ++patch) {
-            const std::uint32_t first = patch * kPatchTriangles, count = std::min(batch.triangleCount - first, kPatchTriangles);
-            PatchBlock&         block = m_mesh.patches[batch.firstBlock + patch / PatchBlock::kPatches];
-            const std::size_t   lane  = patch % PatchBlock::kPatches;
+            const std::uint32_t first = patch * kPatchTriangles,
+                                count = std::min(batch.triangleCount - first, kPatchTriangles);
+            PatchBlock&       block   = m_mesh.patches[batch.firstBlock + patch / PatchBlock::kPatches];
+            const std::size_t lane    = patch % PatchBlock::kPatches;
             place(std::span(m_triangles).subspan(first, count), block, lane);
             for (std::uint32_t t = batch.firstTriangle + first; t < batch.firstTriangle + first + count; ++t)
-                for (const MeshBatches::Column<std::uint16_t>& corner : m_mesh.corners) block.vertexGroups[lane] |= std::uint64_t{1} << corner[t] / kVertexGroup;
+                for (const MeshBatches::Column<std::uint16_t>& corner : m_mesh.corners)
+                    block.vertexGroups[lane] |= std::uint64_t{1} << corner[t] / kVertexGroup;
         }
     }
 
@@ -307,7 +320,7 @@ private:
             for (const dvec3& corner : triangle) most = std::max(most, glm::dot(corner - centre, corner - centre));
         const NormalCone cone = normalConeOf(patch, centre);
         for (int i = 0; i < 3; ++i) {
-            const auto k = static_cast<std::size_t>(i);
+            const auto k        = static_cast<std::size_t>(i);
             block.axis[k][lane] = cone.axis[i], block.apex[k][lane] = cone.apex[i], block.centre[k][lane] = centre[i];
         }
         block.cosine[lane] = cone.cosine, block.sine[lane] = cone.sine, block.altitude[lane] = cone.altitude;
@@ -324,12 +337,14 @@ MeshBatches withCones(MeshBatches mesh, bool withPatches)
     return mesh;
 }
 
-/// Finds the triangles beyond the sides of a batch's triangles: a side waits in a hash table until one comes that runs the other way.
+/// Finds the triangles beyond the sides of a batch's triangles: a side waits in a hash table until one comes that runs
+/// the other way.
 class SideBuilder {
 public:
     explicit SideBuilder(MeshBatches& mesh) : m_mesh(mesh)
     {
-        for (MeshBatches::Column<std::uint16_t>& column : mesh.beyond) column.assign(mesh.corners[0].size(), MeshBatches::kNobody);
+        for (MeshBatches::Column<std::uint16_t>& column : mesh.beyond)
+            column.assign(mesh.corners[0].size(), MeshBatches::kNobody);
     }
 
     void run()
@@ -373,14 +388,16 @@ MeshBatches withSides(MeshBatches mesh)
 /// The share of all directions from which everything in a cone is seen from behind.
 double shareBehind(double sine, double altitude) { return altitude > 0 ? (1 - sine) / 2 : 0; }
 
-/// Whether, on average over all directions, a tenth of the triangles or more lie in patches that face away and batches that do not.
+/// Whether, on average over all directions, a tenth of the triangles or more lie in patches that face away and batches
+/// that do not.
 bool dropsMoreByPatches(const MeshBatches& mesh)
 {
     double byBatches = 0, byPatches = 0;
     for (const Batch& batch : mesh.batches) {
         byBatches += batch.triangleCount * shareBehind(batch.cone.sine, batch.cone.altitude);
         for (const PatchBlock& block : mesh.patchesOf(batch))
-            for (std::size_t lane = 0; lane < PatchBlock::kPatches; ++lane) byPatches += kPatchTriangles * shareBehind(block.sine[lane], block.altitude[lane]);
+            for (std::size_t lane = 0; lane < PatchBlock::kPatches; ++lane)
+                byPatches += kPatchTriangles * shareBehind(block.sine[lane], block.altitude[lane]);
     }
     return byPatches - byBatches > 0.1 * static_cast<double>(mesh.triangleCount());
 }
@@ -389,8 +406,10 @@ bool dropsMoreByPatches(const MeshBatches& mesh)
 
 std::uint64_t MeshBatches::bytes() const
 {
-    return batches.capacity() * sizeof(Batch) + patches.capacity() * sizeof(PatchBlock) + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double) +
-           3 * (corners[0].capacity() + beyond[0].capacity()) * sizeof(std::uint16_t) + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
+    return batches.capacity() * sizeof(Batch) + patches.capacity() * sizeof(PatchBlock)
+           + (x.capacity() + y.capacity() + z.capacity()) * sizeof(double)
+           + 3 * (corners[0].capacity() + beyond[0].capacity()) * sizeof(std::uint16_t)
+           + meshTriangle.capacity() * sizeof(std::uint32_t) + patterned.capacity();
 }
 
 Surfaces surfaceOf(const Mesh& mesh, std::uint32_t triangle)
@@ -403,7 +422,10 @@ MeshBatches makeBatches(const Mesh& mesh, std::span<const std::uint32_t> triangl
     return withCones(cut(mesh, triangles, wanted, size), true);
 }
 
-std::vector<std::uint32_t> inPatches(const Mesh& mesh, std::span<const std::uint32_t> triangles) { return PatchOrder(mesh, triangles).find(); }
+std::vector<std::uint32_t> inPatches(const Mesh& mesh, std::span<const std::uint32_t> triangles)
+{
+    return PatchOrder(mesh, triangles).find();
+}
 
 MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
 {
@@ -411,7 +433,8 @@ MeshBatches makeBatches(const Mesh& mesh, Surfaces wanted)
     if (wanted != Surfaces::Opaque) return withCones(std::move(loaded), false);
     if (loaded.batches.size() < 2) return withSides(withCones(std::move(loaded), false));
     MeshBatches sorted = cut(mesh, neighboursTogether(mesh), wanted);
-    return withSides(withCones(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded), false));
+    return withSides(
+        withCones(4 * sorted.vertexCount() <= 3 * loaded.vertexCount() ? std::move(sorted) : std::move(loaded), false));
 }
 
 MeshBatches patchedBatches(const Mesh& mesh, const MeshBatches& whole)

@@ -1,9 +1,10 @@
-// How the value of an edge grows from pixel to pixel: two differences in the halves of one lane, and what a way over some pixels adds up to.
+// How the value of an edge grows from pixel to pixel: two differences in the halves of one lane, and what a way over
+// some pixels adds up to.
 //
-// Steps      from a pixel to the next in the lower half of a lane, to the one below in the upper, each of 16 bits: what compact triangles have
-//            (core/geometry/triangle_list.h)
-// Way        so many pixels to the right in the lower half, so many lines down in the upper (core/geometry/pixel_way.h). Both products and their sum are
-//            one instruction, in every instruction set
+// Steps      from a pixel to the next in the lower half of a lane, to the one below in the upper, each of 16 bits: what
+//            compact triangles have (core/geometry/triangle_list.h)
+// Way        so many pixels to the right in the lower half, so many lines down in the upper
+//            (core/geometry/pixel_way.h). Both products and their sum are one instruction, in every instruction set
 // Promise    exact: integers
 #if defined(ZSCOPE_EDGE_STEPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_EDGE_STEPS_INL_H
@@ -49,20 +50,38 @@ HWY_INLINE V halfByHalf(V a, V b, const Of& of)
     return hn::Set(hn::DFromV<V>(), pixelsAndLines(of(pixelsOf(x), pixelsOf(y)), of(linesOf(x), linesOf(y))));
 }
 template <class V>
-HWY_INLINE V minusHalves(V a, V b) { return halfByHalf(a, b, [](int x, int y) { return x - y; }); }
+HWY_INLINE V minusHalves(V a, V b)
+{
+    return halfByHalf(a, b, [](int x, int y) { return x - y; });
+}
 template <class V>
-HWY_INLINE V leastHalves(V a, V b) { return halfByHalf(a, b, [](int x, int y) { return HWY_MIN(x, y); }); }
+HWY_INLINE V leastHalves(V a, V b)
+{
+    return halfByHalf(a, b, [](int x, int y) { return HWY_MIN(x, y); });
+}
 template <class V>
-HWY_INLINE V mostHalves(V a, V b) { return halfByHalf(a, b, [](int x, int y) { return HWY_MAX(x, y); }); }
+HWY_INLINE V mostHalves(V a, V b)
+{
+    return halfByHalf(a, b, [](int x, int y) { return HWY_MAX(x, y); });
+}
 #else
 template <class V>
 using Halves = hn::Repartition<std::int16_t, hn::DFromV<V>>;
 template <class V>
-HWY_INLINE V minusHalves(V a, V b) { return hn::BitCast(hn::DFromV<V>(), hn::BitCast(Halves<V>(), a) - hn::BitCast(Halves<V>(), b)); }
+HWY_INLINE V minusHalves(V a, V b)
+{
+    return hn::BitCast(hn::DFromV<V>(), hn::BitCast(Halves<V>(), a) - hn::BitCast(Halves<V>(), b));
+}
 template <class V>
-HWY_INLINE V leastHalves(V a, V b) { return hn::BitCast(hn::DFromV<V>(), hn::Min(hn::BitCast(Halves<V>(), a), hn::BitCast(Halves<V>(), b))); }
+HWY_INLINE V leastHalves(V a, V b)
+{
+    return hn::BitCast(hn::DFromV<V>(), hn::Min(hn::BitCast(Halves<V>(), a), hn::BitCast(Halves<V>(), b)));
+}
 template <class V>
-HWY_INLINE V mostHalves(V a, V b) { return hn::BitCast(hn::DFromV<V>(), hn::Max(hn::BitCast(Halves<V>(), a), hn::BitCast(Halves<V>(), b))); }
+HWY_INLINE V mostHalves(V a, V b)
+{
+    return hn::BitCast(hn::DFromV<V>(), hn::Max(hn::BitCast(Halves<V>(), a), hn::BitCast(Halves<V>(), b)));
+}
 #endif
 
 /// a + b, half by half.
@@ -76,7 +95,8 @@ HWY_INLINE V plusHalves(V a, V b)
 #endif
 }
 
-/// The steps of the edge that runs that way: it grows to the right by as much as it falls, down by as much as it runs to the right.
+/// The steps of the edge that runs that way: it grows to the right by as much as it falls, down by as much as it runs
+/// to the right.
 template <class V>
 HWY_INLINE V acrossEdge(V way)
 {
@@ -87,7 +107,9 @@ HWY_INLINE V acrossEdge(V way)
 #else
     // The lower half's complement, and one more.
     const auto lower = hn::Set(d, 0xFFFF);
-    return minusHalves(hn::Xor(hn::BitCast(d, hn::RotateRight<16>(hn::BitCast(hn::RebindToUnsigned<decltype(d)>(), way))), lower), lower);
+    return minusHalves(
+        hn::Xor(hn::BitCast(d, hn::RotateRight<16>(hn::BitCast(hn::RebindToUnsigned<decltype(d)>(), way))), lower),
+        lower);
 #endif
 }
 
@@ -101,8 +123,9 @@ HWY_INLINE V growth(V steps, V way)
     return hn::Set(d, pixelsOf(s) * pixelsOf(w) + linesOf(s) * linesOf(w));
 #else
     const hn::Repartition<std::int16_t, decltype(d)> i16;
-    auto       rest = hn::Zero(d);
-    const auto sums = hn::ReorderWidenMulAccumulate(d, hn::BitCast(i16, steps), hn::BitCast(i16, way), hn::Zero(d), rest);
+    auto                                             rest = hn::Zero(d);
+    const auto                                       sums =
+        hn::ReorderWidenMulAccumulate(d, hn::BitCast(i16, steps), hn::BitCast(i16, way), hn::Zero(d), rest);
     return hn::RearrangeToOddPlusEven(sums, rest);
 #endif
 }

@@ -27,7 +27,9 @@ FacePlane planeOf(const Mesh& mesh, PolygonId polygon)
 /// Fills one batch after another, a face at a time.
 class FaceBatchBuilder {
 public:
-    FaceBatchBuilder(const Mesh& mesh, FaceBatches& out) : m_mesh(mesh), m_out(out), m_places(mesh.positions.size(), kNone) {}
+    FaceBatchBuilder(const Mesh& mesh, FaceBatches& out)
+        : m_mesh(mesh), m_out(out), m_places(mesh.positions.size(), kNone)
+    {}
 
     void add(PolygonId polygon)
     {
@@ -110,11 +112,13 @@ private:
                 const std::uint32_t from = ear[i], to = ear[(i + 1) % 3];
                 if (from != to) m_links.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
             }
-        std::ranges::sort(m_links, [](const Link& a, const Link& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+        std::ranges::sort(
+            m_links, [](const Link& a, const Link& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
         for (std::size_t i = 0; i < m_links.size();) {
             const Link link  = m_links[i];
             int        turns = 0;
-            for (; i < m_links.size() && m_links[i].low == link.low && m_links[i].high == link.high; ++i) turns += m_links[i].turns;
+            for (; i < m_links.size() && m_links[i].low == link.low && m_links[i].high == link.high; ++i)
+                turns += m_links[i].turns;
             for (; turns > 0; --turns) m_out.sides.push_back({link.low, link.high});
             for (; turns < 0; ++turns) m_out.sides.push_back({link.high, link.low});
         }
@@ -137,18 +141,22 @@ FaceBatches makeFaceBatches(const Mesh& mesh)
     FaceBatchBuilder builder(mesh, out);
     for (std::uint32_t p = 0; p < mesh.polygonCount(); ++p) {
         const PolygonId polygon{p};
-        if (mesh.materialOf(polygon).opacity >= 1 && mesh.firstTriangle[p] < mesh.firstTriangle[p + 1]) builder.add(polygon);
+        if (mesh.materialOf(polygon).opacity >= 1 && mesh.firstTriangle[p] < mesh.firstTriangle[p + 1])
+            builder.add(polygon);
     }
     builder.close();
-    out.faces.push_back({.firstSide = static_cast<std::uint32_t>(out.sides.size()), .firstEar = static_cast<std::uint32_t>(out.ears.size())});
-    for (MeshBatches::Column<double>* axis : {&out.points.x, &out.points.y, &out.points.z}) axis->resize(axis->size() + kBatchPadding);
+    out.faces.push_back({.firstSide = static_cast<std::uint32_t>(out.sides.size()),
+                         .firstEar  = static_cast<std::uint32_t>(out.ears.size())});
+    for (MeshBatches::Column<double>* axis : {&out.points.x, &out.points.y, &out.points.z})
+        axis->resize(axis->size() + kBatchPadding);
     return out;
 }
 
 std::uint64_t FaceBatches::bytes() const
 {
-    return points.bytes() + batches.capacity() * sizeof(FaceBatch) + faces.capacity() * sizeof(Face) +
-           sides.capacity() * sizeof(FaceSide) + ears.capacity() * sizeof(FaceEar) + planes.capacity() * sizeof(FacePlane);
+    return points.bytes() + batches.capacity() * sizeof(FaceBatch) + faces.capacity() * sizeof(Face)
+           + sides.capacity() * sizeof(FaceSide) + ears.capacity() * sizeof(FaceEar)
+           + planes.capacity() * sizeof(FacePlane);
 }
 
 SceneFaces::SceneFaces(const Scene& scene)

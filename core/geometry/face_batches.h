@@ -1,14 +1,15 @@
 // A mesh cut into batches of whole faces, as they were read: what a method needs that draws polygons, not triangles.
 //
-// Sides      of a face of several triangles: the directed edges of its triangles that no other of them cancels by running the
-//            other way. That is the outline as read, with the corners that the split inserted where the outline touches
-//            itself, and without the bridges to its holes. Whatever the corners' places, sides wind round a point as often
-//            as the face's triangles cover it, counted by their sense of turning
+// Sides      of a face of several triangles: the directed edges of its triangles that no other of them cancels by
+//            running the other way. That is the outline as read, with the corners that the split inserted where the
+//            outline touches itself, and without the bridges to its holes. Whatever the corners' places, sides wind
+//            round a point as often as the face's triangles cover it, counted by their sense of turning
 // Plane      in model space: Newell's normal, through the mean of the corners
 // Order      load order; triangles of a face are consecutive, its id is that of the first
 // Size       a batch has at most as many vertices and triangles as BatchSize says, or a single face of any size
 // Made       on first request, for the whole scene (facesOf)
-// Triangles  where every face of a mesh is one, whoever does not listen draws the mesh's triangles (visitFacesAsSubmitted)
+// Triangles  where every face of a mesh is one, whoever does not listen draws the mesh's triangles
+//            (visitFacesAsSubmitted)
 #pragma once
 
 #include <algorithm>
@@ -37,12 +38,13 @@ struct FacePlane {
 struct Face {
     static constexpr std::uint32_t kNoPlane = std::numeric_limits<std::uint32_t>::max();
 
-    std::uint32_t firstSide = 0;         // into FaceBatches::sides; those of a face end where the next face's begin
-    std::uint32_t firstEar  = 0;         // likewise, FaceBatches::ears
-    std::uint32_t firstTriangle = 0;     // of the mesh
-    std::uint32_t plane     = kNoPlane;  // into FaceBatches::planes; a face of one triangle has none, and no sides
-    bool          patterned = false;     // it has holes or a relief
-    bool          isMended  = false;     // crosses itself or has no area: filled by the even-odd rule, whatever its triangles
+    std::uint32_t firstSide     = 0;         // into FaceBatches::sides; those of a face end where the next face's begin
+    std::uint32_t firstEar      = 0;         // likewise, FaceBatches::ears
+    std::uint32_t firstTriangle = 0;         // of the mesh
+    std::uint32_t plane         = kNoPlane;  // into FaceBatches::planes; a face of one triangle has none, and no sides
+    bool          patterned     = false;     // it has holes or a relief
+    // crosses itself or has no area: filled by the even-odd rule, whatever its triangles
+    bool isMended = false;
 };
 
 struct FaceBatch {
@@ -81,7 +83,7 @@ public:
     const FaceBatches& of(MeshId mesh) const { return m_meshes[mesh.value]; }
     /// Whether that is so of at least one mesh.
     bool          someAreTriangles() const { return std::ranges::any_of(m_meshes, &FaceBatches::areTriangles); }
-    std::uint64_t      bytes() const;
+    std::uint64_t bytes() const;
 
 private:
     std::vector<FaceBatches> m_meshes;

@@ -1,12 +1,12 @@
 // From the faces of a batch to the polygons that reach the pixels of a region.
 //
-// Outline    a face whose triangles all turn the same way once snapped, or that is mended: its sides, as one polygon. Where
-//            the near plane cuts it, or a corner is out of range, the sides of what is left of its triangles, of which those
-//            inside the face cancel in pairs
-// By ears    any other, triangle by triangle: one that is not plane or that snapping turned over in part, and one so thin that
-//            its depth comes from the snapped grid. A mended face never is: it keeps the even-odd rule
-// Promise    a face covers the pixels that its triangles cover (a mended one: an odd number of them). What a triangle has
-//            become is told as setUpPlain() tells it, but that it is drawn where its face is
+// Outline    a face whose triangles all turn the same way once snapped, or that is mended: its sides, as one polygon.
+//            Where the near plane cuts it, or a corner is out of range, the sides of what is left of its triangles, of
+//            which those inside the face cancel in pairs
+// By ears    any other, triangle by triangle: one that is not plane or that snapping turned over in part, and one so
+//            thin that its depth comes from the snapped grid. A mended face never is: it keeps the even-odd rule
+// Promise    a face covers the pixels that its triangles cover (a mended one: an odd number of them). What a triangle
+//            has become is told as setUpPlain() tells it, but that it is drawn where its face is
 // Cost       per triangle of a face its turn; per face one plane
 #pragma once
 
@@ -32,15 +32,16 @@ struct FaceScratch {
     std::vector<dvec3>        view;    // of the batch's vertices, where it is not plain
     std::vector<ScreenCorner> screen;  // likewise; of those that are Behind without meaning
     std::vector<Where>        where;
-    std::vector<ScreenSide>   sides;   // of the face at hand
-    std::vector<EarFate>      fates;   // of its triangles, for probes that listen
+    std::vector<ScreenSide>   sides;    // of the face at hand
+    std::vector<EarFate>      fates;    // of its triangles, for probes that listen
     TriangleList              parts;    // of the triangle at hand
     TriangleList              waiting;  // faces that are triangles, until there are several
 
     std::size_t bytes() const
     {
-        return view.capacity() * sizeof(dvec3) + screen.capacity() * sizeof(ScreenCorner) + where.capacity() * sizeof(Where) +
-               sides.capacity() * sizeof(ScreenSide) + fates.capacity() * sizeof(EarFate);
+        return view.capacity() * sizeof(dvec3) + screen.capacity() * sizeof(ScreenCorner)
+               + where.capacity() * sizeof(Where) + sides.capacity() * sizeof(ScreenSide)
+               + fates.capacity() * sizeof(EarFate);
     }
 };
 
@@ -60,10 +61,9 @@ class FaceSetUp {
 public:
     FaceSetUp(const FacePlace& place, const Projection& projection, FaceCulling culling, const PixelBox& region,
               FaceScratch& scratch, const Consume& consume, const Rules& rules, const Probe& probe)
-        : m_place(place), m_projection(projection), m_culling(culling), m_region(region), m_scratch(scratch), m_consume(consume),
-          m_rules(rules), m_probe(probe), m_depth(projection, place.toWorld)
-    {
-    }
+        : m_place(place), m_projection(projection), m_culling(culling), m_region(region), m_scratch(scratch),
+          m_consume(consume), m_rules(rules), m_probe(probe), m_depth(projection, place.toWorld)
+    {}
 
     /// All vertices of the batch are in front of the near plane and inside the guard band.
     void plainly(const ScreenVertices& vertices)
@@ -81,7 +81,8 @@ public:
             for (const FaceEar& ear : m_place.mesh.earsOf(f))
                 for (const std::uint32_t place : ear) {
                     isWide = isWide || m_scratch.where[place] == Where::Wide;
-                    isCut  = isCut || m_scratch.where[place] == Where::Behind || m_scratch.where[place] == Where::OutOfRange;
+                    isCut =
+                        isCut || m_scratch.where[place] == Where::Behind || m_scratch.where[place] == Where::OutOfRange;
                 }
             if (isCut)
                 cut(f);
@@ -114,7 +115,8 @@ private:
         const auto draw = [&](std::uint32_t i) {
             const auto& [a, b, c] = ears[i];
             ScreenTriangle triangle;
-            const SetUp    fate = setUpTriangle(at(a), at(b), at(c), idOf(f), wide, m_culling, m_region, m_rules, triangle);
+            const SetUp    fate =
+                setUpTriangle(at(a), at(b), at(c), idOf(f), wide, m_culling, m_region, m_rules, triangle);
             triangle.patterned = m_place.mesh.faces[f].patterned;
             if (fate == SetUp::Drawn) m_consume(triangle);
             m_probe(TriangleSetUp{idOf(f, i), fate, false, wide && fate == SetUp::Drawn});
@@ -137,7 +139,8 @@ private:
         const auto ears = m_place.mesh.earsOf(f);
         const auto draw = [&](std::uint32_t i) {
             m_scratch.parts.clear();
-            const SetUp fate = setUpClipped(viewsOf(ears[i]), idOf(f, i), idOf(f), m_place.mesh.faces[f].patterned, m_projection, m_culling, m_region, m_rules, m_scratch.parts, m_probe);
+            const SetUp fate = setUpClipped(viewsOf(ears[i]), idOf(f, i), idOf(f), m_place.mesh.faces[f].patterned,
+                                            m_projection, m_culling, m_region, m_rules, m_scratch.parts, m_probe);
             for (std::size_t p = 0; p < m_scratch.parts.count; ++p) m_consume(m_scratch.parts[p]);
             return fate;
         };
@@ -160,7 +163,7 @@ private:
         if constexpr (Probe::listens)
             for (std::uint32_t i = 0; i < m_scratch.fates.size(); ++i) {
                 const auto [own, isCut, wide] = m_scratch.fates[i];
-                const bool sharesIt           = fate != SetUp::Drawn && (own == SetUp::Drawn || own == SetUp::NoPixelCentre);
+                const bool sharesIt = fate != SetUp::Drawn && (own == SetUp::Drawn || own == SetUp::NoPixelCentre);
                 m_probe(TriangleSetUp{idOf(f, i), sharesIt ? fate : own, isCut, wide && !sharesIt});
             }
     }
@@ -182,7 +185,8 @@ private:
     {
         const Face& face = m_place.mesh.faces[f];
         if (m_seen.isDropped) return SetUp::Outside;
-        if (!m_seen.hasArea() || m_scratch.sides.empty()) return SetUp::Degenerate;  // walked there and back, no side is left
+        // walked there and back, no side is left
+        if (!m_seen.hasArea() || m_scratch.sides.empty()) return SetUp::Degenerate;
         const bool isBack = face.isMended ? turnsClockwise(m_scratch.sides) : m_seen.back;
         if (isBack && m_culling == FaceCulling::Back) return SetUp::BackFacing;
         if (!hasPixelCentre(m_seen.left, m_seen.top, m_seen.right, m_seen.bottom)) return SetUp::NoPixelCentre;
@@ -192,17 +196,19 @@ private:
             depth.a = depth.b = 0;  // as a triangle without a plane
             depth.c           = depth.nearest;
         }
-        m_consume(ScreenFace{depth, m_seen.top, idOf(f), m_seen.wide, face.isMended, face.patterned}, std::span<const ScreenSide>(m_scratch.sides));
+        m_consume(ScreenFace{depth, m_seen.top, idOf(f), m_seen.wide, face.isMended, face.patterned},
+                  std::span<const ScreenSide>(m_scratch.sides));
         return SetUp::Drawn;
     }
 
     /// What the triangles and sides of the face at hand come to.
     struct Seen {
-        bool   wide = false, front = false, back = false, isDropped = false;
-        double area = 0;                                                                   // twice, unsnapped, of all triangles
-        double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL;               // of the corners, unsnapped
-        double left = HUGE_VAL, right = -HUGE_VAL, top = HUGE_VAL, bottom = -HUGE_VAL;     // snapped
-        double farthest = HUGE_VAL, nearest = -HUGE_VAL;                                   // depths
+        bool wide = false, front = false, back = false, isDropped = false;
+        // twice, unsnapped, of all triangles
+        double area = 0;
+        double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL;            // of the corners, unsnapped
+        double left = HUGE_VAL, right = -HUGE_VAL, top = HUGE_VAL, bottom = -HUGE_VAL;  // snapped
+        double farthest = HUGE_VAL, nearest = -HUGE_VAL;                                // depths
 
         bool hasArea() const { return front || back; }
         /// As depthPlane() judges a triangle.
@@ -210,7 +216,8 @@ private:
         void include(const ScreenCorner& p)
         {
             x0 = std::min(x0, p.x), x1 = std::max(x1, p.x), y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
-            left = std::min(left, p.xs), right = std::max(right, p.xs), top = std::min(top, p.ys), bottom = std::max(bottom, p.ys);
+            left = std::min(left, p.xs), right = std::max(right, p.xs), top = std::min(top, p.ys),
+            bottom   = std::max(bottom, p.ys);
             farthest = std::min(farthest, p.d), nearest = std::max(nearest, p.d);
         }
     };
@@ -225,8 +232,10 @@ private:
 
     bool hasPixelCentre(double left, double top, double right, double bottom) const
     {
-        return std::max(m_region.x0, m_rules.firstCentreFrom(left)) < std::min(m_region.x1, m_rules.firstCentreFrom(right)) &&
-               std::max(m_region.y0, m_rules.firstCentreFrom(top)) < std::min(m_region.y1, m_rules.firstCentreFrom(bottom));
+        return std::max(m_region.x0, m_rules.firstCentreFrom(left))
+                   < std::min(m_region.x1, m_rules.firstCentreFrom(right))
+               && std::max(m_region.y0, m_rules.firstCentreFrom(top))
+                      < std::min(m_region.y1, m_rules.firstCentreFrom(bottom));
     }
 
     /// Takes note of how a triangle turns. Drawn if it would be on its own, whichever side it shows.
@@ -286,14 +295,18 @@ private:
     static bool turnsClockwise(std::span<const ScreenSide> sides)
     {
         __extension__ using Wide = __int128;
-        Wide       area  = 0;
-        const auto whole = [](double value) { return static_cast<Wide>(value); };
+        Wide       area          = 0;
+        const auto whole         = [](double value) { return static_cast<Wide>(value); };
         const Wide x = whole(sides.front().xa), y = whole(sides.front().ya);
-        for (const ScreenSide& s : sides) area += (whole(s.xa) - x) * (whole(s.yb) - y) - (whole(s.ya) - y) * (whole(s.xb) - x);
+        for (const ScreenSide& s : sides)
+            area += (whole(s.xa) - x) * (whole(s.yb) - y) - (whole(s.ya) - y) * (whole(s.xb) - x);
         return area > 0;
     }
 
-    static bool isBeyondGuardBand(const ScreenCorner& corner) { return std::max(std::abs(corner.xs), std::abs(corner.ys)) > kGuardBand; }
+    static bool isBeyondGuardBand(const ScreenCorner& corner)
+    {
+        return std::max(std::abs(corner.xs), std::abs(corner.ys)) > kGuardBand;
+    }
 
     void placeVertices()
     {
@@ -303,7 +316,8 @@ private:
         m_scratch.screen.resize(count);
         m_scratch.where.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
-            const dvec3 view  = viewOf({mesh.x[first + i], mesh.y[first + i], mesh.z[first + i]}, m_place.toWorld, m_projection, m_rules);
+            const dvec3 view  = viewOf({mesh.x[first + i], mesh.y[first + i], mesh.z[first + i]}, m_place.toWorld,
+                                       m_projection, m_rules);
             m_scratch.view[i] = view;
             if (!(view.z >= m_projection.near)) {
                 m_scratch.where[i] = Where::Behind;
@@ -311,7 +325,9 @@ private:
             }
             const ScreenCorner corner = screenOf(view, m_projection, m_rules);
             m_scratch.screen[i]       = corner;
-            m_scratch.where[i]        = !isInRange(corner) ? Where::OutOfRange : isBeyondGuardBand(corner) ? Where::Wide : Where::Seen;
+            m_scratch.where[i]        = !isInRange(corner)          ? Where::OutOfRange
+                                        : isBeyondGuardBand(corner) ? Where::Wide
+                                                                    : Where::Seen;
         }
     }
 

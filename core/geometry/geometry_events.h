@@ -37,10 +37,11 @@ struct TriangleSetUp {
 /// A face as it was read has been set up: as one polygon, or triangle by triangle. Told after its triangles.
 struct FaceSetUpAs {
     enum class How {
-        Triangle,     // it is one
-        Outline,      // by its sides
-        UnlikeTurns,  // by its triangles: some show their fronts, some their backs; not plane, or turned over by snapping
-        Thin,         // by its triangles: seen edge on, so that its plane would be nothing but rounding
+        Triangle,  // it is one
+        Outline,   // by its sides
+        // by its triangles: some show their fronts, some their backs; not plane, or turned over by snapping
+        UnlikeTurns,
+        Thin,  // by its triangles: seen edge on, so that its plane would be nothing but rounding
     };
     TriangleId face;  // its first triangle
     How        how;

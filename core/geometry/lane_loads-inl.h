@@ -22,7 +22,8 @@ HWY_INLINE hn::Vec<D> loadLanes(D d, const AddressOf& addressOf, std::size_t fir
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (hn::MaxLanes(d) > 1) {
         const hn::Half<D> half;
-        return hn::Combine(d, loadLanes(half, addressOf, first + hn::MaxLanes(half)), loadLanes(half, addressOf, first));
+        return hn::Combine(d, loadLanes(half, addressOf, first + hn::MaxLanes(half)),
+                           loadLanes(half, addressOf, first));
     } else
 #endif
         return hn::LoadU(d, addressOf(first));

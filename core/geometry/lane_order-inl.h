@@ -1,8 +1,8 @@
 // The order that brings chosen lanes of a vector side by side, to be found once and used for every column.
 //
 // Promise    the same order of the chosen lanes in every instruction set
-// Cost       one instruction where the machine has it, one load from a table of 2 KB where it has not: Highway 1.0.3 copies its own
-//            table to the stack at each call there, because it is no static one (docs/performance.md)
+// Cost       one instruction where the machine has it, one load from a table of 2 KB where it has not: Highway 1.0.3
+//            copies its own table to the stack at each call there, because it is no static one (docs/performance.md)
 #if defined(ZSCOPE_LANE_ORDER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_LANE_ORDER_INL_H
 #undef ZSCOPE_LANE_ORDER_INL_H
@@ -30,8 +30,8 @@ inline constexpr auto kSetBits = [] {
     return all;
 }();
 
-/// Which lane goes where so that those in `kept` come first, in the order that they have: lane i is the i-th of them. What comes after
-/// them names lanes, too, but does not say which. `D`: int32.
+/// Which lane goes where so that those in `kept` come first, in the order that they have: lane i is the i-th of them.
+/// What comes after them names lanes, too, but does not say which. `D`: int32.
 template <class D>
 HWY_INLINE hn::Vec<D> keptFirst(D d, hn::Mask<D> kept)
 {
@@ -55,7 +55,8 @@ HWY_INLINE std::uint32_t bitsOf(D d, hn::Mask<D> mask)
     return bits[0] | static_cast<std::uint32_t>(bits[1]) << 8;
 }
 
-/// first, first + 1, ... Highway 1.0.3 puts such a vector together in memory, lane by lane, unless `first` is a constant.
+/// first, first + 1, ... Highway 1.0.3 puts such a vector together in memory, lane by lane, unless `first` is a
+/// constant.
 template <class D>
 HWY_INLINE hn::Vec<D> countFrom(D d, hn::TFromD<D> first)
 {

@@ -38,7 +38,7 @@ inline ClippedTriangle clipNear(const std::array<dvec3, 3>& view, double near)
         const dvec3& b = view[(i + 1) % 3];
         if (isInside(a)) kept.corner[kept.count++] = a;
         if (isInside(a) == isInside(b)) continue;
-        kept.isCut = true;
+        kept.isCut                = true;
         kept.corner[kept.count++] = isInside(a) ? nearCrossing(a, b, near) : nearCrossing(b, a, near);
     }
     return kept;

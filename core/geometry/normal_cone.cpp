@@ -49,7 +49,7 @@ NormalCone normalConeOf(std::span<const std::array<dvec3, 3>> triangles, const d
     const double length = glm::length(sum);
     if (!(length > 0) || !(altitude > 0)) return {};
 
-    const dvec3 axis = sum / length;
+    const dvec3 axis   = sum / length;
     double      cosine = 1, back = 0;  // the apex must lie so far behind the centre
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const double towards = glm::dot(facings[i].normal, axis);
@@ -57,15 +57,22 @@ NormalCone normalConeOf(std::span<const std::array<dvec3, 3>> triangles, const d
         cosine = std::min(cosine, towards - kConeSlack);
         back   = std::max(back, glm::dot(centre - triangles[i][0], facings[i].normal) / towards);
     }
-    return {.axis = axis, .apex = centre - axis * back, .cosine = cosine, .sine = std::sqrt(1 - cosine * cosine), .altitude = altitude};
+    return {.axis     = axis,
+            .apex     = centre - axis * back,
+            .cosine   = cosine,
+            .sine     = std::sqrt(1 - cosine * cosine),
+            .altitude = altitude};
 }
 
-BackFaces::BackFaces(const PlacedView& view, const Projection& projection) : m_near(projection.near), m_focal(projection.focalPixels)
+BackFaces::BackFaces(const PlacedView& view, const Projection& projection)
+    : m_near(projection.near), m_focal(projection.focalPixels)
 {
     const auto&      axes = view.axes();
     const glm::dmat3 linear(axes[0], axes[1], axes[2]);
-    const double     volume  = glm::determinant(linear);  // view space is left-handed: negative unless something is mirrored
-    const double     stretch = std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
+    // view space is left-handed: negative unless something is mirrored
+    const double volume = glm::determinant(linear);
+    const double stretch =
+        std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
     if (!(-volume > 1e-3 * stretch * stretch * stretch)) return;
     m_volume  = -volume;
     m_stretch = stretch;
@@ -75,18 +82,19 @@ BackFaces::BackFaces(const PlacedView& view, const Projection& projection) : m_n
 std::optional<BehindQuestion> BackFaces::question(const ViewBox& box) const
 {
     if (!(m_volume > 0)) return {};
-    const double error   = PlacedView::kError * box.magnitude, deep = box.spread(0, 0, 1) + error;
+    const double error = PlacedView::kError * box.magnitude, deep = box.spread(0, 0, 1) + error;
     const double nearest = box.centre.z - deep, farthest = box.centre.z + deep;
     if (!(nearest >= m_near)) return {};
-    const double wide = std::abs(box.centre.x) + box.spread(1, 0, 0) + error, high = std::abs(box.centre.y) + box.spread(0, 1, 0) + error;
+    const double wide  = std::abs(box.centre.x) + box.spread(1, 0, 0) + error,
+                 high  = std::abs(box.centre.y) + box.spread(0, 1, 0) + error;
     const double slope = std::sqrt(wide * wide + high * high) / nearest, pixels = m_focal / nearest;
     if (!(m_focal * slope < 1e6)) return {};  // positions beyond some thousand pictures have roundings of their own
 
     const double moved = 0.7072 / kSubpixels + 2 * pixels * error * (1 + slope) + kConeSlack / kSubpixels;
-    return BehindQuestion{.eye               = m_eye,
-                          .slack             = kConeSlack * (glm::length(m_eye) + box.magnitude / m_stretch),
-                          .areaPerDistance   = m_focal * m_focal * m_volume / (farthest * farthest * farthest),
-                          .change            = (1 + 1e-6) * 3 * moved * pixels * m_stretch * std::sqrt(1 + slope * slope),
+    return BehindQuestion{.eye             = m_eye,
+                          .slack           = kConeSlack * (glm::length(m_eye) + box.magnitude / m_stretch),
+                          .areaPerDistance = m_focal * m_focal * m_volume / (farthest * farthest * farthest),
+                          .change          = (1 + 1e-6) * 3 * moved * pixels * m_stretch * std::sqrt(1 + slope * slope),
                           .changePerAltitude = (1 + 1e-6) * 4 * moved * moved};
 }
 
@@ -99,7 +107,8 @@ bool BehindQuestion::holdsOf(const NormalCone& cone) const
     const dvec3  aside    = ahead - cone.axis * along;
     const double place    = std::abs(cone.apex.x) + std::abs(cone.apex.y) + std::abs(cone.apex.z);
     const double distance = along * cone.cosine - glm::length(aside) * cone.sine - (slack + kConeSlack * place);
-    return distance > 0 && areaPerDistance * cone.altitude * distance * cone.altitude > change * cone.altitude + changePerAltitude;
+    return distance > 0
+           && areaPerDistance * cone.altitude * distance * cone.altitude > change * cone.altitude + changePerAltitude;
 }
 
 bool BackFaces::hold(const NormalCone& cone, const ViewBox& box) const

@@ -1,9 +1,11 @@
-// A batch in patches: its triangles in runs of kPatchTriangles, which are asked about before anything is done about their triangles. The cone of
-// normals of a whole batch is mostly too wide, and its box reaches too far; of its patches those that face away or have no pixel to show are left
-// out, and vertices that only they use likewise.
+// A batch in patches: its triangles in runs of kPatchTriangles, which are asked about before anything is done about
+// their triangles. The cone of normals of a whole batch is mostly too wide, and its box reaches too far; of its patches
+// those that face away or have no pixel to show are left out, and vertices that only they use likewise.
 //
-// Layout     structure of arrays, so that lanes ask several patches at once; of patches that there are not the altitude is 0
-// Groups     vertices stand in the order in which triangles use them first, so that a patch's lie in few groups of kVertexGroup
+// Layout     structure of arrays, so that lanes ask several patches at once; of patches that there are not the altitude
+//            is 0
+// Groups     vertices stand in the order in which triangles use them first, so that a patch's lie in few groups of
+//            kVertexGroup
 #pragma once
 
 #include <array>
@@ -19,17 +21,17 @@ inline constexpr std::size_t   kVertexGroup    = 16;
 /// kPatches patches of one batch, one after another. In the units of the model.
 struct alignas(64) PatchBlock {
     static constexpr std::size_t kPatches = 8;
-    using Column = std::array<double, kPatches>;
+    using Column                          = std::array<double, kPatches>;
 
     std::array<Column, 3>               axis{}, apex{};  // as of NormalCone, like the next
     Column                              cosine{}, sine{}, altitude{};
-    std::array<Column, 3>               centre{};        // of a sphere that holds its corners
+    std::array<Column, 3>               centre{};  // of a sphere that holds its corners
     Column                              radius{};
     std::array<std::uint64_t, kPatches> vertexGroups{};  // bit i: some of the batch's vertices from kVertexGroup i on
 };
 
 /// Bit i: the batch's triangles from kPatchTriangles i on.
-using PatchBits = std::uint32_t;
+using PatchBits                        = std::uint32_t;
 inline constexpr PatchBits kAllPatches = ~PatchBits{0};
 
 /// Bits next to each other that are set.

@@ -1,7 +1,8 @@
 // The patterns of one triangle's material (holes, relief) as they lie on the screen.
 //
-// Idea       one plane per face, that of its first triangle: with g, hu, hv as below, a pattern coordinate at the pixel whose view ray is r is u0 + (hu.r)/(g.r): the plane
-//            through the three corners in view space, before any clipping, so that parts agree with the whole
+// Idea       one plane per face, that of its first triangle: with g, hu, hv as below, a pattern coordinate at the pixel
+//            whose view ray is r is u0 + (hu.r)/(g.r): the plane through the three corners in view space, before any
+//            clipping, so that parts agree with the whole
 // Cost       nothing is kept: it is made anew from the scene for each such triangle (or span of one) that is drawn
 // Source     docs/correctness.md, Cut-outs and Reliefs: float64, one rounding per written operation
 #pragma once
@@ -21,11 +22,11 @@ namespace zscope {
 struct PatternPlane {
     std::optional<Cutout> cutout;
     std::optional<Relief> relief;
-    double reliefDepth;        // in near distances
-    dvec3  g, hu, hv;          // linear in the view ray
-    double u0, v0;             // of the first corner
-    double centreX, centreY;   // of the picture, pixels
-    double focal;              // pixels
+    double                reliefDepth;       // in near distances
+    dvec3                 g, hu, hv;         // linear in the view ray
+    double                u0, v0;            // of the first corner
+    double                centreX, centreY;  // of the picture, pixels
+    double                focal;             // pixels
 };
 
 /// `id` must be a triangle whose material has a pattern.
@@ -57,8 +58,17 @@ inline PatternPlane patternPlaneOf(const Scene& scene, const Projection& project
         return dvec3{d1 * by1.x + d2 * by2.x, d1 * by1.y + d2 * by2.y, d1 * by1.z + d2 * by2.z};
     };
     const double reliefDepth = material.relief ? std::min(material.relief->depth / projection.near, 0x1p1000) : 0;
-    return {material.cutout, material.relief, reliefDepth, crossAsWritten(e1, e2), linear(u(1) - u(0), u(2) - u(0)),
-            linear(v(1) - v(0), v(2) - v(0)), u(0), v(0), projection.centreX, projection.centreY, projection.focalPixels};
+    return {material.cutout,
+            material.relief,
+            reliefDepth,
+            crossAsWritten(e1, e2),
+            linear(u(1) - u(0), u(2) - u(0)),
+            linear(v(1) - v(0), v(2) - v(0)),
+            u(0),
+            v(0),
+            projection.centreX,
+            projection.centreY,
+            projection.focalPixels};
 }
 
 }  // namespace zscope

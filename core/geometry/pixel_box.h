@@ -17,8 +17,8 @@ struct PixelBox {
     }
     /// How many; it is not empty.
     std::uint64_t area() const { return static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0); }
-    bool isEmpty() const { return x0 >= x1 || y0 >= y1; }
-    friend bool operator==(const PixelBox&, const PixelBox&) = default;
+    bool          isEmpty() const { return x0 >= x1 || y0 >= y1; }
+    friend bool   operator==(const PixelBox&, const PixelBox&) = default;
 };
 
 }  // namespace zscope

@@ -1,12 +1,12 @@
-// A placement as a camera sees it: from the model to view space by one matrix, for whole boxes. Vertices go the long way, in the
-// arithmetic that defines the picture; a box only has to hold them.
+// A placement as a camera sees it: from the model to view space by one matrix, for whole boxes. Vertices go the long
+// way, in the arithmetic that defines the picture; a box only has to hold them.
 //
-// Promise    of every point q of a box, what the vertex arithmetic makes of it in view space lies within kError * magnitude of
-//            the parallelepiped centre +- half[0] +- half[1] +- half[2], coordinate by coordinate. Both ways of computing it, and
-//            what is made of the box on the way, err by less than 40 roundings (5e-15) of the sum of the magnitudes that are
-//            added up; `magnitude` bounds that sum: it counts the camera's longest axis
-// Beyond     boxes without points and numbers that run over give NaN or infinities, of which no comparison below holds: such
-//            a box is never called outside
+// Promise    of every point q of a box, what the vertex arithmetic makes of it in view space lies within kError *
+//            magnitude of the parallelepiped centre +- half[0] +- half[1] +- half[2], coordinate by coordinate. Both
+//            ways of computing it, and what is made of the box on the way, err by less than 40 roundings (5e-15) of the
+//            sum of the magnitudes that are added up; `magnitude` bounds that sum: it counts the camera's longest axis
+// Beyond     boxes without points and numbers that run over give NaN or infinities, of which no comparison below holds:
+//            such a box is never called outside
 // Cost       made once per placed tree, some 40 operations; 50 per box, none of them a division
 #pragma once
 
@@ -22,8 +22,8 @@
 
 namespace zscope {
 
-/// Of a ball that holds points no farther from its middle than the root of `squared`, rounded outward; infinite where squares run over or under, so that such a ball
-/// bounds nothing.
+/// Of a ball that holds points no farther from its middle than the root of `squared`, rounded outward; infinite where
+/// squares run over or under, so that such a ball bounds nothing.
 inline double ballRadius(double squared)
 {
     constexpr double kUnder = 1e-250;
@@ -52,14 +52,17 @@ public:
     {
         const auto& m = toWorld.rows;
         for (std::size_t c = 0; c < 3; ++c) {
-            m_axes[c] = turned(p, {m[0][c], m[1][c], m[2][c]});
+            m_axes[c]                     = turned(p, {m[0][c], m[1][c], m[2][c]});
             m_weight[static_cast<int>(c)] = std::abs(m[0][c]) + std::abs(m[1][c]) + std::abs(m[2][c]);
         }
         m_origin    = turned(p, {m[0][3] - p.eye.x, m[1][3] - p.eye.y, m[2][3] - p.eye.z});
         double most = 0;
-        for (const dvec3& a : m_axes) most = std::max(most, std::abs(glm::dot(a, m_axes[0])) + std::abs(glm::dot(a, m_axes[1])) + std::abs(glm::dot(a, m_axes[2])));
+        for (const dvec3& a : m_axes)
+            most = std::max(most, std::abs(glm::dot(a, m_axes[0])) + std::abs(glm::dot(a, m_axes[1]))
+                                      + std::abs(glm::dot(a, m_axes[2])));
         m_longest   = std::sqrt(most) * (1 + 1e-12);
-        m_magnitude = std::abs(m[0][3]) + std::abs(m[1][3]) + std::abs(m[2][3]) + std::abs(p.eye.x) + std::abs(p.eye.y) + std::abs(p.eye.z);
+        m_magnitude = std::abs(m[0][3]) + std::abs(m[1][3]) + std::abs(m[2][3]) + std::abs(p.eye.x) + std::abs(p.eye.y)
+                      + std::abs(p.eye.z);
         // A camera read from a file may have axes of any length.
         const double axis = std::max({1.0, glm::length(p.right), glm::length(p.up), glm::length(p.forward)});
         m_weight *= axis;
@@ -69,8 +72,8 @@ public:
     /// The model's axes and its origin in view space.
     const std::array<dvec3, 3>& axes() const { return m_axes; }
     const dvec3&                origin() const { return m_origin; }
-    /// No length of the model is more than so many times as long in view space: the largest singular value is at most the root of the largest sum
-    /// of magnitudes in a row of the axes' products.
+    /// No length of the model is more than so many times as long in view space: the largest singular value is at most
+    /// the root of the largest sum of magnitudes in a row of the axes' products.
     double longest() const { return m_longest; }
 
     [[gnu::always_inline]] ViewBox operator()(const Bounds& box) const
@@ -78,8 +81,8 @@ public:
         const dvec3 c = 0.5 * box.min + 0.5 * box.max, h = 0.5 * box.max - 0.5 * box.min;
         return {.centre    = m_axes[0] * c.x + m_axes[1] * c.y + m_axes[2] * c.z + m_origin,
                 .half      = {m_axes[0] * h.x, m_axes[1] * h.y, m_axes[2] * h.z},
-                .magnitude = m_weight.x * (std::abs(c.x) + h.x) + m_weight.y * (std::abs(c.y) + h.y) +
-                             m_weight.z * (std::abs(c.z) + h.z) + m_magnitude};
+                .magnitude = m_weight.x * (std::abs(c.x) + h.x) + m_weight.y * (std::abs(c.y) + h.y)
+                             + m_weight.z * (std::abs(c.z) + h.z) + m_magnitude};
     }
 
 private:

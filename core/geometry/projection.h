@@ -3,7 +3,8 @@
 //
 // View       x right, y up, z = distance in front of the eye
 // Screen     pixels, y down; pixel (i, j) has its centre at (i + 0.5, j + 0.5)
-// Scale      depths may be wanted times a power of two (core/base/depth_format.h): no rounding sees it, nor does a position
+// Scale      depths may be wanted times a power of two (core/base/depth_format.h): no rounding sees it, nor does a
+//            position
 // Snapped    1/256 pixel, integers held in float64 (exact up to 2^53, and rounded to even beyond, as defined)
 // Source     docs/correctness.md, The arithmetic, written out
 #pragma once
@@ -34,19 +35,11 @@ struct ScreenCorner {
 
 struct Projection {
     explicit Projection(const Camera& camera, double scaleOfDepths = 1)
-        : eye(camera.eye),
-          right(camera.right),
-          up(camera.up),
-          forward(camera.forward),
-          near(camera.near),
-          depthScale(scaleOfDepths),
-          depthAtOne(camera.near * scaleOfDepths),
-          scale(((camera.height * 0.5) * camera.focal) / camera.near / scaleOfDepths),
-          centreX(camera.width * 0.5),
-          centreY(camera.height * 0.5),
-          focalPixels((camera.height * 0.5) * camera.focal)
-    {
-    }
+        : eye(camera.eye), right(camera.right), up(camera.up), forward(camera.forward), near(camera.near),
+          depthScale(scaleOfDepths), depthAtOne(camera.near * scaleOfDepths),
+          scale(((camera.height * 0.5) * camera.focal) / camera.near / scaleOfDepths), centreX(camera.width * 0.5),
+          centreY(camera.height * 0.5), focalPixels((camera.height * 0.5) * camera.focal)
+    {}
 
     /// `Real` is the type the arithmetic is done in: double by definition, float as an approximation.
     template <class Real = double>
@@ -55,7 +48,8 @@ struct Projection {
         using Vec = glm::vec<3, Real>;
         const Vec p(world), e(eye), r(right), u(up), f(forward);
         const Vec d{p.x - e.x, p.y - e.y, p.z - e.z};
-        return {(r.x * d.x + r.y * d.y) + r.z * d.z, (u.x * d.x + u.y * d.y) + u.z * d.z, (f.x * d.x + f.y * d.y) + f.z * d.z};
+        return {(r.x * d.x + r.y * d.y) + r.z * d.z, (u.x * d.x + u.y * d.y) + u.z * d.z,
+                (f.x * d.x + f.y * d.y) + f.z * d.z};
     }
 
     /// `view` must lie at or beyond the near plane. `snaps`: how many snapped positions a pixel has on a side.
@@ -65,7 +59,8 @@ struct Projection {
         const Real   d = static_cast<Real>(depthAtOne) / static_cast<Real>(view.z);
         const double x = static_cast<Real>(centreX) + (static_cast<Real>(view.x) * d) * static_cast<Real>(scale);
         const double y = static_cast<Real>(centreY) - (static_cast<Real>(view.y) * d) * static_cast<Real>(scale);
-        return {x, y, d, std::nearbyint(x * snaps) * (kSubpixels / snaps), std::nearbyint(y * snaps) * (kSubpixels / snaps)};
+        return {x, y, d, std::nearbyint(x * snaps) * (kSubpixels / snaps),
+                std::nearbyint(y * snaps) * (kSubpixels / snaps)};
     }
 
     /// From a slope, x / z or y / z, to pixels, but for the roundings of toScreen().

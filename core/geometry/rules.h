@@ -1,5 +1,5 @@
-// The rules of the definition that a renderer can relax or get wrong, one small function each. The algorithms take them as
-// a template parameter, so that there is one text, and the exact one pays for nothing.
+// The rules of the definition that a renderer can relax or get wrong, one small function each. The algorithms take them
+// as a template parameter, so that there is one text, and the exact one pays for nothing.
 //
 // ExactRules    the definition: every answer is known when the text is compiled
 // ChosenRules   the same with approximations and at most one fault, chosen at run time
@@ -57,39 +57,44 @@ struct ExactRules {
     static constexpr bool asksOneLevel() { return false; }
     /// Nodes whose whole rectangle has fewer pixels are dropped.
     static constexpr double smallestNode() { return 0; }
-    static constexpr bool visitsFarFirst() { return false; }
+    static constexpr bool   visitsFarFirst() { return false; }
     /// Of equally near fragments the one that came first stays, whatever its id.
     static constexpr bool firstComerKeepsTie() { return false; }
     static constexpr bool truncatesNodeBoxes() { return false; }
 };
 
-/// What is called for every triangle or pixel is always inlined, so that each instruction set gets it in its own instructions.
+/// What is called for every triangle or pixel is always inlined, so that each instruction set gets it in its own
+/// instructions.
 class ChosenRules {
 public:
     static constexpr bool kExact = false;
 
     ChosenRules(const Approximation& approximation, Fault fault, const Camera& camera)
-        : m_approximation(approximation),
-          m_fault(fault),
-          m_encoding(approximation.format, camera.near, camera.far),
-          m_width(camera.width * kSubpixels),
-          m_height(camera.height * kSubpixels)
-    {
-    }
+        : m_approximation(approximation), m_fault(fault), m_encoding(approximation.format, camera.near, camera.far),
+          m_width(camera.width * kSubpixels), m_height(camera.height * kSubpixels)
+    {}
 
     bool   usesFloat32Vertices() const { return m_approximation.vertex == VertexNumbers::Float32; }
     double snapsPerPixel() const
     {
-        return m_approximation.snap == SnapBits::Four ? 16 : m_approximation.snap == SnapBits::Twelve ? 4096 : kSubpixels;
+        return m_approximation.snap == SnapBits::Four     ? 16
+               : m_approximation.snap == SnapBits::Twelve ? 4096
+                                                          : kSubpixels;
     }
     bool dropsAtNear() const { return m_approximation.near == NearPlane::Drop || m_fault == Fault::NearRejected; }
-    [[gnu::always_inline]] bool dropsCrossing(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2) const
+    [[gnu::always_inline]] bool dropsCrossing(const ScreenCorner& p0, const ScreenCorner& p1,
+                                              const ScreenCorner& p2) const
     {
-        const auto isOutside = [this](const ScreenCorner& p) { return p.xs < 0 || p.ys < 0 || p.xs > m_width || p.ys > m_height; };
+        const auto isOutside = [this](const ScreenCorner& p) {
+            return p.xs < 0 || p.ys < 0 || p.xs > m_width || p.ys > m_height;
+        };
         return m_fault == Fault::CrossingDropped && (isOutside(p0) || isOutside(p1) || isOutside(p2));
     }
 
-    [[gnu::always_inline]] int firstCentreFrom(double snapped) const { return firstPixelCentreFrom(std::ceil(snapped)); }
+    [[gnu::always_inline]] int firstCentreFrom(double snapped) const
+    {
+        return firstPixelCentreFrom(std::ceil(snapped));
+    }
     [[gnu::always_inline]] int firstLineOfTriangle(double top) const
     {
         if (m_fault != Fault::FirstLineRounded) return firstCentreFrom(top);
@@ -99,7 +104,10 @@ public:
     {
         return m_fault == Fault::HorizontalByX && std::floor(xa / kSubpixels) == std::floor(xb / kSubpixels);
     }
-    int    firstPixel(int first, std::int64_t x) const { return m_fault == Fault::XTruncated ? static_cast<int>(x >> 8) : first; }
+    int firstPixel(int first, std::int64_t x) const
+    {
+        return m_fault == Fault::XTruncated ? static_cast<int>(x >> 8) : first;
+    }
     double notOwned() const
     {
         if (m_fault == Fault::NoTopLeft) return 0;
@@ -110,15 +118,17 @@ public:
     bool sortsActiveEdges() const { return m_fault != Fault::EdgesUnsorted; }
     bool testsIntervalOnce() const { return m_fault == Fault::OneTestPerInterval; }
 
-    DepthNumbers         depthNumbers() const { return m_approximation.depth; }
-    const DepthEncoding& encoding() const { return m_encoding; }
+    DepthNumbers                 depthNumbers() const { return m_approximation.depth; }
+    const DepthEncoding&         encoding() const { return m_encoding; }
     [[gnu::always_inline]] float stored(double depth) const { return m_encoding.stored(depth); }
     bool comparesByEnds() const { return m_encoding.isReversed() && m_approximation.depth == DepthNumbers::Float64; }
 
     bool   asksOneLevel() const { return m_approximation.cells == CellDescent::OneLevel; }
     double smallestNode() const
     {
-        return m_approximation.small == SmallNodes::DropBelow4 ? 4 : m_approximation.small == SmallNodes::DropBelow16 ? 16 : 0;
+        return m_approximation.small == SmallNodes::DropBelow4    ? 4
+               : m_approximation.small == SmallNodes::DropBelow16 ? 16
+                                                                  : 0;
     }
     bool visitsFarFirst() const { return m_fault == Fault::FarFirst; }
     bool firstComerKeepsTie() const { return m_fault == Fault::FarFirst; }

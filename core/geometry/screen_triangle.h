@@ -28,9 +28,9 @@ struct ScreenTriangle {
     std::array<double, 3> x, y;  // snapped, 1/256 pixel, integers; area > 0
     DepthPlane            depth;
     TriangleId            id;
-    PixelBox              box;   // inside the region it was set up for
-    bool                  wide;  // a corner lies beyond the guard band: use exact 128-bit arithmetic
-    bool                  front; // its snapped corners run counter-clockwise to the viewer
+    PixelBox              box;                // inside the region it was set up for
+    bool                  wide;               // a corner lies beyond the guard band: use exact 128-bit arithmetic
+    bool                  front;              // its snapped corners run counter-clockwise to the viewer
     bool                  patterned = false;  // it has holes or a relief (core/geometry/pattern_plane.h)
 
     std::uint32_t rank() const { return id.value + 1; }
@@ -40,7 +40,8 @@ struct ScreenTriangle {
 enum class SetUp { Drawn, Transparent, Outside, ClippedAway, BackFacing, Degenerate, NoPixelCentre, OutOfRange };
 
 /// The plane of the corners in the order given, as the definition writes it.
-[[gnu::always_inline]] inline DepthPlane depthPlane(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2)
+[[gnu::always_inline]] inline DepthPlane depthPlane(const ScreenCorner& p0, const ScreenCorner& p1,
+                                                    const ScreenCorner& p2)
 {
     double x0 = p0.x, y0 = p0.y;
     double e1x = p1.x - p0.x, e1y = p1.y - p0.y, e2x = p2.x - p0.x, e2y = p2.y - p0.y;
@@ -64,31 +65,33 @@ enum class SetUp { Drawn, Transparent, Outside, ClippedAway, BackFacing, Degener
     }
     const double d1 = p1.d - p0.d, d2 = p2.d - p0.d;
     const double inv = 1 / det;
-    plane.a = (d1 * e2y - d2 * e1y) * inv;
-    plane.b = (d2 * e1x - d1 * e2x) * inv;
-    plane.c = p0.d - (plane.a * x0 + plane.b * y0);
+    plane.a          = (d1 * e2y - d2 * e1y) * inv;
+    plane.b          = (d2 * e1x - d1 * e2x) * inv;
+    plane.c          = p0.d - (plane.a * x0 + plane.b * y0);
     return plane;
 }
 
 /// Twice the snapped area, its sign only: -1 counter-clockwise to the viewer (front), 0 degenerate, 1 clockwise.
 /// Exact for corners within kSnapLimit.
-[[gnu::always_inline]] inline int turnOf(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2, bool wide)
+[[gnu::always_inline]] inline int turnOf(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2,
+                                         bool wide)
 {
     if (!wide) {
         const double area = (p1.xs - p0.xs) * (p2.ys - p0.ys) - (p1.ys - p0.ys) * (p2.xs - p0.xs);
         return area > 0 ? 1 : area < 0 ? -1 : 0;
     }
     __extension__ using Wide = __int128;
-    const auto minus = [](double a, double b) { return static_cast<Wide>(a) - static_cast<Wide>(b); };
-    const Wide area = minus(p1.xs, p0.xs) * minus(p2.ys, p0.ys) - minus(p1.ys, p0.ys) * minus(p2.xs, p0.xs);
+    const auto minus         = [](double a, double b) { return static_cast<Wide>(a) - static_cast<Wide>(b); };
+    const Wide area          = minus(p1.xs, p0.xs) * minus(p2.ys, p0.ys) - minus(p1.ys, p0.ys) * minus(p2.xs, p0.xs);
     return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
 /// Sets up one part for the pixels of `region`. `out` is complete only if the answer is SetUp::Drawn.
 /// Always inlined, so that each instruction set gets it in its own instructions.
 template <class Rules>
-[[gnu::always_inline]] inline SetUp setUpTriangle(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2, TriangleId id,
-                           bool wide, FaceCulling culling, const PixelBox& region, const Rules& rules, ScreenTriangle& out)
+[[gnu::always_inline]] inline SetUp setUpTriangle(const ScreenCorner& p0, const ScreenCorner& p1,
+                                                  const ScreenCorner& p2, TriangleId id, bool wide, FaceCulling culling,
+                                                  const PixelBox& region, const Rules& rules, ScreenTriangle& out)
 {
     if (rules.dropsCrossing(p0, p1, p2)) return SetUp::Outside;
     const int turn = turnOf(p0, p1, p2, wide);
@@ -103,13 +106,13 @@ template <class Rules>
 
     const ScreenCorner& second = turn > 0 ? p1 : p2;
     const ScreenCorner& third  = turn > 0 ? p2 : p1;
-    out.x     = {p0.xs, second.xs, third.xs};
-    out.y     = {p0.ys, second.ys, third.ys};
-    out.depth = depthPlane(p0, p1, p2);
-    out.id    = id;
-    out.wide  = wide;
-    out.front = turn < 0;
-    out.patterned = false;
+    out.x                      = {p0.xs, second.xs, third.xs};
+    out.y                      = {p0.ys, second.ys, third.ys};
+    out.depth                  = depthPlane(p0, p1, p2);
+    out.id                     = id;
+    out.wide                   = wide;
+    out.front                  = turn < 0;
+    out.patterned              = false;
     return SetUp::Drawn;
 }
 

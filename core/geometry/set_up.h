@@ -1,7 +1,7 @@
 // From a batch's vertices to the list of triangles that reach the pixels of a region.
 //
-// Plain      triangles wholly in front of the near plane and inside the guard band: corners by index (set_up-inl.h does several
-//            of them side by side)
+// Plain      triangles wholly in front of the near plane and inside the guard band: corners by index (set_up-inl.h does
+//            several of them side by side)
 // Careful    the others: each from its positions, cut at the near plane, every corner checked
 // Promise    each triangle's fate is told once (TriangleSetUp); parts keep the triangle's id
 #pragma once
@@ -26,13 +26,15 @@ struct BatchPlace {
 
 /// One triangle whose corners are plain.
 template <class Rules, class Probe>
-[[gnu::always_inline]] inline void setUpOne(const BatchPlace& place, std::uint32_t t, const ScreenVertices& vertices, FaceCulling culling,
-                                            const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe)
+[[gnu::always_inline]] inline void setUpOne(const BatchPlace& place, std::uint32_t t, const ScreenVertices& vertices,
+                                            FaceCulling culling, const PixelBox& region, const Rules& rules,
+                                            TriangleList& out, const Probe& probe)
 {
     const auto&    corners = place.mesh.corners;
     ScreenTriangle made;
-    const SetUp    fate = setUpTriangle(vertices.corner<Rules>(corners[0][t]), vertices.corner<Rules>(corners[1][t]), vertices.corner<Rules>(corners[2][t]),
-                                        place.idOf(t), false, culling, region, rules, made);
+    const SetUp    fate =
+        setUpTriangle(vertices.corner<Rules>(corners[0][t]), vertices.corner<Rules>(corners[1][t]),
+                      vertices.corner<Rules>(corners[2][t]), place.idOf(t), false, culling, region, rules, made);
     if (fate == SetUp::Drawn) {
         made.patterned = place.mesh.isPatterned(t);
         out.add(made);
@@ -48,7 +50,10 @@ ScreenCorner screenOf(const dvec3& view, const Projection& projection, const Rul
                                        : projection.toScreen(view, rules.snapsPerPixel());
 }
 
-inline bool isInRange(const ScreenCorner& corner) { return std::abs(corner.xs) < kSnapLimit && std::abs(corner.ys) < kSnapLimit; }
+inline bool isInRange(const ScreenCorner& corner)
+{
+    return std::abs(corner.xs) < kSnapLimit && std::abs(corner.ys) < kSnapLimit;
+}
 
 /// One part of a clipped triangle; decides by itself whether it needs the wide path.
 template <class Rules>
@@ -75,8 +80,9 @@ dvec3 viewOf(const dvec3& model, const Affine* toWorld, const Projection& projec
 
 /// Sets up what the near plane leaves of one triangle, and tells its fate; the parts are drawn as `drawnAs`.
 template <class Rules, class Probe>
-SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId drawnAs, bool patterned, const Projection& projection,
-                   FaceCulling culling, const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe)
+SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId drawnAs, bool patterned,
+                   const Projection& projection, FaceCulling culling, const PixelBox& region, const Rules& rules,
+                   TriangleList& out, const Probe& probe)
 {
     ClippedTriangle kept = clipNear(view, projection.near);
     if (kept.isCut && rules.dropsAtNear()) kept.count = 0;
@@ -98,8 +104,8 @@ SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId d
 
 /// One triangle of a batch from its positions, whatever its corners are.
 template <class Rules, class Probe>
-void setUpCarefully(const BatchPlace& place, std::uint32_t t, const Projection& projection, FaceCulling culling, const PixelBox& region,
-                    const Rules& rules, TriangleList& out, const Probe& probe)
+void setUpCarefully(const BatchPlace& place, std::uint32_t t, const Projection& projection, FaceCulling culling,
+                    const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe)
 {
     const MeshBatches&   mesh = place.mesh;
     std::array<dvec3, 3> view;
@@ -108,7 +114,8 @@ void setUpCarefully(const BatchPlace& place, std::uint32_t t, const Projection& 
         const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
         view[i] = viewOf(model, place.toWorld, projection, rules);
     }
-    setUpClipped(view, place.idOf(t), place.idOf(t), mesh.isPatterned(t), projection, culling, region, rules, out, probe);
+    setUpClipped(view, place.idOf(t), place.idOf(t), mesh.isPatterned(t), projection, culling, region, rules, out,
+                 probe);
 }
 
 }  // namespace zscope

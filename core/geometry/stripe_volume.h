@@ -1,11 +1,12 @@
-// The part of space that can reach a stripe of lines, as planes in view space: what lies outside need not be transformed.
+// The part of space that can reach a stripe of lines, as planes in view space: what lies outside need not be
+// transformed.
 //
 // Promise    misses() never says yes of a box with a point that could touch a pixel centre of the stripe: the planes
 //            stand one pixel outside, and every comparison leaves a slack far above the rounding of the vertex
 //            arithmetic. Boxes that reach behind the near plane are judged by the same planes, which is right
 //            because only the points in front of it are drawn
-// Planes     a box within another asks only the planes that the other one crosses: what lies wholly inside of a plane holds
-//            nothing that it could part off. A plane that is left out can only make misses() say no
+// Planes     a box within another asks only the planes that the other one crosses: what lies wholly inside of a plane
+//            holds nothing that it could part off. A plane that is left out can only make misses() say no
 // Cost       four short dot products per plane that is asked
 #pragma once
 
@@ -20,13 +21,13 @@ namespace zscope {
 class StripeVolume {
 public:
     /// Which planes are to be asked, a bit for each.
-    using Planes = std::uint8_t;
+    using Planes                 = std::uint8_t;
     static constexpr Planes kAll = 0x1f;
 
     /// Lines [firstRow, endRow) of a picture `width` pixels wide.
     StripeVolume(const Projection& projection, int width, int firstRow, int endRow) : m_near(projection.near)
     {
-        const double k = projection.pixelsPerSlope();  // X = centreX + v.x / v.z * k
+        const double k    = projection.pixelsPerSlope();  // X = centreX + v.x / v.z * k
         const double left = projection.centreX + 1, right = width + 1 - projection.centreX;
         const double top = projection.centreY - firstRow + 1, bottom = endRow + 1 - projection.centreY;
         m_inward = {dvec3{0, 0, 1}, dvec3{k, 0, left}, dvec3{-k, 0, right}, dvec3{0, -k, top}, dvec3{0, k, bottom}};

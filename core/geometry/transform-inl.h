@@ -1,7 +1,8 @@
 // The vertex stage, several vertices side by side: world, view, screen and snapped position of one batch.
 //
 // Lanes      as many float64 as the instruction set holds; one lane is Projection::toView and toScreen to the bit
-// Fused      nothing but the last step, from pixels to the snapped position: its product, by a power of two, is exact either way
+// Fused      nothing but the last step, from pixels to the snapped position: its product, by a power of two, is exact
+//            either way
 // Cost       one division and some twenty multiplications and additions per vertex
 #if defined(ZSCOPE_TRANSFORM_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_TRANSFORM_INL_H
@@ -32,10 +33,12 @@ HWY_INLINE V snappedBits(V x, V y)
 {
     const hn::DFromV<V> u64;
 #if HWY_TARGET == HWY_SCALAR
-    return hn::Set(u64, ScreenVertices::snappedBits(static_cast<std::int32_t>(hn::GetLane(x)), static_cast<std::int32_t>(hn::GetLane(y))));
+    return hn::Set(u64, ScreenVertices::snappedBits(static_cast<std::int32_t>(hn::GetLane(x)),
+                                                    static_cast<std::int32_t>(hn::GetLane(y))));
 #else
-    const hn::Repartition<std::uint8_t, decltype(u64)> u8;
-    HWY_ALIGN static constexpr std::array<std::uint8_t, 16> kPlaces{0, 1, 4, 5, 2, 3, 6, 7, 8, 9, 12, 13, 10, 11, 14, 15};
+    const hn::Repartition<std::uint8_t, decltype(u64)>      u8;
+    HWY_ALIGN static constexpr std::array<std::uint8_t, 16> kPlaces{0, 1, 4,  5,  2,  3,  6,  7,
+                                                                    8, 9, 12, 13, 10, 11, 14, 15};
     const auto both = hn::OrAnd(hn::ShiftLeft<32>(y), x, hn::Set(u64, 0xFFFFFFFF));
     return hn::BitCast(u64, hn::TableLookupBytes(hn::BitCast(u8, both), hn::LoadDup128(u8, kPlaces.data())));
 #endif
@@ -47,39 +50,46 @@ class VertexReach {
     using V   = hn::Vec<F64>;
 
 public:
-    VertexReach() : m_left(hn::Set(F64(), kBeyond)), m_above(m_left), m_right(hn::Set(F64(), -kBeyond)), m_below(m_right) {}
+    VertexReach()
+        : m_left(hn::Set(F64(), kBeyond)), m_above(m_left), m_right(hn::Set(F64(), -kBeyond)), m_below(m_right)
+    {}
 
     /// `count`: of the first lanes, if there are fewer than a vector has. Whole numbers stand in the lower halves.
     void add(V x, V y, std::size_t count)
     {
         if (count < hn::Lanes(F64())) {
             const auto isThere = hn::FirstN(F64(), count);
-            x = hn::IfThenElse(isThere, x, hn::Set(F64(), hn::GetLane(x))), y = hn::IfThenElse(isThere, y, hn::Set(F64(), hn::GetLane(y)));
+            x                  = hn::IfThenElse(isThere, x, hn::Set(F64(), hn::GetLane(x))),
+            y                  = hn::IfThenElse(isThere, y, hn::Set(F64(), hn::GetLane(y)));
         }
-        m_left = hn::Min(m_left, x), m_above = hn::Min(m_above, y), m_right = hn::Max(m_right, x), m_below = hn::Max(m_below, y);
+        m_left = hn::Min(m_left, x), m_above = hn::Min(m_above, y), m_right = hn::Max(m_right, x),
+        m_below = hn::Max(m_below, y);
     }
     ScreenVertices::Reach all() const
     {
-        const auto whole = [](double number) { return static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(number)); };
+        const auto whole = [](double number) {
+            return static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(number));
+        };
         return {whole(hn::GetLane(hn::MinOfLanes(F64(), m_left))), whole(hn::GetLane(hn::MinOfLanes(F64(), m_above))),
                 whole(hn::GetLane(hn::MaxOfLanes(F64(), m_right))), whole(hn::GetLane(hn::MaxOfLanes(F64(), m_below)))};
     }
 
 private:
     static constexpr double kBeyond = 0x1p60;  // any position
-    V m_left, m_above, m_right, m_below;
+    V                       m_left, m_above, m_right, m_below;
 };
 
 /// Where somebody knows already what they lie between.
 struct KnownReach {
     ScreenVertices::Reach known;
     template <class V>
-    void add(V, V, std::size_t) const {}
+    void add(V, V, std::size_t) const
+    {}
     const ScreenVertices::Reach& all() const { return known; }
 };
 
-/// The vertex stage in the arithmetic of `Real`: double by definition, float as an approximation. The lanes are as many as
-/// float64 has in either case.
+/// The vertex stage in the arithmetic of `Real`: double by definition, float as an approximation. The lanes are as many
+/// as float64 has in either case.
 template <class Real>
 struct VertexStage {
     using F64 = hn::ScalableTag<double>;
@@ -104,8 +114,9 @@ struct VertexStage {
 
     /// Of the vertices [first, end); whether all of them are plain.
     template <class Rules, class Reach>
-    static bool run(const MeshBatches& mesh, const Batch& batch, std::size_t first, std::size_t end, const Affine* toWorld, const Projection& p, const Rules& rules,
-                    ScreenVertices& out, [[maybe_unused]] Reach& reach)
+    static bool run(const MeshBatches& mesh, const Batch& batch, std::size_t first, std::size_t end,
+                    const Affine* toWorld, const Projection& p, const Rules& rules, ScreenVertices& out,
+                    [[maybe_unused]] Reach& reach)
     {
         const F64  d64;
         const auto near = all(p.near), depthAtOne = all(p.depthAtOne);
@@ -132,23 +143,29 @@ struct VertexStage {
             const auto sy = wide(all(p.centreY) - (vy * d) * all(p.scale));
             // NaN compares false, so a vertex without a place is not plain either.
             auto       plain = hn::RebindMask(d64, wide(vz) >= wide(near));
-            const auto keep  = [&](auto fourth) HWY_ATTR { hn::StoreInterleaved4(sx, sy, wide(d), fourth, d64, out.rows.data() + ScreenVertices::kRow * i); };
+            const auto keep  = [&](auto fourth) HWY_ATTR {
+                hn::StoreInterleaved4(sx, sy, wide(d), fourth, d64, out.rows.data() + ScreenVertices::kRow * i);
+            };
             if constexpr (Rules::kExact) {
-                const auto xs = hn::MulAdd(sx, hn::Set(d64, kSubpixels), hn::Set(d64, ScreenVertices::kWhole));
-                const auto ys = hn::MulAdd(sy, hn::Set(d64, kSubpixels), hn::Set(d64, ScreenVertices::kWhole));
+                const auto xs       = hn::MulAdd(sx, hn::Set(d64, kSubpixels), hn::Set(d64, ScreenVertices::kWhole));
+                const auto ys       = hn::MulAdd(sy, hn::Set(d64, kSubpixels), hn::Set(d64, ScreenVertices::kWhole));
                 const auto isWithin = [&](hn::Vec<F64> whole) HWY_ATTR {
-                    return hn::And(whole >= hn::Set(d64, ScreenVertices::kWhole - kGuardBand), whole <= hn::Set(d64, ScreenVertices::kWhole + kGuardBand));
+                    return hn::And(whole >= hn::Set(d64, ScreenVertices::kWhole - kGuardBand),
+                                   whole <= hn::Set(d64, ScreenVertices::kWhole + kGuardBand));
                 };
                 plain = hn::And(plain, hn::And(isWithin(xs), isWithin(ys)));
                 const hn::Rebind<std::uint64_t, F64> u64;
-                const auto bits    = snappedBits(hn::BitCast(u64, xs), hn::BitCast(u64, ys));
-                const auto nowhere = hn::Set(u64, ScreenVertices::snappedBits(ScreenVertices::kNowhere, ScreenVertices::kNowhere));
+                const auto                           bits = snappedBits(hn::BitCast(u64, xs), hn::BitCast(u64, ys));
+                const auto                           nowhere =
+                    hn::Set(u64, ScreenVertices::snappedBits(ScreenVertices::kNowhere, ScreenVertices::kNowhere));
                 keep(hn::IfThenElse(plain, hn::BitCast(d64, bits), hn::BitCast(d64, nowhere)));
                 reach.add(xs, ys, end - i);
             } else {
-                const auto snaps = hn::Set(d64, rules.snapsPerPixel()), subpixels = hn::Set(d64, kSubpixels / rules.snapsPerPixel());
+                const auto snaps     = hn::Set(d64, rules.snapsPerPixel()),
+                           subpixels = hn::Set(d64, kSubpixels / rules.snapsPerPixel());
                 const auto xs = hn::Round(sx * snaps) * subpixels, ys = hn::Round(sy * snaps) * subpixels;
-                plain         = hn::And(plain, hn::And(hn::Abs(xs) <= hn::Set(d64, kGuardBand), hn::Abs(ys) <= hn::Set(d64, kGuardBand)));
+                plain = hn::And(
+                    plain, hn::And(hn::Abs(xs) <= hn::Set(d64, kGuardBand), hn::Abs(ys) <= hn::Set(d64, kGuardBand)));
                 keep(wide(d));
                 hn::StoreU(xs, d64, out.xs.data() + i);
                 hn::StoreU(ys, d64, out.ys.data() + i);
@@ -159,18 +176,22 @@ struct VertexStage {
     }
 };
 
-/// The batch's vertices [first, end). `toWorld` is nullptr for the identity, which leaves a vertex as it is. Whether all of them are plain.
+/// The batch's vertices [first, end). `toWorld` is nullptr for the identity, which leaves a vertex as it is. Whether
+/// all of them are plain.
 template <class Rules, class Reach>
-bool transformVertices(const MeshBatches& mesh, const Batch& batch, std::size_t first, std::size_t end, const Affine* toWorld, const Projection& p,
-                       const Rules& rules, ScreenVertices& out, Reach& reach)
+bool transformVertices(const MeshBatches& mesh, const Batch& batch, std::size_t first, std::size_t end,
+                       const Affine* toWorld, const Projection& p, const Rules& rules, ScreenVertices& out,
+                       Reach& reach)
 {
-    return rules.usesFloat32Vertices() ? VertexStage<float>::run(mesh, batch, first, end, toWorld, p, rules, out, reach)
-                                       : VertexStage<double>::run(mesh, batch, first, end, toWorld, p, rules, out, reach);
+    return rules.usesFloat32Vertices()
+               ? VertexStage<float>::run(mesh, batch, first, end, toWorld, p, rules, out, reach)
+               : VertexStage<double>::run(mesh, batch, first, end, toWorld, p, rules, out, reach);
 }
 
 /// All of them.
 template <class Rules>
-void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p, const Rules& rules, ScreenVertices& out)
+void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p,
+                    const Rules& rules, ScreenVertices& out)
 {
     VertexReach reach;
     out.plain = transformVertices(mesh, batch, 0, batch.vertexCount, toWorld, p, rules, out, reach);
@@ -179,14 +200,15 @@ void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* t
 
 /// Those in `groups` (PatchBlock::vertexGroups).
 template <class Reach = VertexReach, class Rules>
-void transformGroups(const MeshBatches& mesh, const Batch& batch, std::uint64_t groups, const Affine* toWorld, const Projection& p, const Rules& rules,
-                     ScreenVertices& out, Reach reach = {})
+void transformGroups(const MeshBatches& mesh, const Batch& batch, std::uint64_t groups, const Affine* toWorld,
+                     const Projection& p, const Rules& rules, ScreenVertices& out, Reach reach = {})
 {
     static_assert(kVertexGroup % hn::MaxLanes(hn::ScalableTag<double>()) == 0);
     out.plain = true;
     while (groups != 0) {
-        const BitRun      run = takeRun(groups);
-        const std::size_t first = kVertexGroup * run.first, end = std::min<std::size_t>(first + kVertexGroup * run.count, batch.vertexCount);
+        const BitRun      run   = takeRun(groups);
+        const std::size_t first = kVertexGroup * run.first,
+                          end   = std::min<std::size_t>(first + kVertexGroup * run.count, batch.vertexCount);
         out.plain &= transformVertices(mesh, batch, first, end, toWorld, p, rules, out, reach);
     }
     out.reach = reach.all();

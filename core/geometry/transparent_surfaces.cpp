@@ -24,7 +24,8 @@ std::uint64_t TransparentSurfaces::bytes() const
 
 const TransparentSurfaces& transparentSurfacesOf(const PreparedScene& scene)
 {
-    return scene.derived().get<TransparentSurfaces>([&scene] { return std::make_unique<TransparentSurfaces>(scene.scene()); });
+    return scene.derived().get<TransparentSurfaces>(
+        [&scene] { return std::make_unique<TransparentSurfaces>(scene.scene()); });
 }
 
 }  // namespace zscope

@@ -1,13 +1,15 @@
 // The screen triangles of one batch, structure of arrays, so that lanes write and read several of them side by side.
 //
 // Columns    one array per number of a triangle, entry i of each is triangle i; corners are turned as in ScreenTriangle
-// Compact    triangles whose sides are below kCompactSide and whose corners are whole numbers carry their edges too, as integers: an edge
-//            value at a pixel centre is 256 times an integer plus what it is at the first pixel. Divided by 256 and rounded down it
-//            keeps its sign, which says on which side the pixel lies, and grows from pixel to pixel by less than kCompactSide: below 2^30 over a whole
-//            picture (kMaxPictureSide), so that 32 bits hold its value at any pixel
-// Alone      triangles that are not compact, or patterned, are listed: they are drawn one after another, the others may be drawn together
-// Room       fixed: a batch's triangles, each of which the near plane may cut in two. Whole vectors may be stored from the entry
-//            after the last
+// Compact    triangles whose sides are below kCompactSide and whose corners are whole numbers carry their edges too, as
+//            integers: an edge value at a pixel centre is 256 times an integer plus what it is at the first pixel.
+//            Divided by 256 and rounded down it keeps its sign, which says on which side the pixel lies, and grows from
+//            pixel to pixel by less than kCompactSide: below 2^30 over a whole picture (kMaxPictureSide), so that 32
+//            bits hold its value at any pixel
+// Alone      triangles that are not compact, or patterned, are listed: they are drawn one after another, the others may
+//            be drawn together
+// Room       fixed: a batch's triangles, each of which the near plane may cut in two. Whole vectors may be stored from
+//            the entry after the last
 // Cost       putting one ScreenTriangle together reads twenty columns: for whoever takes triangles one by one
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #pragma once
@@ -26,16 +28,20 @@
 
 namespace zscope {
 
-/// Sides of compact triangles stay below this, in subpixels along each axis: 127 pixels, so that 16 bits hold a side and 32 an edge's value before
-/// it is divided. Where somebody listens, 64 pixels: larger ones are shown tile by tile, with what the pyramid hears of each.
+/// Sides of compact triangles stay below this, in subpixels along each axis: 127 pixels, so that 16 bits hold a side
+/// and 32 an edge's value before it is divided. Where somebody listens, 64 pixels: larger ones are shown tile by tile,
+/// with what the pyramid hears of each.
 template <bool listens>
 inline constexpr std::int32_t kCompactSide = (listens ? 64 : 127) * 256;
 // An edge rises by less than a side from pixel to pixel, and from line to line.
-static_assert(2 * std::int64_t{kCompactSide<false>} * (kMaxPictureSide + 128) < std::int64_t{1} << 30, "what it rises by over a picture has to fit 32 bits");
+static_assert(2 * std::int64_t{kCompactSide<false>} * (kMaxPictureSide + 128) < std::int64_t{1} << 30,
+              "what it rises by over a picture has to fit 32 bits");
 /// True if whoever listens is shown the triangle window by window.
 inline bool isShownByWindows(const ScreenTriangle& t)
 {
-    const auto reach = [](const std::array<double, 3>& at) { return std::max({at[0], at[1], at[2]}) - std::min({at[0], at[1], at[2]}); };
+    const auto reach = [](const std::array<double, 3>& at) {
+        return std::max({at[0], at[1], at[2]}) - std::min({at[0], at[1], at[2]});
+    };
     return std::max(reach(t.x), reach(t.y)) < kCompactSide<true>;
 }
 /// Compact triangles become pixels by windows of so many pixels and lines, the first line of them at `top`.
@@ -52,33 +58,38 @@ struct TriangleList {
         kHidden    = 8,   // found hidden after set-up: is not to be drawn
         kCompact   = 16,  // its corners are in `corner`, not in x and y, and its edges are there
     };
-    /// So many bits above the kind of a compact triangle stand the lines, fewer than kWindowSide, by which its first windows begin above its box.
+    /// So many bits above the kind of a compact triangle stand the lines, fewer than kWindowSide, by which its first
+    /// windows begin above its box.
     static constexpr int kRaised = 5;
 
     template <class T>
     using Column = std::array<T, kCapacity + kBatchPadding>;
 
-    std::size_t count = 0;
+    std::size_t count         = 0;
     bool        startsNearest = false;  // whatever is drawn one after another: the nearest first
     PixelBox    compactReach;           // the boxes of all that are compact; empty if none is
 
-    alignas(64) Column<std::int32_t> start, end;     // box, as ways (pixel_way.h): its first pixel, and the one right of and below its last
+    // box, as ways (pixel_way.h): its first pixel, and the one right of and below its last
+    alignas(64) Column<std::int32_t> start, end;
     alignas(64) Column<std::int32_t> kind;
     alignas(64) Column<std::uint32_t> notRank;       // complement of the rank, id + 1: what pixels hold of it
     alignas(64) Column<double> a, b, c;              // of the depth plane
     alignas(64) Column<float> farthest, nearest;     // likewise
     alignas(64) std::array<Column<double>, 3> x, y;  // snapped corners of those that are not compact
 
-    // Of compact triangles.
-    // Snapped corners, by how many subpixels they lie to the right of the centre of the box's first pixel and below it: less than kCompactSide either way.
+    // Of compact triangles. Snapped corners, by how many subpixels they lie to the right of the centre of the box's
+    // first pixel and below it: less than kCompactSide either way.
     alignas(64) std::array<Column<std::int32_t>, 3> corner;
-    // Edges, as above: what they rise by from pixel to pixel (edge_steps-inl.h). Where a pixel is covered, each of the first two has risen by leastRise or more on the
-    // way from the picture's first pixel, and both together by mostRise or less: the three add up to the same everywhere.
+    // Edges, as above: what they rise by from pixel to pixel (edge_steps-inl.h). Where a pixel is covered, each of the
+    // first two has risen by leastRise or more on the way from the picture's first pixel, and both together by mostRise
+    // or less: the three add up to the same everywhere.
     alignas(64) std::array<Column<std::int32_t>, 3> steps;
     alignas(64) std::array<Column<std::int32_t>, 2> leastRise;
     alignas(64) Column<std::int32_t> mostRise;
-    // Corners as they were given: positions in the batch, the first in the lower 16 bits, the second in the upper; the third in the lower 16 bits of the other, whose
-    // upper half says which of the batch's triangles it is. All entries are, from the first on: the lanes of a vector that lie beyond the last triangle look their corners up like the others.
+    // Corners as they were given: positions in the batch, the first in the lower 16 bits, the second in the upper; the
+    // third in the lower 16 bits of the other, whose upper half says which of the batch's triangles it is. All entries
+    // are, from the first on: the lanes of a vector that lie beyond the last triangle look their corners up like the
+    // others.
     alignas(64) Column<std::uint32_t> firstTwo{}, thirdAndPlace{};
 
     const MeshBatches* mesh  = nullptr;  // of the batch that they are
@@ -119,10 +130,13 @@ struct TriangleList {
             m_inTurn = count;
         }
         const auto listed = std::span(m_order).first(m_inTurn);
-        // One that is hidden saves more pixels than its place costs. The parts of a clipped triangle stay together, because all of them reach the near plane.
+        // One that is hidden saves more pixels than its place costs. The parts of a clipped triangle stay together,
+        // because all of them reach the near plane.
         if (startsNearest)
             std::ranges::sort(listed, [this](std::uint32_t i, std::uint32_t k) {
-                return nearest[i] != nearest[k] ? nearest[i] > nearest[k] : notRank[i] != notRank[k] ? notRank[i] > notRank[k] : i < k;
+                return nearest[i] != nearest[k]   ? nearest[i] > nearest[k]
+                       : notRank[i] != notRank[k] ? notRank[i] > notRank[k]
+                                                  : i < k;
             });
         return listed;
     }
@@ -143,16 +157,25 @@ struct TriangleList {
     }
     /// Of a compact triangle: which of its batch's it is.
     std::size_t placeInBatch(std::size_t i) const { return thirdAndPlace[i] >> 16; }
-    TriangleId id(std::size_t i) const { return {~notRank[i] - 1}; }
-    PixelBox   box(std::size_t i) const { return {pixelsOf(start[i]), linesOf(start[i]), pixelsOf(end[i]), linesOf(end[i])}; }
-    int        width(std::size_t i) const { return pixelsOf(end[i]) - pixelsOf(start[i]); }
-    int        height(std::size_t i) const { return linesOf(end[i]) - linesOf(start[i]); }
+    TriangleId  id(std::size_t i) const { return {~notRank[i] - 1}; }
+    PixelBox    box(std::size_t i) const
+    {
+        return {pixelsOf(start[i]), linesOf(start[i]), pixelsOf(end[i]), linesOf(end[i])};
+    }
+    int width(std::size_t i) const { return pixelsOf(end[i]) - pixelsOf(start[i]); }
+    int height(std::size_t i) const { return linesOf(end[i]) - linesOf(start[i]); }
     /// Of a compact triangle: the first line of its windows.
-    int top(std::size_t i) const { return linesOf(start[i]) - (kind[i] >> kRaised); }
-    bool     is(Kind what, std::size_t i) const { return (kind[i] & what) != 0; }
-    double   cornerX(std::size_t k, std::size_t i) const { return is(kCompact, i) ? pixelsOf(corner[k][i]) + 256 * pixelsOf(start[i]) + 128 : x[k][i]; }
-    double   cornerY(std::size_t k, std::size_t i) const { return is(kCompact, i) ? linesOf(corner[k][i]) + 256 * linesOf(start[i]) + 128 : y[k][i]; }
-    bool     isHidden(std::size_t i) const { return is(kHidden, i); }
+    int    top(std::size_t i) const { return linesOf(start[i]) - (kind[i] >> kRaised); }
+    bool   is(Kind what, std::size_t i) const { return (kind[i] & what) != 0; }
+    double cornerX(std::size_t k, std::size_t i) const
+    {
+        return is(kCompact, i) ? pixelsOf(corner[k][i]) + 256 * pixelsOf(start[i]) + 128 : x[k][i];
+    }
+    double cornerY(std::size_t k, std::size_t i) const
+    {
+        return is(kCompact, i) ? linesOf(corner[k][i]) + 256 * linesOf(start[i]) + 128 : y[k][i];
+    }
+    bool isHidden(std::size_t i) const { return is(kHidden, i); }
 
     ScreenTriangle operator[](std::size_t i) const
     {

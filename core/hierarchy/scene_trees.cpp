@@ -27,7 +27,8 @@ public:
     double squaredReach(std::uint32_t item, const dvec3& from) const override
     {
         double most = 0;
-        for (const std::uint32_t vertex : m_mesh.triangles[item]) most = std::max(most, squaredDistance(m_mesh.positions[vertex], from));
+        for (const std::uint32_t vertex : m_mesh.triangles[item])
+            most = std::max(most, squaredDistance(m_mesh.positions[vertex], from));
         return most;
     }
 
@@ -43,7 +44,8 @@ public:
         std::vector<PlacedMesh> meshes;
         for (const auto& mesh : scene.meshes) meshes.emplace_back(*mesh);
         m_boxes.reserve(scene.instances.size());
-        for (const Instance& instance : scene.instances) m_boxes.push_back(meshes[instance.mesh.value].boxAt(instance.toWorld));
+        for (const Instance& instance : scene.instances)
+            m_boxes.push_back(meshes[instance.mesh.value].boxAt(instance.toWorld));
     }
 
     std::uint32_t count() const override { return static_cast<std::uint32_t>(m_boxes.size()); }
@@ -61,17 +63,20 @@ private:
             m_radius = ballRadius(most);
         }
 
-        /// What the world boxes of the placed box and of the placed ball have in common, grown by far more than its rounding.
+        /// What the world boxes of the placed box and of the placed ball have in common, grown by far more than its
+        /// rounding.
         Bounds boxAt(const Affine& toWorld) const
         {
             Bounds world;
             if (m_box.isEmpty()) return world;
             for (int i = 0; i < 8; ++i)
-                world.include(toWorld({i & 1 ? m_box.max.x : m_box.min.x, i & 2 ? m_box.max.y : m_box.min.y, i & 4 ? m_box.max.z : m_box.min.z}));
+                world.include(toWorld({i & 1 ? m_box.max.x : m_box.min.x, i & 2 ? m_box.max.y : m_box.min.y,
+                                       i & 4 ? m_box.max.z : m_box.min.z}));
             const dvec3 middle = toWorld(m_middle);
             for (int axis = 0; axis < 3; ++axis) {
                 const auto&  m    = toWorld.rows[static_cast<std::size_t>(axis)];
-                const double size = std::abs(m[3]) + std::abs(m[0]) * largest(0) + std::abs(m[1]) * largest(1) + std::abs(m[2]) * largest(2);
+                const double size = std::abs(m[3]) + std::abs(m[0]) * largest(0) + std::abs(m[1]) * largest(1)
+                                    + std::abs(m[2]) * largest(2);
                 const double reach = m_radius * ballRadius(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
                 if (middle[axis] - reach > world.min[axis]) world.min[axis] = middle[axis] - reach;
                 if (middle[axis] + reach < world.max[axis]) world.max[axis] = middle[axis] + reach;
@@ -100,13 +105,10 @@ struct Trees : SceneTrees {
 }  // namespace
 
 SceneTrees::SceneTrees(const Scene& scene, TreeKind kind)
-    : m_scene(scene),
-      m_kind(kind),
+    : m_scene(scene), m_kind(kind),
       m_instances(std::make_unique<Tree>(kind, std::make_unique<InstanceBoxes>(scene), kInstanceLeaf)),
-      m_meshes(scene.meshes.size()),
-      m_ready(std::make_unique<std::atomic<const Tree*>[]>(scene.meshes.size()))
-{
-}
+      m_meshes(scene.meshes.size()), m_ready(std::make_unique<std::atomic<const Tree*>[]>(scene.meshes.size()))
+{}
 
 const Tree& SceneTrees::mesh(MeshId mesh) const
 {
@@ -115,7 +117,8 @@ const Tree& SceneTrees::mesh(MeshId mesh) const
     const std::scoped_lock lock(m_mutex);
     std::unique_ptr<Tree>& tree = m_meshes[mesh.value];
     if (!tree) {
-        tree = std::make_unique<Tree>(m_kind, std::make_unique<TriangleBoxes>(*m_scene.meshes[mesh.value]), kTriangleLeaf);
+        tree =
+            std::make_unique<Tree>(m_kind, std::make_unique<TriangleBoxes>(*m_scene.meshes[mesh.value]), kTriangleLeaf);
         ready.store(tree.get(), std::memory_order_release);
     }
     return *tree;

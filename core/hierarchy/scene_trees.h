@@ -1,5 +1,5 @@
-// The two levels of a scene's hierarchy: one tree over the instances, and one tree per mesh over its triangles, shared by
-// all instances of the mesh. Made on first request and kept between frames; see PreparedScene::derived().
+// The two levels of a scene's hierarchy: one tree over the instances, and one tree per mesh over its triangles, shared
+// by all instances of the mesh. Made on first request and kept between frames; see PreparedScene::derived().
 #pragma once
 
 #include <memory>
@@ -26,12 +26,12 @@ public:
     std::uint64_t bytes() const;
 
 private:
-    const Scene&                               m_scene;
-    std::shared_ptr<const void>                m_identity = std::make_shared<char>();
-    TreeKind                                   m_kind;
-    std::unique_ptr<const Tree>                m_instances;
-    mutable std::mutex                         m_mutex;
-    mutable std::vector<std::unique_ptr<Tree>> m_meshes;
+    const Scene&                                m_scene;
+    std::shared_ptr<const void>                 m_identity = std::make_shared<char>();
+    TreeKind                                    m_kind;
+    std::unique_ptr<const Tree>                 m_instances;
+    mutable std::mutex                          m_mutex;
+    mutable std::vector<std::unique_ptr<Tree>>  m_meshes;
     std::unique_ptr<std::atomic<const Tree*>[]> m_ready;  // the same, readable without the lock
 };
 

@@ -27,13 +27,13 @@ double areaOf(const Bounds& box)
     return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-/// Where a box lies of the planes through `centre`: octants are 0 to 7, a bit per axis; then come the 19 ways of crossing
-/// planes. A box in a splitting plane belongs to the lower side.
+/// Where a box lies of the planes through `centre`: octants are 0 to 7, a bit per axis; then come the 19 ways of
+/// crossing planes. A box in a splitting plane belongs to the lower side.
 int slotOf(const Bounds& box, const dvec3& centre)
 {
     constexpr int kAcross = 2;
-    int  place = 0, octant = 0;  // in base 3, in base 2
-    bool straddles = false;
+    int           place = 0, octant = 0;  // in base 3, in base 2
+    bool          straddles = false;
     for (int axis = 2; axis >= 0; --axis) {
         const int side = box.max[axis] <= centre[axis] ? 0 : box.min[axis] < centre[axis] ? kAcross : 1;
         place          = place * 3 + side;
@@ -43,7 +43,8 @@ int slotOf(const Bounds& box, const dvec3& centre)
     if (!straddles) return octant;
     // Counting up to `place` in base 3, octants left out.
     int before = 0;
-    for (int other = 0; other < place; ++other) before += other % 3 == kAcross || other / 3 % 3 == kAcross || other / 9 == kAcross;
+    for (int other = 0; other < place; ++other)
+        before += other % 3 == kAcross || other / 3 % 3 == kAcross || other / 9 == kAcross;
     return TreeNode::kOctants + before;
 }
 
@@ -57,7 +58,8 @@ Bounds octantCell(const Bounds& cell, const dvec3& centre, int octant)
 }  // namespace
 
 Tree::Tree(TreeKind kind, std::unique_ptr<const ItemBoxes> boxes, std::uint32_t leafSize)
-    : m_kind(kind), m_boxes(std::move(boxes)), m_leafSize(leafSize), m_items(m_boxes->count()), m_root(std::make_unique<TreeNode>())
+    : m_kind(kind), m_boxes(std::move(boxes)), m_leafSize(leafSize), m_items(m_boxes->count()),
+      m_root(std::make_unique<TreeNode>())
 {
     std::iota(m_items.begin(), m_items.end(), 0u);
     m_root->end = static_cast<std::uint32_t>(m_items.size());
@@ -114,7 +116,7 @@ void Tree::divide(TreeNode& node) const
 /// What goes down octant by octant, then what stays, each in the order it had. If all of it stays: its halves.
 std::vector<Tree::Group> Tree::byPlanes(const TreeNode& node) const
 {
-    const dvec3                                             centre = centreOf(node.cell);
+    const dvec3                                              centre = centreOf(node.cell);
     std::array<std::vector<std::uint32_t>, TreeNode::kSlots> bins;
     for (std::uint32_t i = node.first; i < node.end; ++i)
         bins[static_cast<std::size_t>(slotOf(m_boxes->boxOf(m_items[i]), centre))].push_back(m_items[i]);
@@ -139,7 +141,8 @@ std::vector<Tree::Group> Tree::byPlanes(const TreeNode& node) const
     return groups;
 }
 
-/// Two halves by the surface area heuristic over bins of the centres along the longest axis. Empty if all centres agree.
+/// Two halves by the surface area heuristic over bins of the centres along the longest axis. Empty if all centres
+/// agree.
 std::vector<Tree::Group> Tree::halves(const TreeNode& node) const
 {
     constexpr std::size_t kBins = 16;
@@ -150,7 +153,8 @@ std::vector<Tree::Group> Tree::halves(const TreeNode& node) const
     if (!(extent[axis] > 0)) return {};
     const auto binOf = [&](std::uint32_t item) {
         const double place = (0.5 * centreOf(m_boxes->boxOf(item))[axis] - 0.5 * centres.min[axis]) / extent[axis];
-        return place > 0 ? std::min(kBins - 1, static_cast<std::size_t>(place * kBins)) : 0;  // an empty box has no centre
+        // an empty box has no centre
+        return place > 0 ? std::min(kBins - 1, static_cast<std::size_t>(place * kBins)) : 0;
     };
 
     std::array<Bounds, kBins>        boxes;
@@ -181,9 +185,9 @@ std::vector<Tree::Group> Tree::halves(const TreeNode& node) const
         bestCost = cost;
     }
     if (best == 0) return {};
-    const auto middle = std::stable_partition(m_items.begin() + node.first, m_items.begin() + node.end,
-                                              [&](std::uint32_t item) { return binOf(item) < best; });
-    const auto split  = static_cast<std::uint32_t>(middle - m_items.begin());
+    const auto middle    = std::stable_partition(m_items.begin() + node.first, m_items.begin() + node.end,
+                                                 [&](std::uint32_t item) { return binOf(item) < best; });
+    const auto split     = static_cast<std::uint32_t>(middle - m_items.begin());
     const bool straddles = m_kind == TreeKind::Octree;
     return {{node.first, split, node.cell, 0, straddles}, {split, node.end, node.cell, 1, straddles}};
 }
@@ -222,7 +226,8 @@ std::string pathOf(const TreeNode& node)
 
 std::uint64_t Tree::bytes() const
 {
-    return m_boxes->bytes() + m_items.capacity() * sizeof(std::uint32_t) + nodeCount() * sizeof(TreeNode) + m_batchBytes.load(std::memory_order_relaxed);
+    return m_boxes->bytes() + m_items.capacity() * sizeof(std::uint32_t) + nodeCount() * sizeof(TreeNode)
+           + m_batchBytes.load(std::memory_order_relaxed);
 }
 
 }  // namespace zscope

@@ -1,11 +1,11 @@
 // A hierarchy of boxes over numbered items (the triangles of a mesh, or the instances of a scene).
 //
-// Octree     an item goes down while one octant contains it whole, else it stays in the node. What stays is kept in nodes
-//            of its own beside the octants (`straddles`), each with a box of its own: one if it is little, else one for
-//            each set of splitting planes that its items cross; a large one is halved like a BVH
+// Octree     an item goes down while one octant contains it whole, else it stays in the node. What stays is kept in
+//            nodes of its own beside the octants (`straddles`), each with a box of its own: one if it is little, else
+//            one for each set of splitting planes that its items cross; a large one is halved like a BVH
 // BVH        halves by the surface area heuristic
-// Nodes      only nodes without children hold items. `bounds` is the box of all items below, not the cell; a ball about its middle holds them, too,
-//            and is the smaller one where what is round has been turned
+// Nodes      only nodes without children hold items. `bounds` is the box of all items below, not the cell; a ball about
+//            its middle holds them, too, and is the smaller one where what is round has been turned
 // Lazy       a node is divided when it is first opened, and stays so: a part of the scene that nobody looks at is
 //            never divided. Any thread may open nodes
 // Names      a node is named by its path from the root, whatever order the nodes were opened in: pathOf()
@@ -34,8 +34,8 @@ enum class TreeKind { Octree, Bvh };
 /// Where the items' boxes come from.
 class ItemBoxes {
 public:
-    virtual ~ItemBoxes() = default;
-    virtual std::uint32_t count() const                  = 0;
+    virtual ~ItemBoxes()                                  = default;
+    virtual std::uint32_t count() const                   = 0;
     virtual Bounds        boxOf(std::uint32_t item) const = 0;
     /// The square of how far the item reaches from there; at least that.
     virtual double squaredReach(std::uint32_t item, const dvec3& from) const
@@ -53,18 +53,20 @@ struct TreeNode {
     static constexpr int kSlots   = 27;  // per axis: below the splitting plane, above it, across it
 
     // What a visit reads of a node that it does not enter stands first, on one or two cache lines.
-    Bounds          bounds;               // of everything below
-    double          radius = 0;           // of a ball about the middle of `bounds` that holds everything below; infinite: not known
-    std::uint32_t   first = 0, end = 0;   // of Tree::items: everything below
-    int             slot      = 0;        // which child of its parent: octants and halves from 0 on, what straddles from kOctants on
-    int             depth     = 0;
-    bool            straddles = false;    // octree: no octant of the node that was divided by planes contains its items
+    Bounds bounds;  // of everything below
+    // of a ball about the middle of `bounds` that holds everything below; infinite: not known
+    double        radius = 0;
+    std::uint32_t first = 0, end = 0;  // of Tree::items: everything below
+    // which child of its parent: octants and halves from 0 on, what straddles from kOctants on
+    int  slot      = 0;
+    int  depth     = 0;
+    bool straddles = false;  // octree: no octant of the node that was divided by planes contains its items
 
     // Written once, when the node is opened.
-    std::atomic<bool>           isOpen = false;
+    std::atomic<bool>           isOpen     = false;
     std::atomic<bool>           hasBatches = false, hasAllBatches = false;  // see `batches`
     int                         childCount = 0;
-    std::uint32_t               ownEnd = 0;  // items [first, ownEnd) belong to no child: all of them, or none
+    std::uint32_t               ownEnd     = 0;  // items [first, ownEnd) belong to no child: all of them, or none
     std::unique_ptr<TreeNode[]> children;
 
     // Mesh trees: the batches of its own items, and those of everything below, made when they are first drawn.
@@ -110,7 +112,7 @@ public:
     /// The same of everything below the node, opened or not.
     const MeshBatches& allBatchesOf(const TreeNode& node, const Mesh& mesh) const;
 
-    Bounds        boxOf(std::uint32_t item) const { return m_boxes->boxOf(item); }
+    Bounds boxOf(std::uint32_t item) const { return m_boxes->boxOf(item); }
 
     TreeKind      kind() const { return m_kind; }
     std::uint64_t nodeCount() const { return m_nodeCount.load(std::memory_order_relaxed); }
@@ -131,14 +133,14 @@ private:
     std::vector<Group> halves(const TreeNode& node) const;
     void               boundItems(TreeNode& node) const;
 
-    TreeKind                                 m_kind;
-    std::unique_ptr<const ItemBoxes>         m_boxes;
-    std::uint32_t                            m_leafSize;
-    mutable std::vector<std::uint32_t>       m_items;  // permuted so that each node's items stand together
-    std::unique_ptr<TreeNode>                m_root;
-    mutable std::mutex                       m_mutex;  // held while a node is divided or its batches are made
-    mutable std::atomic<std::uint64_t>       m_nodeCount{1};
-    mutable std::atomic<std::uint64_t>       m_batchBytes{0};
+    TreeKind                           m_kind;
+    std::unique_ptr<const ItemBoxes>   m_boxes;
+    std::uint32_t                      m_leafSize;
+    mutable std::vector<std::uint32_t> m_items;  // permuted so that each node's items stand together
+    std::unique_ptr<TreeNode>          m_root;
+    mutable std::mutex                 m_mutex;  // held while a node is divided or its batches are made
+    mutable std::atomic<std::uint64_t> m_nodeCount{1};
+    mutable std::atomic<std::uint64_t> m_batchBytes{0};
 };
 
 }  // namespace zscope

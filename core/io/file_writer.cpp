@@ -69,10 +69,8 @@ Result<FileWriter> FileWriter::create(const std::string& path)
 
 FileWriter::FileWriter(FileWriter&& other) noexcept
     : m_file(std::exchange(other.m_file, -1)), m_path(std::move(other.m_path)), m_target(std::move(other.m_target)),
-      m_temporary(std::move(other.m_temporary)), m_buffer(std::move(other.m_buffer)),
-      m_error(std::move(other.m_error))
-{
-}
+      m_temporary(std::move(other.m_temporary)), m_buffer(std::move(other.m_buffer)), m_error(std::move(other.m_error))
+{}
 
 FileWriter& FileWriter::operator=(FileWriter&& other) noexcept
 {
@@ -87,10 +85,7 @@ FileWriter& FileWriter::operator=(FileWriter&& other) noexcept
     return *this;
 }
 
-FileWriter::~FileWriter()
-{
-    discard();
-}
+FileWriter::~FileWriter() { discard(); }
 
 void FileWriter::discard()
 {

@@ -5,8 +5,8 @@
 // Devices    a target that exists and is no regular file (/dev/stdout, /dev/full, a pipe) is written directly: it
 //            cannot be replaced and has no earlier contents to protect
 // Memory     one buffer of kWriteBuffer bytes, whatever the size of the file
-// Errors     Usage for a name that is empty; else Output with the target's name and the system's reason. The first one sticks: later calls do
-//            nothing and commit() returns it
+// Errors     Usage for a name that is empty; else Output with the target's name and the system's reason. The first one
+//            sticks: later calls do nothing and commit() returns it
 #pragma once
 
 #include <cstddef>

@@ -68,8 +68,7 @@ public:
 
     Builder(const ReadPosition& position, const std::string& file, std::uint64_t limit)
         : m_position(position), m_file(file), m_limit(limit)
-    {
-    }
+    {}
 
     JsonValue            root;
     std::optional<Error> trouble;
@@ -116,7 +115,8 @@ public:
     template <class Exception>
     bool parse_error(std::size_t, const std::string& lastToken, const Exception& trouble_)
     {
-        if (trouble_.id == 406) return stop(fmt::format("the number {} is beyond the largest float64", shown(lastToken)));
+        if (trouble_.id == 406)
+            return stop(fmt::format("the number {} is beyond the largest float64", shown(lastToken)));
         return stop("this is not JSON: " + clauseOf(trouble_.what()));
     }
 
@@ -125,10 +125,12 @@ private:
     {
         m_bytes += 2 * sizeof(JsonValue::Member);  // vectors may hold twice what is in use while they grow
         if (m_bytes > m_limit)
-            return stop(Trouble::Limit, fmt::format("the file holds more values than {} MiB of memory can", m_limit >> 20));
+            return stop(Trouble::Limit,
+                        fmt::format("the file holds more values than {} MiB of memory can", m_limit >> 20));
         JsonValue* place = &root;
         if (!m_open.empty()) {
-            if (auto* array = std::get_if<JsonValue::Array>(&m_open.back()->value)) place = &array->emplace_back();
+            if (auto* array = std::get_if<JsonValue::Array>(&m_open.back()->value))
+                place = &array->emplace_back();
             else
                 place = &std::get<JsonValue::Object>(m_open.back()->value)
                              .emplace_back(JsonMember{std::move(m_key), JsonValue{}})
@@ -192,9 +194,10 @@ Result<JsonValue> parseJson(std::string_view text, const std::string& file, std:
     const char*  begin = text.data();
     // The parser would take it for the end.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-        return Error{Trouble::Input, "this is not JSON: it holds a zero byte", file, static_cast<int>(firstLine + std::count(begin, begin + zero, '\n'))};
-    const bool   read  = nlohmann::json::sax_parse(CountingIterator(begin, &position),
-                                                   CountingIterator(begin + text.size(), &position), &builder);
+        return Error{Trouble::Input, "this is not JSON: it holds a zero byte", file,
+                     static_cast<int>(firstLine + std::count(begin, begin + zero, '\n'))};
+    const bool read = nlohmann::json::sax_parse(CountingIterator(begin, &position),
+                                                CountingIterator(begin + text.size(), &position), &builder);
     if (builder.trouble) return *std::move(builder.trouble);
     if (!read) return Error{Trouble::Input, "this is not JSON", file, position.line};
     return std::move(builder.root);
@@ -203,7 +206,8 @@ Result<JsonValue> parseJson(std::string_view text, const std::string& file, std:
 Result<double> realFromText(std::string_view text)
 {
     const auto wrong = [text] {
-        return Error{Trouble::Input, fmt::format("'{}' is not a number: write a decimal, a C hex float, or inf", shown(text))};
+        return Error{Trouble::Input,
+                     fmt::format("'{}' is not a number: write a decimal, a C hex float, or inf", shown(text))};
     };
     std::string_view digits   = text;
     const bool       negative = digits.starts_with('-');
@@ -219,9 +223,10 @@ Result<double> realFromText(std::string_view text)
     };
     if (digits.empty() || !isDigit(digits.front())) return wrong();  // no second sign, no "nan"
 
-    double     value  = 0;
-    const auto end    = digits.data() + digits.size();
-    const auto answer = std::from_chars(digits.data(), end, value, hex ? std::chars_format::hex : std::chars_format::general);
+    double     value = 0;
+    const auto end   = digits.data() + digits.size();
+    const auto answer =
+        std::from_chars(digits.data(), end, value, hex ? std::chars_format::hex : std::chars_format::general);
     if (answer.ec == std::errc::result_out_of_range)
         return Error{Trouble::Input, fmt::format("the number '{}' is beyond the range of float64", shown(text))};
     if (answer.ec != std::errc{} || answer.ptr != end) return wrong();

@@ -39,8 +39,10 @@ struct JsonMember {
     JsonValue   second;  // what it stands for
 };
 
-/// `file` is named in errors. memoryLimit: bytes the values may take; 0 for the default. firstLine: where in the file the text begins.
-Result<JsonValue> parseJson(std::string_view text, const std::string& file, std::uint64_t memoryLimit = 0, int firstLine = 1);
+/// `file` is named in errors. memoryLimit: bytes the values may take; 0 for the default. firstLine: where in the file
+/// the text begins.
+Result<JsonValue> parseJson(std::string_view text, const std::string& file, std::uint64_t memoryLimit = 0,
+                            int firstLine = 1);
 
 /// A real: a JSON number, or a string holding a decimal, a C hex float, or "inf"; correctly rounded.
 /// `what` names the value in errors.

@@ -12,9 +12,12 @@ static_assert(std::endian::native == std::endian::little, "the values are writte
 std::string_view descriptionOf(NpyType type)
 {
     switch (type) {
-    case NpyType::Int64: return "<i8";
-    case NpyType::Float32: return "<f4";
-    case NpyType::Float64: break;
+        case NpyType::Int64:
+            return "<i8";
+        case NpyType::Float32:
+            return "<f4";
+        case NpyType::Float64:
+            break;
     }
     return "<f8";
 }

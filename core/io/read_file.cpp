@@ -72,7 +72,8 @@ Result<std::string> readRegularFile(const std::string& path, std::uint64_t maxBy
 
     const auto size = static_cast<std::uint64_t>(opened.st_size);
     if (size > maxBytes) {
-        const std::string most = megabytes(maxBytes), all = megabytes(size) == most ? fmt::format("{} bytes", size) : megabytes(size);
+        const std::string most = megabytes(maxBytes),
+                          all  = megabytes(size) == most ? fmt::format("{} bytes", size) : megabytes(size);
         return Error{Trouble::Limit, fmt::format("has {}, and at most {} are read", all, most), path};
     }
     std::string text;
@@ -83,7 +84,8 @@ Result<std::string> readRegularFile(const std::string& path, std::uint64_t maxBy
     }
     std::size_t filled = 0;
     while (filled < text.size()) {
-        const ssize_t got = ::read(file.number(), text.data() + filled, std::min<std::size_t>(text.size() - filled, 1u << 26));
+        const ssize_t got =
+            ::read(file.number(), text.data() + filled, std::min<std::size_t>(text.size() - filled, 1u << 26));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return inputError("cannot be read: " + reason(errno), path);
         if (got == 0) return inputError("became shorter while it was read", path);
@@ -103,13 +105,15 @@ Result<std::string> pathInside(const std::string& folder, const std::string& rel
     if (relative.find('\0') != std::string::npos) return Error{Trouble::Input, "the name of a file holds a zero byte"};
     const fs::path written(relative);
     if (written.is_absolute())
-        return Error{Trouble::Input, fmt::format("the path '{}' is absolute; it must be relative to the file that names it",
-                                                 quotable(relative, 200))};
+        return Error{Trouble::Input,
+                     fmt::format("the path '{}' is absolute; it must be relative to the file that names it",
+                                 quotable(relative, 200))};
     std::error_code trouble;
     const fs::path  root = fs::canonical(folder, trouble);
     if (trouble) return Error{Trouble::Input, fmt::format("the folder cannot be read: {}", trouble.message()), folder};
     const auto outside = [&] {
-        return Error{Trouble::Input, fmt::format("the path '{}' leads out of the folder of the file that names it", quotable(relative, 200))};
+        return Error{Trouble::Input, fmt::format("the path '{}' leads out of the folder of the file that names it",
+                                                 quotable(relative, 200))};
     };
     const auto within = [&root](const fs::path& path) {
         return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
@@ -117,7 +121,9 @@ Result<std::string> pathInside(const std::string& folder, const std::string& rel
     // A path that leads out as written is refused before anything out there is looked at.
     if (!within((root / written).lexically_normal())) return outside();
     const fs::path real = fs::canonical(root / written, trouble);
-    if (trouble) return Error{Trouble::Input, fmt::format("'{}' cannot be opened: {}", quotable(relative, 200), trouble.message())};
+    if (trouble)
+        return Error{Trouble::Input,
+                     fmt::format("'{}' cannot be opened: {}", quotable(relative, 200), trouble.message())};
     if (!within(real)) return outside();
     return real.string();
 }

@@ -7,7 +7,8 @@ namespace zscope {
 
 const KeptState* Checkpoints::lastBefore(Grain grain, std::uint64_t seen) const
 {
-    const auto after = std::ranges::partition_point(kept, [&](const auto& each) { return each->state.recorders.steps.seen(grain) <= seen; });
+    const auto after = std::ranges::partition_point(
+        kept, [&](const auto& each) { return each->state.recorders.steps.seen(grain) <= seen; });
     return after == kept.begin() ? nullptr : std::prev(after)->get();
 }
 
@@ -42,10 +43,12 @@ bool CheckpointKeeper::passesBy(Checkpoint at)
 void CheckpointKeeper::keep(std::uint64_t place)
 {
     const StripeScratch& scratch = m_run.scratch;
-    auto& kept = m_keepsIn->kept;
-    auto  now  = std::make_unique<const KeptState>(KeptState{
-        place, m_keepsIn->verdicts.size(),
-        {m_run.recorders, m_run.frame.visible, m_run.frame.colour, scratch.pyramid, scratch.active, scratch.polygons, scratch.memory}});
+    auto&                kept    = m_keepsIn->kept;
+    auto                 now     = std::make_unique<const KeptState>(
+        KeptState{place,
+                  m_keepsIn->verdicts.size(),
+                  {m_run.recorders, m_run.frame.visible, m_run.frame.colour, scratch.pyramid, scratch.active,
+                                       scratch.polygons, scratch.memory}});
     m_bytes += now->state.bytes();
     kept.push_back(std::move(now));
     while (m_bytes > m_mostBytes && !kept.empty()) {
@@ -63,12 +66,12 @@ void CheckpointKeeper::restore()
 {
     const RunState& state = m_from->state;
     assert(m_nextVerdict == m_from->verdicts);
-    m_run.recorders           = state.recorders;
-    m_run.frame.visible       = state.visible;  // as large as it is: nothing moves that is being looked at
-    m_run.frame.colour        = state.colour;
+    m_run.recorders     = state.recorders;
+    m_run.frame.visible = state.visible;  // as large as it is: nothing moves that is being looked at
+    m_run.frame.colour  = state.colour;
     m_run.scratch.pyramid.restore(state.pyramid);
-    m_run.scratch.active      = state.active;
-    m_run.scratch.polygons    = state.polygons;
+    m_run.scratch.active   = state.active;
+    m_run.scratch.polygons = state.polygons;
     m_run.stop.beginAfter(state.recorders.steps.seen(m_run.stopGrain));
     m_from = nullptr;
 }

@@ -1,12 +1,14 @@
 // Checkpoints of a run: copies of its structures, so that a step can be made without running from the start.
 //
 // Where      every so many events, at the next place where a run can begin again (core/probe/probe.h)
-// What       the picture, the pyramid, the tables of a sweep's line, and everything that the recorders remember. The edge table
-//            does not change once it is full, so the run that kept the checkpoints leaves it to those that begin there
-// Way        a run that is sent to a checkpoint walks there from the start: stages, instances and nodes as before, by the verdicts
-//            that the first run came to; but it draws no batch, sweeps no line, and tells nothing
+// What       the picture, the pyramid, the tables of a sweep's line, and everything that the recorders remember. The
+//            edge table does not change once it is full, so the run that kept the checkpoints leaves it to those that
+//            begin there
+// Way        a run that is sent to a checkpoint walks there from the start: stages, instances and nodes as before, by
+//            the verdicts that the first run came to; but it draws no batch, sweeps no line, and tells nothing
 // Promise    a run from a checkpoint goes on as the first run went on
-// Memory     at most what is allowed: when it is used up, every second checkpoint goes, and the next ones are kept twice as far apart
+// Memory     at most what is allowed: when it is used up, every second checkpoint goes, and the next ones are kept
+//            twice as far apart
 #pragma once
 
 #include <cstdint>
@@ -50,8 +52,8 @@ struct RunState {
 
     std::size_t bytes() const
     {
-        return recorders.bytes() + visible.bytes() + colour.values().size_bytes() + pyramid.bytes() + active.bytes() + polygons.bytes() +
-               memory.bytes();
+        return recorders.bytes() + visible.bytes() + colour.values().size_bytes() + pyramid.bytes() + active.bytes()
+               + polygons.bytes() + memory.bytes();
     }
 };
 
@@ -109,15 +111,15 @@ private:
     void keep(std::uint64_t place);
     void restore();
 
-    RunInWork          m_run;
-    bool               m_isSweep;
-    std::uint64_t      m_places = 0;  // passed
-    std::uint64_t      m_events = 0;  // heard
+    RunInWork     m_run;
+    bool          m_isSweep;
+    std::uint64_t m_places = 0;  // passed
+    std::uint64_t m_events = 0;  // heard
 
-    Checkpoints*       m_keepsIn = nullptr;
-    std::uint64_t      m_apart   = 0;  // events
-    std::uint64_t      m_nextAt  = 0;  // events
-    std::size_t        m_bytes = 0, m_mostBytes = 0;
+    Checkpoints*  m_keepsIn = nullptr;
+    std::uint64_t m_apart   = 0;  // events
+    std::uint64_t m_nextAt  = 0;  // events
+    std::size_t   m_bytes = 0, m_mostBytes = 0;
 
     const KeptState*   m_from        = nullptr;  // nullptr: the run is not on its way
     const Checkpoints* m_checkpoints = nullptr;

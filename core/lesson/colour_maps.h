@@ -1,8 +1,9 @@
-// Numbers as colours that can be read by every kind of colour vision: depth in a map whose lightness grows evenly, differences
-// around white, how much in one hue.
+// Numbers as colours that can be read by every kind of colour vision: depth in a map whose lightness grows evenly,
+// differences around white, how much in one hue.
 //
 // Colours    0xAARRGGBB, opaque
-// Source     cividis: Nuñez, Anderton, Renslow, Optimizing colormaps with consideration for color vision deficiency, 2018
+// Source     cividis: Nuñez, Anderton, Renslow, Optimizing colormaps with consideration for color vision deficiency,
+//            2018
 #pragma once
 
 #include <cstdint>

@@ -28,8 +28,9 @@ std::optional<Error> cannotExplain(const DrawRequest& request, std::span<const P
     if (const auto plan = planFrame(request); !plan) return plan.error();
     for (const PixelPosition p : pixels)
         if (p.x < 0 || p.y < 0 || p.x >= request.camera.width || p.y >= request.camera.height)
-            return Error{Trouble::Usage, "there is no pixel " + std::to_string(p.x) + "," + std::to_string(p.y) + " in a picture of " +
-                                             std::to_string(request.camera.width) + "x" + std::to_string(request.camera.height)};
+            return Error{Trouble::Usage, "there is no pixel " + std::to_string(p.x) + "," + std::to_string(p.y)
+                                             + " in a picture of " + std::to_string(request.camera.width) + "x"
+                                             + std::to_string(request.camera.height)};
     return std::nullopt;
 }
 
@@ -46,13 +47,15 @@ Result<Done> runWith(const DrawRequest& request, Frame& frame, StepCounter& step
 bool isTest(const Event& event)
 {
     switch (event.happening) {
-    case Happening::Discarded:
-    case Happening::Won:
-    case Happening::Lost:
-    case Happening::Overtaken:
-    case Happening::IntervalWon:
-    case Happening::IntervalLost: return !event.isPrepass;
-    default: return false;
+        case Happening::Discarded:
+        case Happening::Won:
+        case Happening::Lost:
+        case Happening::Overtaken:
+        case Happening::IntervalWon:
+        case Happening::IntervalLost:
+            return !event.isPrepass;
+        default:
+            return false;
     }
 }
 
@@ -73,21 +76,32 @@ std::optional<std::size_t> lastOf(const std::vector<Event>& events, Happening ha
 PixelFate fateOf(const Event& event, float background)
 {
     switch (event.happening) {
-    case Happening::SetUp:
-        return event.setUp == SetUp::BackFacing ? PixelFate::BackFace : event.setUp == SetUp::ClippedAway ? PixelFate::NearClip : PixelFate::NotFilled;
-    case Happening::NodeOutside: return PixelFate::NodeOutside;
-    case Happening::NodeHidden: return PixelFate::NodeHidden;
-    case Happening::NodeSmall: return PixelFate::NodeSmall;
-    case Happening::TriangleHidden: return PixelFate::TriangleHidden;
-    case Happening::TileRejected: return PixelFate::TileRejected;
-    case Happening::Discarded: return PixelFate::Hole;
-    case Happening::Overtaken: return PixelFate::Overwritten;
-    case Happening::IntervalLost: return PixelFate::IntervalLost;
-    case Happening::Lost:
-        if (event.depth > event.rivalDepth) return PixelFate::Hole;  // after a pre-pass that left it out
-        if (!event.rival && event.rivalDepth <= background) return PixelFate::BeyondFar;
-        return event.depth == event.rivalDepth ? PixelFate::LostTie : PixelFate::Farther;
-    default: return PixelFate::NotFilled;
+        case Happening::SetUp:
+            return event.setUp == SetUp::BackFacing    ? PixelFate::BackFace
+                   : event.setUp == SetUp::ClippedAway ? PixelFate::NearClip
+                                                       : PixelFate::NotFilled;
+        case Happening::NodeOutside:
+            return PixelFate::NodeOutside;
+        case Happening::NodeHidden:
+            return PixelFate::NodeHidden;
+        case Happening::NodeSmall:
+            return PixelFate::NodeSmall;
+        case Happening::TriangleHidden:
+            return PixelFate::TriangleHidden;
+        case Happening::TileRejected:
+            return PixelFate::TileRejected;
+        case Happening::Discarded:
+            return PixelFate::Hole;
+        case Happening::Overtaken:
+            return PixelFate::Overwritten;
+        case Happening::IntervalLost:
+            return PixelFate::IntervalLost;
+        case Happening::Lost:
+            if (event.depth > event.rivalDepth) return PixelFate::Hole;  // after a pre-pass that left it out
+            if (!event.rival && event.rivalDepth <= background) return PixelFate::BeyondFar;
+            return event.depth == event.rivalDepth ? PixelFate::LostTie : PixelFate::Farther;
+        default:
+            return PixelFate::NotFilled;
     }
 }
 
@@ -103,7 +117,9 @@ void decide(PixelCandidate& c, const PixelExplanation& pixel, float background)
 {
     if (pixel.winner == std::int64_t{c.drawnAs.value}) {
         c.fate     = PixelFate::Winner;
-        c.decisive = lastOf(c.events, [](const Event& e) { return !e.isPrepass && (e.happening == Happening::Won || e.happening == Happening::IntervalWon); });
+        c.decisive = lastOf(c.events, [](const Event& e) {
+            return !e.isPrepass && (e.happening == Happening::Won || e.happening == Happening::IntervalWon);
+        });
         return;
     }
     c.decisive = lastOf(c.events, Happening::Overtaken);
@@ -114,7 +130,8 @@ void decide(PixelCandidate& c, const PixelExplanation& pixel, float background)
         c.fate             = fateOf(event, background);
         if (isTest(event) && c.fate != PixelFate::Hole && c.fate != PixelFate::BeyondFar) {
             c.rival = event.rival;
-            if (!c.rival && pixel.winner >= 0) c.rival = TriangleId{static_cast<std::uint32_t>(pixel.winner)};  // whose depth a pre-pass kept
+            // whose depth a pre-pass kept
+            if (!c.rival && pixel.winner >= 0) c.rival = TriangleId{static_cast<std::uint32_t>(pixel.winner)};
             c.stepsBehind = float32StepsBetween(event.depth, event.rivalDepth);
         }
         return;
@@ -136,7 +153,8 @@ std::vector<PixelCandidate> inOrderMet(PixelHistories::History& history)
     std::vector<std::size_t> order(history.candidates.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-        return std::pair(history.met[a], history.candidates[a].triangle) < std::pair(history.met[b], history.candidates[b].triangle);
+        return std::pair(history.met[a], history.candidates[a].triangle)
+               < std::pair(history.met[b], history.candidates[b].triangle);
     });
     std::vector<PixelCandidate> candidates;
     candidates.reserve(order.size());
@@ -149,15 +167,21 @@ std::string reliefOf(const PixelCandidate& c, const DrawRequest& request)
 {
     const Scene& scene = request.scene->scene();
     const Mesh&  mesh  = scene.meshOf(c.instance);
-    if (!mesh.materialOf(mesh.trianglePolygon[c.triangle.value - scene.firstTriangle[c.instance.value]]).relief || !c.decisive) return "";
+    if (!mesh.materialOf(mesh.trianglePolygon[c.triangle.value - scene.firstTriangle[c.instance.value]]).relief
+        || !c.decisive)
+        return "";
     const Event& event = c.events[*c.decisive];
     if (!isTest(event) || c.fate == PixelFate::Hole) return "";
-    if (event.unmovedDepth) return fmt::format(" (Its material's relief moved it back from {:.9g} to {:.9g}.)", *event.unmovedDepth, event.depth);
+    if (event.unmovedDepth)
+        return fmt::format(" (Its material's relief moved it back from {:.9g} to {:.9g}.)", *event.unmovedDepth,
+                           event.depth);
     if (event.depth <= c.depth) return "";
-    return fmt::format(" (That is where its triangle is; its relief would have been at {:.9g}, but nobody had to ask.)", c.depth);
+    return fmt::format(" (That is where its triangle is; its relief would have been at {:.9g}, but nobody had to ask.)",
+                       c.depth);
 }
 
-PixelExplanation explained(PixelHistories::History& history, PixelPosition p, const DrawRequest& request, const Frame& frame)
+PixelExplanation explained(PixelHistories::History& history, PixelPosition p, const DrawRequest& request,
+                           const Frame& frame)
 {
     const Pipeline&  pipeline   = request.pipeline;
     const float      background = frame.visible.empty();
@@ -182,7 +206,8 @@ PixelExplanation explained(PixelHistories::History& history, PixelPosition p, co
 
 }  // namespace
 
-Result<std::vector<PixelExplanation>> explainPixels(const DrawRequest& asked, std::span<const PixelPosition> pixels, const Progress& progress)
+Result<std::vector<PixelExplanation>> explainPixels(const DrawRequest& asked, std::span<const PixelPosition> pixels,
+                                                    const Progress& progress)
 try {
     if (const auto error = cannotExplain(asked, pixels)) return *error;
     const DrawRequest request = repeatable(asked);
@@ -192,11 +217,12 @@ try {
 
     Frame          frame;
     StepCounter    steps;
-    PixelHistories histories(scene, request.camera.width, request.camera.height, pixels, *covers, drawsFaces(request.pipeline), steps);
+    PixelHistories histories(scene, request.camera.width, request.camera.height, pixels, *covers,
+                             drawsFaces(request.pipeline), steps);
     if (const auto done = runWith(request, frame, steps, histories); !done) return done.error();
 
-    std::vector<PixelExplanation>           all;
-    std::map<std::size_t, std::size_t>      first;  // which answer explains a history
+    std::vector<PixelExplanation>      all;
+    std::map<std::size_t, std::size_t> first;  // which answer explains a history
     for (const PixelPosition p : pixels) {
         const auto [known, isNew] = first.try_emplace(histories.of(p), all.size());
         if (isNew)
@@ -261,7 +287,8 @@ try {
     const DrawRequest request = repeatable(asked);
     const Scene&      scene   = request.scene->scene();
     if (triangle.value >= scene.triangleCount())
-        return Error{Trouble::Usage, "there is no triangle " + std::to_string(triangle.value) + ": the scene has " + std::to_string(scene.triangleCount())};
+        return Error{Trouble::Usage, "there is no triangle " + std::to_string(triangle.value) + ": the scene has "
+                                         + std::to_string(scene.triangleCount())};
     progress.at(0, "explaining");
     const TriangleCovers covers = coversOf(scene, request.camera, request.faceCulling, triangle);
 
@@ -286,10 +313,11 @@ try {
     e.tally         = history.tally();
     e.tally.covered = covers.opaque.size();
     e.tally.inHoles = covers.holes, e.tally.beyondFar = covers.beyondFar, e.tally.backFacing = covers.backFacing;
-    e.events        = std::move(history.events());
-    e.leftOut       = history.leftOut();
+    e.events  = std::move(history.events());
+    e.leftOut = history.leftOut();
     findTakers(e, covers, frame.visible);
-    for (Event& event : e.events) event.sentence = sentenceOf(event, e.drawnAs, request.pipeline, frame.visible.empty());
+    for (Event& event : e.events)
+        event.sentence = sentenceOf(event, e.drawnAs, request.pipeline, frame.visible.empty());
     e.fate     = fateOf(e, covers, frame.visible.empty());
     e.sentence = sentenceOf(e, request.pipeline);
     return e;

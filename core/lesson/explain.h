@@ -1,10 +1,10 @@
-// "Why this pixel" and "why is this triangle missing": the frame runs once more, serially and with one lane, and recorders
-// note what becomes of the triangles concerned.
+// "Why this pixel" and "why is this triangle missing": the frame runs once more, serially and with one lane, and
+// recorders note what becomes of the triangles concerned.
 //
-// Promise    the winner is the picture's; the list holds every triangle that covers the pixel by the definition, and what
-//            the run tested there besides. The steps named are those of Replay for the same request
-// Cost       one run for any number of pixels; the definition's walk over the instances that can reach one of them; memory per
-//            triangle that meets a pixel, not per triangle of the scene
+// Promise    the winner is the picture's; the list holds every triangle that covers the pixel by the definition, and
+//            what the run tested there besides. The steps named are those of Replay for the same request
+// Cost       one run for any number of pixels; the definition's walk over the instances that can reach one of them;
+//            memory per triangle that meets a pixel, not per triangle of the scene
 #pragma once
 
 #include <span>
@@ -24,7 +24,8 @@ Result<std::vector<PixelExplanation>> explainPixels(const DrawRequest& request, 
                                                     const Progress& progress = {});
 Result<PixelExplanation> explainPixel(const DrawRequest& request, PixelPosition pixel, const Progress& progress = {});
 /// Errors likewise; Usage also if the scene has no such triangle.
-Result<TriangleExplanation> explainTriangle(const DrawRequest& request, TriangleId triangle, const Progress& progress = {});
+Result<TriangleExplanation> explainTriangle(const DrawRequest& request, TriangleId triangle,
+                                            const Progress& progress = {});
 
 std::string explanationToJson(const PixelExplanation& explanation);
 std::string explanationToJson(const TriangleExplanation& explanation);

@@ -30,37 +30,49 @@ Json toJson(const Moment& moment, const std::vector<Grain>& grains)
 
 std::string_view wordOf(SetUp fate)
 {
-    constexpr std::array<std::string_view, 8> words{"drawn", "transparent", "outside", "clipped-away", "back-facing", "degenerate", "no-pixel-centre", "out-of-range"};
+    constexpr std::array<std::string_view, 8> words{"drawn",       "transparent", "outside",         "clipped-away",
+                                                    "back-facing", "degenerate",  "no-pixel-centre", "out-of-range"};
     return words[static_cast<std::size_t>(fate)];
 }
 
 Json toJson(const Event& e, const std::vector<Grain>& grains)
 {
-    Json json{{"event", wordOf(e.happening)}, {"grain", wordOf(e.grain)}, {"steps", toJson(e.moment, grains)}, {"sentence", e.sentence}};
+    Json json{{"event", wordOf(e.happening)},
+              {"grain", wordOf(e.grain)},
+              {"steps", toJson(e.moment, grains)},
+              {"sentence", e.sentence}};
     if (e.isPrepass) json["prepass"] = true;
     if (e.pass > 0) json["pass"] = e.pass;
     if (e.unmovedDepth) json["unmoved_depth"] = *e.unmovedDepth;
     if (e.pixel) json["pixel"] = {e.pixel->x, e.pixel->y};
     if (e.node) json["node"] = toJson(*e.node);
     if (e.query)
-        json["query"] = {{"rectangle", toJson(e.query->box)}, {"level", e.query->level}, {"value", e.query->value},
-                         {"nearest", e.query->nearest}, {"cells_read", e.query->cells}, {"hidden", e.query->hidden}};
-    if (e.tile) json["tile"] = {{"rectangle", toJson(e.tile->box)}, {"nearest", e.tile->nearest}, {"farthest", e.tile->farthest}};
-    if (e.interval) json["interval"] = {{"line", e.interval->y0}, {"x0", e.interval->x0}, {"x1", e.interval->x1}, {"reason", wordOf(e.reason)}};
+        json["query"] = {{"rectangle", toJson(e.query->box)}, {"level", e.query->level},
+                         {"value", e.query->value},           {"nearest", e.query->nearest},
+                         {"cells_read", e.query->cells},      {"hidden", e.query->hidden}};
+    if (e.tile)
+        json["tile"] = {
+            {"rectangle", toJson(e.tile->box)}, {"nearest", e.tile->nearest}, {"farthest", e.tile->farthest}};
+    if (e.interval)
+        json["interval"] = {
+            {"line", e.interval->y0}, {"x0", e.interval->x0}, {"x1", e.interval->x1}, {"reason", wordOf(e.reason)}};
     switch (e.happening) {
-    case Happening::SetUp:
-        json["set_up"] = wordOf(e.setUp);
-        json["cut"]    = e.isCut;
-        break;
-    case Happening::Won:
-    case Happening::Lost:
-    case Happening::Overtaken:
-    case Happening::IntervalLost:
-        json["rival"]       = toJson(e.rival);
-        json["rival_depth"] = e.rivalDepth;
-        [[fallthrough]];
-    case Happening::IntervalWon: json["depth"] = e.depth; break;
-    default: break;
+        case Happening::SetUp:
+            json["set_up"] = wordOf(e.setUp);
+            json["cut"]    = e.isCut;
+            break;
+        case Happening::Won:
+        case Happening::Lost:
+        case Happening::Overtaken:
+        case Happening::IntervalLost:
+            json["rival"]       = toJson(e.rival);
+            json["rival_depth"] = e.rivalDepth;
+            [[fallthrough]];
+        case Happening::IntervalWon:
+            json["depth"] = e.depth;
+            break;
+        default:
+            break;
     }
     return json;
 }
@@ -95,24 +107,27 @@ std::string textOf(const Json& json) { return json.dump(1, ' ', false, Json::err
 
 std::string_view wordOf(Happening happening)
 {
-    constexpr std::array<std::string_view, 15> words{"set-up", "node-outside", "node-hidden", "node-small", "node-entered", "node-recalled",
-                                                     "triangle-hidden", "triangle-passed", "tile-rejected", "discarded", "won", "lost",
-                                                     "overtaken", "interval-won", "interval-lost"};
+    constexpr std::array<std::string_view, 15> words{
+        "set-up",          "node-outside",    "node-hidden",   "node-small", "node-entered", "node-recalled",
+        "triangle-hidden", "triangle-passed", "tile-rejected", "discarded",  "won",          "lost",
+        "overtaken",       "interval-won",    "interval-lost"};
     return words[static_cast<std::size_t>(happening)];
 }
 
 std::string_view wordOf(PixelFate fate)
 {
-    constexpr std::array<std::string_view, 18> words{"winner", "overwritten", "farther", "lost-tie", "interval-lost", "hole", "beyond-far", "tile-rejected",
-                                                     "triangle-hidden", "node-hidden", "node-outside", "node-small", "batch-outside", "back-face",
-                                                     "near-clip", "not-filled", "blended", "behind-opaque"};
+    constexpr std::array<std::string_view, 18> words{
+        "winner",        "overwritten",   "farther",         "lost-tie",    "interval-lost", "hole",
+        "beyond-far",    "tile-rejected", "triangle-hidden", "node-hidden", "node-outside",  "node-small",
+        "batch-outside", "back-face",     "near-clip",       "not-filled",  "blended",       "behind-opaque"};
     return words[static_cast<std::size_t>(fate)];
 }
 
 std::string explanationToJson(const PixelExplanation& e)
 {
-    Json json{{"algorithm", e.algorithm}, {"pixel", {e.pixel.x, e.pixel.y}}, {"winner", e.winner}, {"depth", e.depth},
-              {"sentence", e.sentence}, {"grains", wordsOf(e.grains)}, {"triangles", Json::array()}};
+    Json json{{"algorithm", e.algorithm},  {"pixel", {e.pixel.x, e.pixel.y}}, {"winner", e.winner},
+              {"depth", e.depth},          {"sentence", e.sentence},          {"grains", wordsOf(e.grains)},
+              {"triangles", Json::array()}};
     for (const PixelCandidate& c : e.candidates) json["triangles"].push_back(toJson(c, e.grains));
     return textOf(json);
 }
@@ -120,12 +135,28 @@ std::string explanationToJson(const PixelExplanation& e)
 std::string explanationToJson(const TriangleExplanation& e)
 {
     const TriangleTally& t = e.tally;
-    Json json{{"algorithm", e.algorithm}, {"triangle", e.triangle.value}, {"drawn_as", e.drawnAs.value}, {"instance", e.instance.value},
-              {"mesh", e.mesh}, {"material", e.material}, {"transparent", e.isTransparent}, {"fate", wordOf(e.fate)}, {"sentence", e.sentence},
+    Json                 json{{"algorithm", e.algorithm},
+              {"triangle", e.triangle.value},
+              {"drawn_as", e.drawnAs.value},
+              {"instance", e.instance.value},
+              {"mesh", e.mesh},
+              {"material", e.material},
+              {"transparent", e.isTransparent},
+              {"fate", wordOf(e.fate)},
+              {"sentence", e.sentence},
               {"grains", wordsOf(e.grains)}};
-    json["pixels"] = {{"covered", t.covered}, {"shown", t.shown}, {"tested", t.tested}, {"passed", t.passed}, {"prepass_tested", t.prepassTested},
-                      {"prepass_passed", t.prepassPassed}, {"in_holes", t.inHoles}, {"beyond_far", t.beyondFar}, {"back_facing", t.backFacing},
-                      {"tile_rejected", t.tileRejected}, {"interval_won", t.intervalWon}, {"interval_lost", t.intervalLost}};
+    json["pixels"]   = {{"covered", t.covered},
+                        {"shown", t.shown},
+                        {"tested", t.tested},
+                        {"passed", t.passed},
+                        {"prepass_tested", t.prepassTested},
+                        {"prepass_passed", t.prepassPassed},
+                        {"in_holes", t.inHoles},
+                        {"beyond_far", t.beyondFar},
+                        {"back_facing", t.backFacing},
+                        {"tile_rejected", t.tileRejected},
+                        {"interval_won", t.intervalWon},
+                        {"interval_lost", t.intervalLost}};
     json["taken_by"] = Json::array();
     for (const Taker& taker : e.takers) json["taken_by"].push_back({{"id", taker.id}, {"pixels", taker.pixels}});
     json["taken_by_others"] = e.otherTakers;

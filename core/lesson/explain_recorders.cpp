@@ -9,10 +9,14 @@ namespace {
 Happening happeningOf(Verdict verdict)
 {
     switch (verdict) {
-    case Verdict::Outside: return Happening::NodeOutside;
-    case Verdict::Hidden: return Happening::NodeHidden;
-    case Verdict::Small: return Happening::NodeSmall;
-    case Verdict::Entered: break;
+        case Verdict::Outside:
+            return Happening::NodeOutside;
+        case Verdict::Hidden:
+            return Happening::NodeHidden;
+        case Verdict::Small:
+            return Happening::NodeSmall;
+        case Verdict::Entered:
+            break;
     }
     return Happening::NodeEntered;
 }
@@ -22,7 +26,10 @@ Happening happeningOf(const PixelTested& e)
     return e.discarded ? Happening::Discarded : e.won ? Happening::Won : Happening::Lost;
 }
 
-bool holds(const PixelBox& box, PixelPosition p) { return box.x0 <= p.x && p.x < box.x1 && box.y0 <= p.y && p.y < box.y1; }
+bool holds(const PixelBox& box, PixelPosition p)
+{
+    return box.x0 <= p.x && p.x < box.x1 && box.y0 <= p.y && p.y < box.y1;
+}
 
 std::optional<TriangleId> rivalOf(const PixelTested& e)
 {
@@ -43,13 +50,15 @@ float depthOf(const DepthPlane& plane, int x, int y)
 }
 
 PixelHistories::PixelHistories(const Scene& scene, int width, int height, std::span<const PixelPosition> pixels,
-                               const std::vector<std::vector<PixelCover>>& covers, bool byFace, const StepCounter& steps)
-    : m_scene(scene), m_steps(steps), m_place(width, height, -1), m_hasPixels(static_cast<std::size_t>(height), 0), m_byFace(byFace)
+                               const std::vector<std::vector<PixelCover>>& covers, bool byFace,
+                               const StepCounter& steps)
+    : m_scene(scene), m_steps(steps), m_place(width, height, -1), m_hasPixels(static_cast<std::size_t>(height), 0),
+      m_byFace(byFace)
 {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const PixelPosition p = pixels[i];
         if (m_place.at(p.x, p.y) >= 0) continue;
-        m_place.at(p.x, p.y)                      = static_cast<std::int32_t>(m_histories.size());
+        m_place.at(p.x, p.y)                       = static_cast<std::int32_t>(m_histories.size());
         m_hasPixels[static_cast<std::size_t>(p.y)] = 1;
         m_pixels.push_back(p);
         History& history = m_histories.emplace_back();
@@ -72,7 +81,8 @@ PixelHistories::PixelHistories(const Scene& scene, int width, int height, std::s
 PixelHistories::Range PixelHistories::rangeOf(History& history, TriangleId drawnAs) const
 {
     const auto& all   = history.candidates;
-    const auto  first = std::lower_bound(all.begin(), all.end(), drawnAs, [](const PixelCandidate& c, TriangleId id) { return c.drawnAs < id; });
+    const auto  first = std::lower_bound(all.begin(), all.end(), drawnAs,
+                                         [](const PixelCandidate& c, TriangleId id) { return c.drawnAs < id; });
     auto        end   = first;
     while (end != all.end() && end->drawnAs == drawnAs) ++end;
     return {static_cast<std::size_t>(first - all.begin()), static_cast<std::size_t>(end - all.begin())};
@@ -83,8 +93,9 @@ PixelHistories::Range PixelHistories::rangeOrNew(History& history, TriangleId dr
     Range range = rangeOf(history, drawnAs);
     if (range.first < range.end) return range;
     const auto at = static_cast<std::ptrdiff_t>(range.first);
-    history.candidates.insert(history.candidates.begin() + at,
-                              {.triangle = drawnAs, .drawnAs = drawnAs, .instance = m_scene.instanceOf(drawnAs), .cover = std::nullopt});
+    history.candidates.insert(
+        history.candidates.begin() + at,
+        {.triangle = drawnAs, .drawnAs = drawnAs, .instance = m_scene.instanceOf(drawnAs), .cover = std::nullopt});
     history.met.insert(history.met.begin() + at, kNever);
     ++range.end;
     return range;
@@ -110,10 +121,11 @@ void PixelHistories::note(History& history, std::size_t candidate, Event event)
 void PixelHistories::noteOf(TriangleId triangle, const Event& event, const PixelBox* box)
 {
     const std::pair<std::uint32_t, std::uint32_t> from(triangle.value, 0);
-    for (auto at = std::lower_bound(m_where.begin(), m_where.end(), from); at != m_where.end() && at->first == triangle.value; ++at) {
+    for (auto at = std::lower_bound(m_where.begin(), m_where.end(), from);
+         at != m_where.end() && at->first == triangle.value; ++at) {
         if (box && !holds(*box, m_pixels[at->second])) continue;
-        History& history = m_histories[at->second];
-        const Range range = rangeOf(history, m_byFace ? m_scene.firstOfFace(triangle) : triangle);
+        History&    history = m_histories[at->second];
+        const Range range   = rangeOf(history, m_byFace ? m_scene.firstOfFace(triangle) : triangle);
         for (std::size_t i = range.first; i < range.end; ++i)
             if (history.candidates[i].triangle == triangle) note(history, i, event);
     }
@@ -166,7 +178,8 @@ void PixelHistories::observe(const TileTested& e)
     noteOf(e.triangle, event, &e.box);
 }
 
-void PixelHistories::overtake(History& history, TriangleId loser, TriangleId winner, float depth, float winnersDepth, const Moment& moment)
+void PixelHistories::overtake(History& history, TriangleId loser, TriangleId winner, float depth, float winnersDepth,
+                              const Moment& moment)
 {
     const Range range = rangeOrNew(history, loser);
     for (std::size_t i = range.first; i < range.end; ++i) {
@@ -212,7 +225,7 @@ void PixelHistories::observe(const IntervalResolved& e)
         }
         for (const std::uint32_t part : e.open) {
             const SweepPolygon& polygon = e.polygons[part];
-            const bool           isIt    = polygon.id == e.winner->id;
+            const bool          isIt    = polygon.id == e.winner->id;
             Event event    = begin(isIt ? Happening::IntervalWon : Happening::IntervalLost, moment, Grain::Interval);
             event.depth    = depthOf(polygon.depth, x, e.y);
             event.interval = PixelBox{e.x0, e.y, e.x1, e.y + 1};
@@ -233,16 +246,16 @@ void PixelHistories::observe(const PixelBlended& e)
 TriangleHistory::TriangleHistory(const Scene& scene, TriangleId triangle, bool byFace, const StepCounter& steps)
     : m_scene(scene), m_steps(steps), m_triangle(triangle), m_drawnAs(byFace ? scene.firstOfFace(triangle) : triangle),
       m_instance(scene.instanceOf(triangle))
-{
-}
+{}
 
 bool TriangleHistory::holds(const NodePlace& place) const
 {
     if (!place.isInstanceTree && place.instance != m_instance) return false;
-    const std::uint32_t item = place.isInstanceTree ? m_instance.value : m_triangle.value - m_scene.firstTriangle[m_instance.value];
-    const Bounds        box = place.tree.boxOf(item), &all = place.node.bounds;
-    const bool mayHold = all.min.x <= box.min.x && all.min.y <= box.min.y && all.min.z <= box.min.z && box.max.x <= all.max.x &&
-                         box.max.y <= all.max.y && box.max.z <= all.max.z;
+    const std::uint32_t item =
+        place.isInstanceTree ? m_instance.value : m_triangle.value - m_scene.firstTriangle[m_instance.value];
+    const Bounds box = place.tree.boxOf(item), &all = place.node.bounds;
+    const bool   mayHold = all.min.x <= box.min.x && all.min.y <= box.min.y && all.min.z <= box.min.z
+                         && box.max.x <= all.max.x && box.max.y <= all.max.y && box.max.z <= all.max.z;
     const auto items = place.tree.allItems(place.node);
     return mayHold && std::find(items.begin(), items.end(), item) != items.end();
 }
@@ -339,7 +352,10 @@ void TriangleHistory::observe(const PixelTested& e)
     ++(inPrepass ? m_tally.prepassTested : m_tally.tested);
     if (e.won) ++(inPrepass ? m_tally.prepassPassed : m_tally.passed);
     const Happening happening = happeningOf(e);
-    bool& noted = happening == Happening::Discarded ? m_wasDiscarded : !e.won ? m_hasLost : inPrepass ? m_wonInPrepass : m_hasWon;
+    bool&           noted     = happening == Happening::Discarded ? m_wasDiscarded
+                                : !e.won                          ? m_hasLost
+                                : inPrepass                       ? m_wonInPrepass
+                                                                  : m_hasWon;
     if (noted || (inPrepass && !e.won)) return;
     Event event      = begin(happening, m_steps.of(e), Grain::Pixel);
     event.isPrepass  = inPrepass;
@@ -347,14 +363,15 @@ void TriangleHistory::observe(const PixelTested& e)
     event.rival      = rivalOf(e);
     event.rivalDepth = e.rivalDepth;
     if (e.moved) event.unmovedDepth = e.unmovedDepth;
-    event.pixel      = PixelPosition{e.x, e.y};
+    event.pixel = PixelPosition{e.x, e.y};
     noteOnce(std::move(event), noted);
 }
 
 void TriangleHistory::observe(const IntervalResolved& e)
 {
     if (!e.winner) return;
-    const auto mine = std::ranges::find_if(e.open, [&](std::uint32_t part) { return e.polygons[part].id == m_drawnAs; });
+    const auto mine =
+        std::ranges::find_if(e.open, [&](std::uint32_t part) { return e.polygons[part].id == m_drawnAs; });
     if (mine == e.open.end()) return;
     const bool won = e.winner->id == m_drawnAs;
     (won ? m_tally.intervalWon : m_tally.intervalLost) += static_cast<std::uint64_t>(e.x1 - e.x0);

@@ -49,7 +49,8 @@ void forEachBelow(const Scene& scene, const NodePlace& place, std::span<const st
 /// The histories of the triangles that meet a few pixels.
 class PixelHistories {
 public:
-    /// `covers`: of each pixel, ascending by triangle. `byFace`: whole faces are drawn, under their first triangle's id.
+    /// `covers`: of each pixel, ascending by triangle. `byFace`: whole faces are drawn, under their first triangle's
+    /// id.
     PixelHistories(const Scene& scene, int width, int height, std::span<const PixelPosition> pixels,
                    const std::vector<std::vector<PixelCover>>& covers, bool byFace, const StepCounter& steps);
 
@@ -68,15 +69,15 @@ public:
 
     /// What one pixel has seen.
     struct History {
-        std::vector<PixelCandidate>        candidates;  // by drawnAs, then triangle
-        std::vector<std::uint64_t>         met;         // of each: when, counted in events of all histories; kNever
-        std::optional<Moment>              blended;
-        std::optional<IntervalReason>      comparedBecause;  // the interval that it lies in was compared pixel by pixel
+        std::vector<PixelCandidate>   candidates;  // by drawnAs, then triangle
+        std::vector<std::uint64_t>    met;         // of each: when, counted in events of all histories; kNever
+        std::optional<Moment>         blended;
+        std::optional<IntervalReason> comparedBecause;  // the interval that it lies in was compared pixel by pixel
     };
     static constexpr std::uint64_t kNever = ~std::uint64_t{0};
     /// One per distinct pixel; of() says which.
     std::vector<History>& histories() { return m_histories; }
-    std::size_t           of(PixelPosition pixel) const { return static_cast<std::size_t>(m_place.at(pixel.x, pixel.y)); }
+    std::size_t of(PixelPosition pixel) const { return static_cast<std::size_t>(m_place.at(pixel.x, pixel.y)); }
 
 private:
     struct Range {
@@ -88,28 +89,27 @@ private:
     void  note(History& history, std::size_t candidate, Event event);
     /// Notes it for a triangle at all pixels that it meets, if they lie in `box`.
     void  noteOf(TriangleId triangle, const Event& event, const PixelBox* box = nullptr);
-    void  overtake(History& history, TriangleId loser, TriangleId winner, float depth, float winnersDepth, const Moment& moment);
+    void  overtake(History& history, TriangleId loser, TriangleId winner, float depth, float winnersDepth,
+                   const Moment& moment);
     Event begin(Happening happening, const Moment& moment, Grain grain) const;
 
-    const Scene&               m_scene;
-    const StepCounter&         m_steps;
-    Grid<std::int32_t>         m_place;      // which history; -1: none
-    std::vector<std::uint8_t>  m_hasPixels;  // of each line
-    std::vector<PixelPosition> m_pixels;     // of each history
-    std::vector<History>       m_histories;
-    std::vector<std::uint32_t> m_ids;        // of the triangles that meet a pixel, ascending
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_where;  // (triangle, history), ascending
-    NodeName                   m_holder;     // whose triangles are being drawn
-    Moment                     m_asked;      // when the pyramid was asked last
-    std::uint64_t              m_clock     = 0;
-    bool                       m_isPrepass = false;
-    bool                       m_byFace;
-    int                        m_pass = 0;
+    const Scene&                                         m_scene;
+    const StepCounter&                                   m_steps;
+    Grid<std::int32_t>                                   m_place;      // which history; -1: none
+    std::vector<std::uint8_t>                            m_hasPixels;  // of each line
+    std::vector<PixelPosition>                           m_pixels;     // of each history
+    std::vector<History>                                 m_histories;
+    std::vector<std::uint32_t>                           m_ids;     // of the triangles that meet a pixel, ascending
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_where;   // (triangle, history), ascending
+    NodeName                                             m_holder;  // whose triangles are being drawn
+    Moment                                               m_asked;   // when the pyramid was asked last
+    std::uint64_t                                        m_clock     = 0;
+    bool                                                 m_isPrepass = false;
+    bool                                                 m_byFace;
+    int                                                  m_pass = 0;
 };
-static_assert(observes<PixelHistories, StageStarted> && observes<PixelHistories, PassStarted> && observes<PixelHistories, NodeJudged> &&
-              observes<PixelHistories, NodeDrawn> && observes<PixelHistories, NodeRecalled> && observes<PixelHistories, TriangleSetUp> &&
-              observes<PixelHistories, PyramidAsked> && observes<PixelHistories, TriangleHidden> && observes<PixelHistories, TileTested> &&
-              observes<PixelHistories, PixelTested> && observes<PixelHistories, IntervalResolved> && observes<PixelHistories, PixelBlended>);
+static_assert(observesAll<PixelHistories, StageStarted, PassStarted, NodeJudged, NodeDrawn, NodeRecalled, TriangleSetUp,
+                          PyramidAsked, TriangleHidden, TileTested, PixelTested, IntervalResolved, PixelBlended>);
 
 /// The history of one triangle over the whole picture.
 class TriangleHistory {
@@ -148,13 +148,11 @@ private:
     TriangleTally      m_tally;
     bool               m_isPrepass = false;
     int                m_pass      = 0;
-    bool m_hasWon = false, m_hasLost = false, m_wasRejected = false, m_wasDiscarded = false, m_hadInterval = false, m_lostInterval = false;
+    bool m_hasWon = false, m_hasLost = false, m_wasRejected = false, m_wasDiscarded = false, m_hadInterval = false,
+         m_lostInterval = false;
     bool m_wonInPrepass = false;
 };
-static_assert(observes<TriangleHistory, StageStarted> && observes<TriangleHistory, PassStarted> && observes<TriangleHistory, NodeJudged> &&
-              observes<TriangleHistory, NodeRecalled> && observes<TriangleHistory, TriangleSetUp> &&
-              observes<TriangleHistory, PyramidAsked> && observes<TriangleHistory, TriangleHidden> &&
-              observes<TriangleHistory, TrianglePassed> && observes<TriangleHistory, TileTested> &&
-              observes<TriangleHistory, PixelTested> && observes<TriangleHistory, IntervalResolved>);
+static_assert(observesAll<TriangleHistory, StageStarted, PassStarted, NodeJudged, NodeRecalled, TriangleSetUp,
+                          PyramidAsked, TriangleHidden, TrianglePassed, TileTested, PixelTested, IntervalResolved>);
 
 }  // namespace zscope

@@ -9,7 +9,8 @@ namespace zscope {
 /// What happened to the triangle (or face) drawn as `who`.
 std::string sentenceOf(const Event& event, TriangleId who, const Pipeline& pipeline, float background);
 /// What it came to at the pixel; `isShaded`: colours were asked for, without which nothing is blended.
-std::string sentenceOf(const PixelCandidate& candidate, const PixelExplanation& pixel, const Pipeline& pipeline, bool isShaded);
+std::string sentenceOf(const PixelCandidate& candidate, const PixelExplanation& pixel, const Pipeline& pipeline,
+                       bool isShaded);
 std::string sentenceOf(const PixelExplanation& explanation, const Pipeline& pipeline);
 std::string sentenceOf(const TriangleExplanation& explanation, const Pipeline& pipeline);
 

@@ -22,8 +22,10 @@ std::string linesOf(const std::vector<Event>& events, const std::vector<Grain>& 
 {
     std::string text;
     for (const Event& event : events) {
-        if (event.happening == Happening::SetUp && event.setUp == SetUp::Drawn && !event.isCut) continue;  // nearly all have been
-        text += fmt::format("      {:<15} {}\n{:22}at step: {}\n", wordOf(event.happening), event.sentence, "", stepsOf(event, grains));
+        // nearly all have been
+        if (event.happening == Happening::SetUp && event.setUp == SetUp::Drawn && !event.isCut) continue;
+        text += fmt::format("      {:<15} {}\n{:22}at step: {}\n", wordOf(event.happening), event.sentence, "",
+                            stepsOf(event, grains));
     }
     return text;
 }
@@ -34,7 +36,8 @@ std::string explanationToText(const PixelExplanation& e)
 {
     std::string text = e.sentence + "\n";
     for (const PixelCandidate& c : e.candidates) {
-        text += fmt::format("  triangle {} (instance {}): {}\n", grouped(c.triangle.value), grouped(c.instance.value), wordOf(c.fate));
+        text += fmt::format("  triangle {} (instance {}): {}\n", grouped(c.triangle.value), grouped(c.instance.value),
+                            wordOf(c.fate));
         text += linesOf(c.events, e.grains);
         if (!c.decisive) text += "      " + c.sentence + "\n";
     }
@@ -45,15 +48,19 @@ std::string explanationToText(const TriangleExplanation& e)
 {
     const TriangleTally& t    = e.tally;
     std::string          text = e.sentence + "\n";
-    text += fmt::format("  instance {}, mesh '{}', material '{}', {}\n", grouped(e.instance.value), e.mesh, e.material, wordOf(e.fate));
-    text += fmt::format("  pixels: {} covered, {} shown, {} tested, {} passed at the time\n", grouped(t.covered), grouped(t.shown), grouped(t.tested), grouped(t.passed));
+    text += fmt::format("  instance {}, mesh '{}', material '{}', {}\n", grouped(e.instance.value), e.mesh, e.material,
+                        wordOf(e.fate));
+    text += fmt::format("  pixels: {} covered, {} shown, {} tested, {} passed at the time\n", grouped(t.covered),
+                        grouped(t.shown), grouped(t.tested), grouped(t.passed));
     for (const Taker& taker : e.takers) {
         if (taker.id < 0)
             text += fmt::format("  {} show the background\n", counted(taker.pixels, "pixel", "pixels"));
         else
-            text += fmt::format("  {} taken by triangle {}\n", counted(taker.pixels, "pixel", "pixels"), grouped(static_cast<std::uint64_t>(taker.id)));
+            text += fmt::format("  {} taken by triangle {}\n", counted(taker.pixels, "pixel", "pixels"),
+                                grouped(static_cast<std::uint64_t>(taker.id)));
     }
-    if (e.otherTakers > 0) text += fmt::format("  and by {}\n", counted(e.otherTakers, "more triangle", "more triangles"));
+    if (e.otherTakers > 0)
+        text += fmt::format("  and by {}\n", counted(e.otherTakers, "more triangle", "more triangles"));
     text += linesOf(e.events, e.grains);
     if (e.leftOut > 0) text += fmt::format("      and {}\n", counted(e.leftOut, "more event", "more events"));
     return text;

@@ -10,14 +10,22 @@ namespace zscope {
 constexpr std::string_view wordOf(IntervalReason reason)
 {
     switch (reason) {
-    case IntervalReason::Alone: return "alone";
-    case IntervalReason::Leads: return "leads";
-    case IntervalReason::TestedOnce: return "tested-once";
-    case IntervalReason::BeyondFar: return "beyond-far";
-    case IntervalReason::DepthLimited: return "depth-limited";
-    case IntervalReason::HasPattern: return "has-pattern";
-    case IntervalReason::NoClearLead: return "no-clear-lead";
-    case IntervalReason::NotByEnds: return "not-by-ends";
+        case IntervalReason::Alone:
+            return "alone";
+        case IntervalReason::Leads:
+            return "leads";
+        case IntervalReason::TestedOnce:
+            return "tested-once";
+        case IntervalReason::BeyondFar:
+            return "beyond-far";
+        case IntervalReason::DepthLimited:
+            return "depth-limited";
+        case IntervalReason::HasPattern:
+            return "has-pattern";
+        case IntervalReason::NoClearLead:
+            return "no-clear-lead";
+        case IntervalReason::NotByEnds:
+            return "not-by-ends";
     }
     return {};
 }

@@ -11,10 +11,7 @@
 namespace zscope {
 namespace {
 
-Grid<std::uint32_t> shaded(const LayerSource& source)
-{
-    return source.frame.colour;
-}
+Grid<std::uint32_t> shaded(const LayerSource& source) { return source.frame.colour; }
 
 /// Calls `each(depth)` for every pixel that shows something; depth as it is reported.
 template <class Each>
@@ -81,10 +78,7 @@ constexpr std::array kLayers{
 
 }  // namespace
 
-std::uint32_t heatOfTests(std::uint32_t tests)
-{
-    return heat((tests - 0.5) / kMostTests);
-}
+std::uint32_t heatOfTests(std::uint32_t tests) { return heat((tests - 0.5) / kMostTests); }
 
 DepthRange fixedRange(const DepthRange& range, const VisibilityBuffer& visible)
 {
@@ -103,7 +97,8 @@ DepthRange fixedRange(const DepthRange& range, const VisibilityBuffer& visible)
 
 double partOf(float value, const DepthRange& range)
 {
-    const auto far = static_cast<double>(range.farthest), near = static_cast<double>(range.nearest), at = static_cast<double>(value);
+    const auto far = static_cast<double>(range.farthest), near = static_cast<double>(range.nearest),
+               at = static_cast<double>(value);
     if (!(near > far)) return at >= near ? 1 : 0;
     if (!range.isLogarithmic || !(far > 0)) return std::clamp((at - far) / (near - far), 0.0, 1.0);
     return at > 0 ? std::clamp(std::log(at / far) / std::log(near / far), 0.0, 1.0) : 0;
@@ -111,16 +106,15 @@ double partOf(float value, const DepthRange& range)
 
 std::vector<std::uint64_t> depthHistogram(const VisibilityBuffer& visible, const DepthRange& range, int parts)
 {
-    DepthRange whole = fixedRange({.isAutomatic = true, .isLogarithmic = range.isLogarithmic}, visible);
+    DepthRange                 whole = fixedRange({.isAutomatic = true, .isLogarithmic = range.isLogarithmic}, visible);
     std::vector<std::uint64_t> counts(static_cast<std::size_t>(parts), 0);
-    forEveryDepth(visible, [&](float each) { ++counts[static_cast<std::size_t>(std::min(partOf(each, whole) * parts, parts - 1.0))]; });
+    forEveryDepth(visible, [&](float each) {
+        ++counts[static_cast<std::size_t>(std::min(partOf(each, whole) * parts, parts - 1.0))];
+    });
     return counts;
 }
 
-std::span<const Layer> layers()
-{
-    return kLayers;
-}
+std::span<const Layer> layers() { return kLayers; }
 
 const Layer* findLayer(std::string_view word)
 {

@@ -16,7 +16,7 @@ namespace zscope {
 
 /// Which depths become the darkest and the lightest colour. Depth is near/z: the nearest is the largest.
 struct DepthRange {
-    bool  isAutomatic   = true;   // from the farthest to the nearest of the picture; the two below are not used then
+    bool  isAutomatic   = true;  // from the farthest to the nearest of the picture; the two below are not used then
     float farthest      = 0;
     float nearest       = 1;
     bool  isLogarithmic = false;  // equal ratios, not equal differences, are equal steps of colour
@@ -48,7 +48,7 @@ struct Layer {
     /// 0xAARRGGBB, opaque.
     Grid<std::uint32_t> (*paint)(const LayerSource& source);
 };
-std::span<const Layer> layers();                        // [0] is the shaded picture
+std::span<const Layer> layers();                          // [0] is the shaded picture
 const Layer*           findLayer(std::string_view word);  // nullptr: no layer has this name
 
 }  // namespace zscope

@@ -24,11 +24,16 @@ Value number(Number value)
 }
 Value word(std::string_view text) { return FactValue(std::string(text)); }
 
-const SweepState* lineOf(Source s) { return s.state.sweep && s.state.sweep->y >= 0 ? &*s.state.sweep : nullptr; }
-const PyramidQuery* queryOf(Source s) { return s.state.hierarchy && s.state.hierarchy->query ? &*s.state.hierarchy->query : nullptr; }
+const SweepState*   lineOf(Source s) { return s.state.sweep && s.state.sweep->y >= 0 ? &*s.state.sweep : nullptr; }
+const PyramidQuery* queryOf(Source s)
+{
+    return s.state.hierarchy && s.state.hierarchy->query ? &*s.state.hierarchy->query : nullptr;
+}
 const NodeRow* nodeOf(Source s)
 {
-    return s.state.hierarchy && s.state.hierarchy->now >= 0 ? &s.state.hierarchy->nodes[static_cast<std::size_t>(s.state.hierarchy->now)] : nullptr;
+    return s.state.hierarchy && s.state.hierarchy->now >= 0
+               ? &s.state.hierarchy->nodes[static_cast<std::size_t>(s.state.hierarchy->now)]
+               : nullptr;
 }
 
 template <auto Member>
@@ -116,9 +121,11 @@ Value tests(Source s)
 
 constexpr std::array kFacts{
     // The sweep
-    FactEntry{"line", "the line that the sweep has reached, from 0 at the top", false, [](Source s) { return lineOf(s) ? number(lineOf(s)->y) : std::nullopt; }},
+    FactEntry{"line", "the line that the sweep has reached, from 0 at the top", false,
+              [](Source s) { return lineOf(s) ? number(lineOf(s)->y) : std::nullopt; }},
     FactEntry{"active-edges", "edges in the active edge table", false, sizeInLine<&SweepState::activeEdges>},
-    FactEntry{"active-polygons", "polygons that are active on this line", false, sizeInLine<&SweepState::activePolygons>},
+    FactEntry{"active-polygons", "polygons that are active on this line", false,
+              sizeInLine<&SweepState::activePolygons>},
     FactEntry{"edges-entered", "edges that entered since the line before", false, sizeInLine<&SweepState::entered>},
     FactEntry{"edges-left", "edges that left since the line before", false, sizeInLine<&SweepState::left>},
     FactEntry{"spans", "spans filled on this line so far", false, sizeInLine<&SweepState::spans>},
@@ -126,52 +133,95 @@ constexpr std::array kFacts{
     FactEntry{"edges-in-table", "edges in all buckets of the edge table", false, edgesInTable},
     FactEntry{"first-edge-x", "x of the leftmost active edge, in pixels", false, ofFirstEdge<&EdgeRow::x>},
     FactEntry{"first-edge-dx", "what the leftmost active edge moves by per line, in pixels", false, slopeOfFirstEdge},
-    FactEntry{"first-edge-last-line", "the last line of the leftmost active edge", false, ofFirstEdge<&EdgeRow::lastLine>},
+    FactEntry{"first-edge-last-line", "the last line of the leftmost active edge", false,
+              ofFirstEdge<&EdgeRow::lastLine>},
     FactEntry{"first-edge-polygon", "the polygon of the leftmost active edge", false,
-              [](Source s) { return lineOf(s) && !lineOf(s)->activeEdges.empty() ? number(lineOf(s)->activeEdges.front().polygon.value) : std::nullopt; }},
+              [](Source s) {
+                  return lineOf(s) && !lineOf(s)->activeEdges.empty()
+                             ? number(lineOf(s)->activeEdges.front().polygon.value)
+                             : std::nullopt;
+              }},
     // Intervals and spans
-    FactEntry{"interval-start", "first pixel of the interval", false, [](Source s) { return s.state.interval ? number(s.state.interval->x0) : std::nullopt; }},
-    FactEntry{"interval-width", "pixels of the interval", false,
-              [](Source s) { return s.state.interval ? number(s.state.interval->x1 - s.state.interval->x0) : std::nullopt; }},
+    FactEntry{"interval-start", "first pixel of the interval", false,
+              [](Source s) { return s.state.interval ? number(s.state.interval->x0) : std::nullopt; }},
+    FactEntry{
+        "interval-width", "pixels of the interval", false,
+        [](Source s) { return s.state.interval ? number(s.state.interval->x1 - s.state.interval->x0) : std::nullopt; }},
     FactEntry{"interval-open", "polygons that are open in the interval", false,
               [](Source s) { return s.state.interval ? number(s.state.interval->open.size()) : std::nullopt; }},
     FactEntry{"interval-winner", "the polygon that gets the interval as a whole, or -1", false,
-              [](Source s) { return s.state.interval ? number(s.state.interval->winner ? static_cast<double>(s.state.interval->winner->value) : -1) : std::nullopt; }},
+              [](Source s) {
+                  return s.state.interval ? number(
+                             s.state.interval->winner ? static_cast<double>(s.state.interval->winner->value) : -1)
+                                          : std::nullopt;
+              }},
     FactEntry{"interval-reason", "why the interval was decided as it was", true,
               [](Source s) { return s.state.interval ? word(wordOf(s.state.interval->reason)) : std::nullopt; }},
-    FactEntry{"span-start", "first pixel of the span", false, [](Source s) { return s.state.span ? number(s.state.span->x0) : std::nullopt; }},
-    FactEntry{"span-width", "pixels of the span", false, [](Source s) { return s.state.span ? number(s.state.span->x1 - s.state.span->x0) : std::nullopt; }},
-    FactEntry{"span-polygon", "the polygon of the span", false, [](Source s) { return s.state.span ? number(s.state.span->polygon.value) : std::nullopt; }},
+    FactEntry{"span-start", "first pixel of the span", false,
+              [](Source s) { return s.state.span ? number(s.state.span->x0) : std::nullopt; }},
+    FactEntry{"span-width", "pixels of the span", false,
+              [](Source s) { return s.state.span ? number(s.state.span->x1 - s.state.span->x0) : std::nullopt; }},
+    FactEntry{"span-polygon", "the polygon of the span", false,
+              [](Source s) { return s.state.span ? number(s.state.span->polygon.value) : std::nullopt; }},
     // The depth test
-    FactEntry{"test-result", "how the depth test ended", true, [](Source s) { return s.state.pixel ? word(s.state.pixel->won ? "won" : "lost") : std::nullopt; }},
-    FactEntry{"test-depth", "the depth that was tested", false, [](Source s) { return s.state.pixel ? number(s.state.pixel->depth) : std::nullopt; }},
-    FactEntry{"rival-depth", "the depth that the pixel held", false, [](Source s) { return s.state.pixel ? number(s.state.pixel->rivalDepth) : std::nullopt; }},
-    FactEntry{"test-triangle", "the triangle that was tested", false, [](Source s) { return s.state.pixel ? number(s.state.pixel->triangle.value) : std::nullopt; }},
-    FactEntry{"triangle", "the triangle that is being drawn", false, [](Source s) { return s.state.triangle ? number(s.state.triangle->triangle.value) : std::nullopt; }},
-    FactEntry{"triangle-pixels", "pixels that the triangle has won", false, [](Source s) { return s.state.triangle ? number(s.state.triangle->pixelsWon) : std::nullopt; }},
+    FactEntry{"test-result", "how the depth test ended", true,
+              [](Source s) { return s.state.pixel ? word(s.state.pixel->won ? "won" : "lost") : std::nullopt; }},
+    FactEntry{"test-depth", "the depth that was tested", false,
+              [](Source s) { return s.state.pixel ? number(s.state.pixel->depth) : std::nullopt; }},
+    FactEntry{"rival-depth", "the depth that the pixel held", false,
+              [](Source s) { return s.state.pixel ? number(s.state.pixel->rivalDepth) : std::nullopt; }},
+    FactEntry{"test-triangle", "the triangle that was tested", false,
+              [](Source s) { return s.state.pixel ? number(s.state.pixel->triangle.value) : std::nullopt; }},
+    FactEntry{"triangle", "the triangle that is being drawn", false,
+              [](Source s) { return s.state.triangle ? number(s.state.triangle->triangle.value) : std::nullopt; }},
+    FactEntry{"triangle-pixels", "pixels that the triangle has won", false,
+              [](Source s) { return s.state.triangle ? number(s.state.triangle->pixelsWon) : std::nullopt; }},
     // The pyramid
     FactEntry{"pyramid-levels", "levels of the pyramid, level 0 included", false,
-              [](Source s) { return s.state.hierarchy && !s.state.hierarchy->levels.empty() ? number(s.state.hierarchy->levels.size()) : std::nullopt; }},
-    FactEntry{"query-verdict", "the answer of the pyramid", true, [](Source s) { return queryOf(s) ? word(queryOf(s)->hidden ? "hidden" : "entered") : std::nullopt; }},
-    FactEntry{"query-level", "the level at which the question began", false, [](Source s) { return queryOf(s) ? number(queryOf(s)->level) : std::nullopt; }},
-    FactEntry{"query-cells", "cells and pixels that were read for the answer", false, [](Source s) { return queryOf(s) ? number(queryOf(s)->cells) : std::nullopt; }},
-    FactEntry{"query-value", "the farthest depth found on that level", false, [](Source s) { return queryOf(s) ? number(queryOf(s)->value) : std::nullopt; }},
-    FactEntry{"query-nearest", "the nearest depth that what was asked about can have", false, [](Source s) { return queryOf(s) ? number(queryOf(s)->nearest) : std::nullopt; }},
-    FactEntry{"query-width", "width of the rectangle, in pixels", false, [](Source s) { return queryOf(s) ? number(queryOf(s)->box.x1 - queryOf(s)->box.x0) : std::nullopt; }},
-    FactEntry{"query-height", "height of the rectangle, in pixels", false, [](Source s) { return queryOf(s) ? number(queryOf(s)->box.y1 - queryOf(s)->box.y0) : std::nullopt; }},
-    FactEntry{"query-about", "what the pyramid was asked about", true, [](Source s) { return queryOf(s) ? word(s.state.hierarchy->asked) : std::nullopt; }},
+              [](Source s) {
+                  return s.state.hierarchy && !s.state.hierarchy->levels.empty()
+                             ? number(s.state.hierarchy->levels.size())
+                             : std::nullopt;
+              }},
+    FactEntry{"query-verdict", "the answer of the pyramid", true,
+              [](Source s) { return queryOf(s) ? word(queryOf(s)->hidden ? "hidden" : "entered") : std::nullopt; }},
+    FactEntry{"query-level", "the level at which the question began", false,
+              [](Source s) { return queryOf(s) ? number(queryOf(s)->level) : std::nullopt; }},
+    FactEntry{"query-cells", "cells and pixels that were read for the answer", false,
+              [](Source s) { return queryOf(s) ? number(queryOf(s)->cells) : std::nullopt; }},
+    FactEntry{"query-value", "the farthest depth found on that level", false,
+              [](Source s) { return queryOf(s) ? number(queryOf(s)->value) : std::nullopt; }},
+    FactEntry{"query-nearest", "the nearest depth that what was asked about can have", false,
+              [](Source s) { return queryOf(s) ? number(queryOf(s)->nearest) : std::nullopt; }},
+    FactEntry{"query-width", "width of the rectangle, in pixels", false,
+              [](Source s) { return queryOf(s) ? number(queryOf(s)->box.x1 - queryOf(s)->box.x0) : std::nullopt; }},
+    FactEntry{"query-height", "height of the rectangle, in pixels", false,
+              [](Source s) { return queryOf(s) ? number(queryOf(s)->box.y1 - queryOf(s)->box.y0) : std::nullopt; }},
+    FactEntry{"query-about", "what the pyramid was asked about", true,
+              [](Source s) { return queryOf(s) ? word(s.state.hierarchy->asked) : std::nullopt; }},
     FactEntry{"update-level", "the level of the cell that was written", false,
-              [](Source s) { return s.state.hierarchy && s.state.hierarchy->update ? number(s.state.hierarchy->update->level) : std::nullopt; }},
+              [](Source s) {
+                  return s.state.hierarchy && s.state.hierarchy->update ? number(s.state.hierarchy->update->level)
+                                                                        : std::nullopt;
+              }},
     FactEntry{"update-changed", "whether the cell's value is another than before", true,
               [](Source s) {
-                  return s.state.hierarchy && s.state.hierarchy->update ? word(s.state.hierarchy->update->before != s.state.hierarchy->update->after ? "yes" : "no") : std::nullopt;
+                  return s.state.hierarchy && s.state.hierarchy->update ? word(
+                             s.state.hierarchy->update->before != s.state.hierarchy->update->after ? "yes" : "no")
+                                                                        : std::nullopt;
               }},
     FactEntry{"climb", "cells on the way up that ends at the cell written last", false,
-              [](Source s) { return s.state.hierarchy && s.state.hierarchy->update ? number(s.state.hierarchy->climb.size()) : std::nullopt; }},
+              [](Source s) {
+                  return s.state.hierarchy && s.state.hierarchy->update ? number(s.state.hierarchy->climb.size())
+                                                                        : std::nullopt;
+              }},
     // The hierarchy
-    FactEntry{"node-verdict", "what became of the node judged last", true, [](Source s) { return nodeOf(s) ? word(wordOf(nodeOf(s)->verdict)) : std::nullopt; }},
-    FactEntry{"node-depth", "levels from the root to the node judged last", false, [](Source s) { return nodeOf(s) ? number(nodeOf(s)->depth) : std::nullopt; }},
-    FactEntry{"nodes-known", "nodes that the visit has come to know", false, [](Source s) { return s.state.hierarchy ? number(s.state.hierarchy->nodes.size()) : std::nullopt; }},
+    FactEntry{"node-verdict", "what became of the node judged last", true,
+              [](Source s) { return nodeOf(s) ? word(wordOf(nodeOf(s)->verdict)) : std::nullopt; }},
+    FactEntry{"node-depth", "levels from the root to the node judged last", false,
+              [](Source s) { return nodeOf(s) ? number(nodeOf(s)->depth) : std::nullopt; }},
+    FactEntry{"nodes-known", "nodes that the visit has come to know", false,
+              [](Source s) { return s.state.hierarchy ? number(s.state.hierarchy->nodes.size()) : std::nullopt; }},
     FactEntry{"nodes-outside", "nodes outside the view", false, nodesOf<NodeVerdict::Outside>},
     FactEntry{"nodes-hidden", "nodes that the pyramid hides", false, nodesOf<NodeVerdict::Hidden>},
     FactEntry{"nodes-drawn", "nodes whose own triangles were drawn", false, nodesOf<NodeVerdict::Drawn>},
@@ -182,19 +232,24 @@ constexpr std::array kFacts{
     FactEntry{"tests", "depth tests so far, of all pixels", false, tests},
     FactEntry{"wrong-pixels", "pixels that show something else than the reference", false, wrongPixels},
     FactEntry{"holes", "pixels that show background where the reference shows a triangle", false, holes},
-    FactEntry{"picked-owner", "the triangle at the picked pixel, or -1", false,
-              [](Source s) { return s.pick ? number(s.state.frame.visible.idAt(s.pick->x, s.pick->y)) : std::nullopt; }},
-    FactEntry{"picked-depth", "near/z at the picked pixel", false,
-              [](Source s) { return s.pick ? number(s.state.frame.visible.depthAt(s.pick->x, s.pick->y)) : std::nullopt; }},
-    FactEntry{"picked-tests", "depth tests at the picked pixel", false, [](Source s) { return s.pick ? number(s.state.tests.at(s.pick->x, s.pick->y)) : std::nullopt; }},
+    FactEntry{
+        "picked-owner", "the triangle at the picked pixel, or -1", false,
+        [](Source s) { return s.pick ? number(s.state.frame.visible.idAt(s.pick->x, s.pick->y)) : std::nullopt; }},
+    FactEntry{
+        "picked-depth", "near/z at the picked pixel", false,
+        [](Source s) { return s.pick ? number(s.state.frame.visible.depthAt(s.pick->x, s.pick->y)) : std::nullopt; }},
+    FactEntry{"picked-tests", "depth tests at the picked pixel", false,
+              [](Source s) { return s.pick ? number(s.state.tests.at(s.pick->x, s.pick->y)) : std::nullopt; }},
     FactEntry{"picked-covering", "triangles that cover the picked pixel, seen or not", false,
               [](Source s) -> Value {
                   if (!s.pick) return std::nullopt;
-                  const auto all = coveringTriangles(s.request.scene->scene(), s.request.camera, s.request.faceCulling, *s.pick);
+                  const auto all =
+                      coveringTriangles(s.request.scene->scene(), s.request.camera, s.request.faceCulling, *s.pick);
                   return all ? number(all->size()) : std::nullopt;
               }},
     // The run
-    FactEntry{"scene-triangles", "triangles of the scene", false, [](Source s) { return number(s.request.scene->scene().triangleCount()); }},
+    FactEntry{"scene-triangles", "triangles of the scene", false,
+              [](Source s) { return number(s.request.scene->scene().triangleCount()); }},
     FactEntry{"steps", "steps of this grain", false, [](Source s) { return number(s.state.count); }},
 };
 
@@ -222,7 +277,10 @@ Result<FactValue> workOf(std::string_view name, Source s)
 std::span<const FactEntry>      facts() { return kFacts; }
 std::span<const PixelFactEntry> pixelFacts() { return kPixelFacts; }
 
-bool isFact(std::string_view word) { return word.starts_with(kWork) || std::ranges::find(kFacts, word, &FactEntry::word) != kFacts.end(); }
+bool isFact(std::string_view word)
+{
+    return word.starts_with(kWork) || std::ranges::find(kFacts, word, &FactEntry::word) != kFacts.end();
+}
 
 Result<FactValue> factOf(std::string_view word, Source source)
 {
@@ -248,11 +306,16 @@ Result<Grid<double>> pixelFactOf(std::string_view word, Source source)
         for (int x = 0; x < camera.width; ++x) {
             const std::int64_t id = visible.idAt(x, y);
             double&            to = values.at(x, y);
-            if (word == "owner") to = static_cast<double>(id);
-            else if (word == "tests") to = source.state.tests.at(x, y);
-            else if (word == "depth") to = visible.depthAt(x, y);
-            else if (word == "wrong") to = id != right.ids.at(x, y);
-            else return Error{Trouble::Input, fmt::format("there is no fact '{}' of pixels", word)};
+            if (word == "owner")
+                to = static_cast<double>(id);
+            else if (word == "tests")
+                to = source.state.tests.at(x, y);
+            else if (word == "depth")
+                to = visible.depthAt(x, y);
+            else if (word == "wrong")
+                to = id != right.ids.at(x, y);
+            else
+                return Error{Trouble::Input, fmt::format("there is no fact '{}' of pixels", word)};
         }
     return values;
 }

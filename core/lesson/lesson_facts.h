@@ -1,7 +1,8 @@
 // What a lesson can ask about: numbers and words that are read from the state of a step, and values of single pixels.
 //
 // Growing    a fact is one entry in lesson_facts.cpp; docs/lessons.md lists them, and a test holds the list against it
-// Promise    a fact that the state does not have (no line yet, no question asked) is an error with a sentence, never a zero
+// Promise    a fact that the state does not have (no line yet, no question asked) is an error with a sentence, never a
+//            zero
 #pragma once
 
 #include <optional>
@@ -24,15 +25,15 @@ struct FactSource {
 
 struct FactEntry {
     std::string_view word;
-    std::string_view title;  // what it is, in a few words, with the unit
-    bool             isWord; // its values are words, else numbers
+    std::string_view title;   // what it is, in a few words, with the unit
+    bool             isWord;  // its values are words, else numbers
     /// Nothing: the state has no such thing.
     std::optional<FactValue> (*read)(const FactSource& source);
 };
 std::span<const FactEntry> facts();
 
 /// "work.NAME": a counter of `zscope-cli render --stats`, counted over the whole frame.
-bool isFact(std::string_view word);
+bool              isFact(std::string_view word);
 Result<FactValue> factOf(std::string_view word, const FactSource& source);
 
 struct PixelFactEntry {

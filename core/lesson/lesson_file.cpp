@@ -11,6 +11,7 @@
 #include "core/io/read_file.h"
 #include "core/lesson/interval_reason.h"
 #include "core/lesson/lesson_facts.h"
+#include "core/lesson/lesson_sections.h"
 #include "core/scene/load.h"
 #include "core/scene/view_json.h"
 
@@ -24,35 +25,6 @@ bool Accepted::holds(const FactValue& value) const
 }
 
 namespace {
-
-struct Section {
-    std::string_view word, body;
-    int              line = 0;  // of the word; the body begins on the next
-};
-
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view kBlank = " \t\r\n";
-    const auto first = text.find_first_not_of(kBlank);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
-
-/// Of a text that outlives them.
-std::vector<Section> sectionsOf(std::string_view text)
-{
-    std::vector<Section> sections;
-    int                  line = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t      end = std::min(text.find('\n', at), text.size());
-        const std::string_view one = text.substr(at, end - at);
-        ++line;
-        at = std::min(end + 1, text.size());
-        if (one.starts_with("=== ")) sections.push_back({trimmed(one.substr(4)), text.substr(at, 0), line});
-        else if (!sections.empty()) sections.back().body = {sections.back().body.data(), text.data() + at};
-    }
-    return sections;
-}
 
 /// Takes the members of one object, key by key, and knows where it stands.
 class Reader {
@@ -99,8 +71,10 @@ public:
                 to.english = *value.text();
                 return std::nullopt;
             }
-            if (!value.object()) return wrong(value, fmt::format("'{}' must be text, or {{\"en\": text, \"zh\": text}}", what));
-            return object(value, fmt::format("'{}'", what), {{"en", text(to.english, "en")}, {"zh", text(to.chinese, "zh")}});
+            if (!value.object())
+                return wrong(value, fmt::format("'{}' must be text, or {{\"en\": text, \"zh\": text}}", what));
+            return object(value, fmt::format("'{}'", what),
+                          {{"en", text(to.english, "en")}, {"zh", text(to.chinese, "zh")}});
         };
     }
     template <class Whole>
@@ -109,8 +83,10 @@ public:
         return [this, &to, what, min, max](const JsonValue& value) -> std::optional<Error> {
             const auto number = wholeOf(value, m_file, what, min, max);
             if (!number) return number.error();
-            if constexpr (requires { to.emplace(); }) to = static_cast<typename Whole::value_type>(*number);
-            else to = static_cast<Whole>(*number);
+            if constexpr (requires { to.emplace(); })
+                to = static_cast<typename Whole::value_type>(*number);
+            else
+                to = static_cast<Whole>(*number);
             return std::nullopt;
         };
     }
@@ -158,14 +134,15 @@ private:
     const std::string& m_file;
 };
 
-constexpr std::array kVerdicts{Verdict::Outside, Verdict::Hidden, Verdict::Entered, Verdict::Small};
+constexpr std::array       kVerdicts{Verdict::Outside, Verdict::Hidden, Verdict::Entered, Verdict::Small};
 constexpr std::string_view verdictWord(Verdict verdict)
 {
     constexpr std::array<std::string_view, 4> words{"outside", "hidden", "entered", "small"};
     return words[static_cast<std::size_t>(verdict)];
 }
-constexpr std::array kReasons{IntervalReason::Alone,        IntervalReason::Leads,      IntervalReason::TestedOnce,  IntervalReason::BeyondFar,
-                              IntervalReason::DepthLimited, IntervalReason::HasPattern, IntervalReason::NoClearLead, IntervalReason::NotByEnds};
+constexpr std::array kReasons{IntervalReason::Alone,       IntervalReason::Leads,        IntervalReason::TestedOnce,
+                              IntervalReason::BeyondFar,   IntervalReason::DepthLimited, IntervalReason::HasPattern,
+                              IntervalReason::NoClearLead, IntervalReason::NotByEnds};
 constexpr std::array<std::string_view, 2> kWonLost{"lost", "won"};
 constexpr std::array<std::string_view, 2> kShownHidden{"entered", "hidden"};
 constexpr std::array<std::string_view, 3> kKinds{"choice", "number", "pixel"};
@@ -203,7 +180,7 @@ std::optional<Error> readStop(const Reader& r, const JsonValue& value, LessonSto
     std::optional<std::string>   path;
     std::optional<std::uint32_t> instance, triangle;
     bool                         hasGrain = false, isEnd = false;
-    const auto takeGrain = [&](const JsonValue& word) {
+    const auto                   takeGrain = [&](const JsonValue& word) {
         hasGrain = true;
         return r.oneOf(stop.grain, "grain", kGrains, [](Grain grain) { return wordOf(grain); })(word);
     };
@@ -216,22 +193,24 @@ std::optional<Error> readStop(const Reader& r, const JsonValue& value, LessonSto
         isEnd = true;
         return std::nullopt;
     };
-    const auto error = r.object(value, "a stop",
-                                {{"grain", takeGrain},
-                                 {"end", takeEnd},
-                                 {"step", r.whole(stop.step, "step", 0, std::int64_t{1} << 53)},
-                                 {"line", r.whole(stop.line, "line", 0, kMaxPictureSide - 1)},
-                                 {"pixel", r.pixel(stop.pixel, "pixel")},
-                                 {"triangle", r.whole(triangle, "triangle", 0, static_cast<std::int64_t>(kMaxTriangles))},
-                                 {"node", takeNode},
-                                 {"instance", r.whole(instance, "instance", 0, static_cast<std::int64_t>(kMaxTriangles))},
-                                 {"stage", r.oneOf(stop.stage, "stage", kStages, [](Stage stage) { return wordOf(stage); })},
-                                 {"verdict", r.oneOf(stop.verdict, "verdict", kVerdicts, verdictWord)},
-                                 {"query", truthIn(r, stop.hidden, "query", kShownHidden)},
-                                 {"update", r.whole(stop.update, "update", 0, 20)},
-                                 {"interval", r.oneOf(stop.interval, "interval", kReasons, [](IntervalReason reason) { return wordOf(reason); })},
-                                 {"test", truthIn(r, stop.won, "test", kWonLost)},
-                                 {"nth", r.whole(stop.nth, "nth", 1, std::int64_t{1} << 53)}});
+    const auto error =
+        r.object(value, "a stop",
+                 {{"grain", takeGrain},
+                  {"end", takeEnd},
+                  {"step", r.whole(stop.step, "step", 0, std::int64_t{1} << 53)},
+                  {"line", r.whole(stop.line, "line", 0, kMaxPictureSide - 1)},
+                  {"pixel", r.pixel(stop.pixel, "pixel")},
+                  {"triangle", r.whole(triangle, "triangle", 0, static_cast<std::int64_t>(kMaxTriangles))},
+                  {"node", takeNode},
+                  {"instance", r.whole(instance, "instance", 0, static_cast<std::int64_t>(kMaxTriangles))},
+                  {"stage", r.oneOf(stop.stage, "stage", kStages, [](Stage stage) { return wordOf(stage); })},
+                  {"verdict", r.oneOf(stop.verdict, "verdict", kVerdicts, verdictWord)},
+                  {"query", truthIn(r, stop.hidden, "query", kShownHidden)},
+                  {"update", r.whole(stop.update, "update", 0, 20)},
+                  {"interval",
+                   r.oneOf(stop.interval, "interval", kReasons, [](IntervalReason reason) { return wordOf(reason); })},
+                  {"test", truthIn(r, stop.won, "test", kWonLost)},
+                  {"nth", r.whole(stop.nth, "nth", 1, std::int64_t{1} << 53)}});
     if (error) return error;
     if (triangle) stop.triangle = TriangleId{*triangle};
     if (instance && !path) return r.wrong(value, "a stop at an instance names a 'node' of its tree, too");
@@ -263,16 +242,18 @@ struct AcceptedKeys {
             return std::nullopt;
         };
     }
-    bool isGiven() const { return value || from || to; }
+    bool                 isGiven() const { return value || from || to; }
     std::optional<Error> read(const Reader& r, const JsonValue& owner, std::optional<Accepted>& accepted) const
     {
         if (!isGiven()) return std::nullopt;
         if (value && (from || to)) return r.wrong(owner, "give a 'value', or 'from' and 'to', not both");
         constexpr double kAll = std::numeric_limits<double>::infinity();
-        Accepted result{.from = from.value_or(-kAll), .to = to.value_or(kAll)};
+        Accepted         result{.from = from.value_or(-kAll), .to = to.value_or(kAll)};
         if (value) {
-            if (const auto* word = std::get_if<std::string>(&*value)) result.word = *word;
-            else result.from = result.to = std::get<double>(*value);
+            if (const auto* word = std::get_if<std::string>(&*value))
+                result.word = *word;
+            else
+                result.from = result.to = std::get<double>(*value);
         }
         if (result.from > result.to) return r.wrong(owner, "'from' is larger than 'to'");
         accepted = result;
@@ -283,14 +264,17 @@ struct AcceptedKeys {
 std::optional<Error> readChoice(const Reader& r, const JsonValue& value, LessonChoice& choice)
 {
     AcceptedKeys keys;
-    const auto takeRight = [&](const JsonValue& truth) -> std::optional<Error> {
+    const auto   takeRight = [&](const JsonValue& truth) -> std::optional<Error> {
         if (!truth.truth()) return r.wrong(truth, "'right' must be true or false");
         choice.isRight = *truth.truth();
         return std::nullopt;
     };
     if (auto error = r.object(value, "a choice",
-                              {{"text", r.words(choice.text, "text")}, {"right", takeRight}, {"value", keys.takeValue(r)},
-                               {"from", r.real(keys.from, "from")}, {"to", r.real(keys.to, "to")}}))
+                              {{"text", r.words(choice.text, "text")},
+                               {"right", takeRight},
+                               {"value", keys.takeValue(r)},
+                               {"from", r.real(keys.from, "from")},
+                               {"to", r.real(keys.to, "to")}}))
         return error;
     if (choice.text.isEmpty()) return r.wrong(value, "a choice needs its 'text'");
     return keys.read(r, value, choice.when);
@@ -302,26 +286,35 @@ std::optional<Error> checkQuestion(const Reader& r, const JsonValue& value, cons
     using Kind = LessonQuestion::Kind;
     if (question.ask.isEmpty()) return r.wrong(value, "a question needs its text, 'ask'");
     if (question.why.isEmpty()) return r.wrong(value, "a question needs the explanation of its answer, 'why'");
-    const auto isPixelFact = [&] { return std::ranges::find(pixelFacts(), question.fact, &PixelFactEntry::word) != pixelFacts().end(); };
+    const auto isPixelFact = [&] {
+        return std::ranges::find(pixelFacts(), question.fact, &PixelFactEntry::word) != pixelFacts().end();
+    };
     if (!question.fact.empty() && !(question.kind == Kind::Pixel ? isPixelFact() : isFact(question.fact)))
         return r.wrong(value, fmt::format("there is no fact '{}'{}: see docs/lessons.md", question.fact.substr(0, 60),
                                           question.kind == Kind::Pixel ? " of pixels" : ""));
     if (question.kind == Kind::Pixel) {
-        if (question.fact.empty() || !question.accepted) return r.wrong(value, "a question for a pixel names a 'fact' and its 'value', or 'from' and 'to'");
+        if (question.fact.empty() || !question.accepted)
+            return r.wrong(value, "a question for a pixel names a 'fact' and its 'value', or 'from' and 'to'");
     } else if (question.accepted) {
         return r.wrong(value, "'value', 'from' and 'to' belong to choices, and to questions for a pixel");
     }
     if (question.kind == Kind::Number) {
-        if (question.fact.empty() && !question.answer) return r.wrong(value, "a question for a number names a 'fact', or its 'answer'");
+        if (question.fact.empty() && !question.answer)
+            return r.wrong(value, "a question for a number names a 'fact', or its 'answer'");
         if (!(question.tolerance >= 0)) return r.wrong(value, "'tolerance' must not be negative");
     } else if (question.answer) {
         return r.wrong(value, "'answer' belongs to a question for a number");
     }
-    if (question.kind != Kind::Choice) return question.choices.empty() ? std::nullopt : std::optional(r.wrong(value, "'choices' belong to a question of kind choice"));
+    if (question.kind != Kind::Choice)
+        return question.choices.empty()
+                   ? std::nullopt
+                   : std::optional(r.wrong(value, "'choices' belong to a question of kind choice"));
     if (question.choices.size() < 2) return r.wrong(value, "a question of kind choice needs two 'choices' or more");
     for (const LessonChoice& choice : question.choices)
         if (choice.when.has_value() == question.fact.empty())
-            return r.wrong(value, question.fact.empty() ? "a choice has a 'value' only if the question names a 'fact'" : "each choice needs a 'value', or 'from' and 'to', of the question's fact");
+            return r.wrong(value, question.fact.empty()
+                                      ? "a choice has a 'value' only if the question names a 'fact'"
+                                      : "each choice needs a 'value', or 'from' and 'to', of the question's fact");
     if (question.fact.empty() && std::ranges::count_if(question.choices, &LessonChoice::isRight) != 1)
         return r.wrong(value, "exactly one choice must be 'right'");
     return std::nullopt;
@@ -331,8 +324,8 @@ std::optional<Error> readQuestion(const Reader& r, const JsonValue& value, Lesso
 {
     question.fileLine = value.line;
     AcceptedKeys keys;
-    bool         hasKind = false;
-    const auto takeKind = [&](const JsonValue& word) {
+    bool         hasKind  = false;
+    const auto   takeKind = [&](const JsonValue& word) {
         hasKind = true;
         return placeIn(r, question.kind, "kind", kKinds)(word);
     };
@@ -343,11 +336,18 @@ std::optional<Error> readQuestion(const Reader& r, const JsonValue& value, Lesso
         return std::nullopt;
     };
     if (auto error = r.object(value, "a question",
-                              {{"kind", takeKind}, {"ask", r.words(question.ask, "ask")}, {"why", r.words(question.why, "why")},
-                               {"fact", r.text(question.fact, "fact")}, {"at", placeIn(r, question.at, "at", kAts)},
-                               {"choices", takeChoices}, {"answer", r.real(question.answer, "answer")},
-                               {"tolerance", r.real(question.tolerance, "tolerance")}, {"unit", r.words(question.unit, "unit")},
-                               {"value", keys.takeValue(r)}, {"from", r.real(keys.from, "from")}, {"to", r.real(keys.to, "to")}}))
+                              {{"kind", takeKind},
+                               {"ask", r.words(question.ask, "ask")},
+                               {"why", r.words(question.why, "why")},
+                               {"fact", r.text(question.fact, "fact")},
+                               {"at", placeIn(r, question.at, "at", kAts)},
+                               {"choices", takeChoices},
+                               {"answer", r.real(question.answer, "answer")},
+                               {"tolerance", r.real(question.tolerance, "tolerance")},
+                               {"unit", r.words(question.unit, "unit")},
+                               {"value", keys.takeValue(r)},
+                               {"from", r.real(keys.from, "from")},
+                               {"to", r.real(keys.to, "to")}}))
         return error;
     if (!hasKind) return r.wrong(value, "a question names its 'kind': choice, number or pixel");
     if (auto error = keys.read(r, value, question.accepted)) return error;
@@ -399,8 +399,8 @@ std::string besideFile(const std::string& scene, const std::string& file)
 /// `page` comes with what stays as on the page before.
 std::optional<Error> readPage(const Reader& r, const JsonValue& value, LessonPage& page)
 {
-    const JsonValue *algorithm = nullptr, *choices = nullptr, *fault = nullptr, *size = nullptr, *view = nullptr, *stop = nullptr,
-                    *compared = nullptr;
+    const JsonValue *algorithm = nullptr, *choices = nullptr, *fault = nullptr, *size = nullptr, *view = nullptr,
+                    *stop = nullptr, *compared = nullptr;
     const auto keep = [](const JsonValue*& to) {
         return [&to](const JsonValue& json) -> std::optional<Error> {
             to = &json;
@@ -408,7 +408,7 @@ std::optional<Error> readPage(const Reader& r, const JsonValue& value, LessonPag
         };
     };
     const std::string sceneBefore = page.scene;
-    const auto takeScene = [&](const JsonValue& json) -> std::optional<Error> {
+    const auto        takeScene   = [&](const JsonValue& json) -> std::optional<Error> {
         if (auto error = r.text(page.scene, "scene")(json)) return error;
         page.scene = besideFile(page.scene, r.file());
         return std::nullopt;
@@ -435,17 +435,25 @@ std::optional<Error> readPage(const Reader& r, const JsonValue& value, LessonPag
         return std::nullopt;
     };
     if (auto error = r.object(value, "a page",
-                              {{"scene", takeScene}, {"size", keep(size)}, {"view", keep(view)},
-                               {"algorithm", keep(algorithm)}, {"choices", keep(choices)}, {"fault", keep(fault)},
-                               {"compare", keep(compared)}, {"stop", keep(stop)}, {"pick", r.pixel(page.pick, "pick")},
-                               {"layer", takeLayer}, {"overlays", takeOverlays}, {"panel", takePanel}}))
+                              {{"scene", takeScene},
+                               {"size", keep(size)},
+                               {"view", keep(view)},
+                               {"algorithm", keep(algorithm)},
+                               {"choices", keep(choices)},
+                               {"fault", keep(fault)},
+                               {"compare", keep(compared)},
+                               {"stop", keep(stop)},
+                               {"pick", r.pixel(page.pick, "pick")},
+                               {"layer", takeLayer},
+                               {"overlays", takeOverlays},
+                               {"panel", takePanel}}))
         return error;
     if (page.scene.empty()) return r.wrong(value, "the first page names its 'scene'");
     if (page.scene != sceneBefore) {  // another scene has views of its own
         const int width = page.view.width, height = page.view.height;
         page.view       = {};
         page.view.width = width, page.view.height = height;
-        page.hasView    = false;
+        page.hasView = false;
     }
     if (size) {
         std::optional<PixelPosition> pair;
@@ -454,7 +462,7 @@ std::optional<Error> readPage(const Reader& r, const JsonValue& value, LessonPag
         page.view.width = pair->x, page.view.height = pair->y;
     }
     if (view) {
-        const int width = page.view.width, height = page.view.height;
+        const int  width = page.view.width, height = page.view.height;
         const auto read = viewOf(*view, r.file());
         if (!read) return read.error();
         page.view    = *read;
@@ -474,7 +482,8 @@ std::optional<Error> readPage(const Reader& r, const JsonValue& value, LessonPag
         if (auto error = readStop(r, *stop, page.stop)) return error;
     const auto grains = grainsOf(page.pipeline);
     if (std::ranges::find(grains, page.stop.grain) == grains.end())
-        return r.wrong(*stop, fmt::format("{} has no steps of grain '{}'", nameOf(page.pipeline), wordOf(page.stop.grain)));
+        return r.wrong(*stop,
+                       fmt::format("{} has no steps of grain '{}'", nameOf(page.pipeline), wordOf(page.stop.grain)));
     const auto isInside = [&](const std::optional<PixelPosition>& pixel) {
         return !pixel || (pixel->x < page.view.width && pixel->y < page.view.height);
     };
@@ -487,7 +496,7 @@ class LessonBuilder {
 public:
     explicit LessonBuilder(const std::string& file) : m_reader(file) { m_lesson.file = file; }
 
-    std::optional<Error> add(const Section& section)
+    std::optional<Error> add(const LessonSection& section)
     {
         if (section.word == "lesson" || section.word == "page" || section.word == "question") {
             const auto json = parseJson(section.body, m_reader.file(), 0, section.line + 1);
@@ -495,10 +504,14 @@ public:
             return addJson(section, *json);
         }
         if (section.word != "en" && section.word != "zh")
-            return m_reader.wrong(section.line, fmt::format("there is no section '{}'; there are lesson, page, en, zh and question", section.word.substr(0, 60)));
+            return m_reader.wrong(section.line,
+                                  fmt::format("there is no section '{}'; there are lesson, page, en, zh and question",
+                                              section.word.substr(0, 60)));
         if (m_lesson.pages.empty()) return m_reader.wrong(section.line, "a text stands before the first page");
-        std::string& text = section.word == "en" ? m_lesson.pages.back().text.english : m_lesson.pages.back().text.chinese;
-        if (!text.empty()) return m_reader.wrong(section.line, fmt::format("this page has a text '{}' already", section.word));
+        std::string& text =
+            section.word == "en" ? m_lesson.pages.back().text.english : m_lesson.pages.back().text.chinese;
+        if (!text.empty())
+            return m_reader.wrong(section.line, fmt::format("this page has a text '{}' already", section.word));
         text = std::string(trimmed(section.body));
         if (text.empty()) return m_reader.wrong(section.line, "this text is empty");
         return std::nullopt;
@@ -508,17 +521,20 @@ public:
         if (!m_hasHead) return m_reader.wrong(1, "the file needs a section '=== lesson' with the title");
         if (m_lesson.pages.empty()) return m_reader.wrong(lines, "the lesson has no page: begin one with '=== page'");
         for (const LessonPage& page : m_lesson.pages)
-            if (page.text.isEmpty()) return m_reader.wrong(page.fileLine, "this page has no text: write it after '=== en' or '=== zh'");
+            if (page.text.isEmpty())
+                return m_reader.wrong(page.fileLine, "this page has no text: write it after '=== en' or '=== zh'");
         return std::move(m_lesson);
     }
 
 private:
-    std::optional<Error> addJson(const Section& section, const JsonValue& json)
+    std::optional<Error> addJson(const LessonSection& section, const JsonValue& json)
     {
         if (section.word == "lesson") {
-            if (m_hasHead || !m_lesson.pages.empty()) return m_reader.wrong(section.line, "a file holds one lesson, and its head comes first");
+            if (m_hasHead || !m_lesson.pages.empty())
+                return m_reader.wrong(section.line, "a file holds one lesson, and its head comes first");
             m_hasHead = true;
-            if (auto error = m_reader.object(json, "a lesson", {{"title", m_reader.words(m_lesson.title, "title")}})) return error;
+            if (auto error = m_reader.object(json, "a lesson", {{"title", m_reader.words(m_lesson.title, "title")}}))
+                return error;
             if (m_lesson.title.isEmpty()) return m_reader.wrong(json, "a lesson needs a 'title'");
             return std::nullopt;
         }
@@ -526,10 +542,10 @@ private:
             LessonPage page;
             if (!m_lesson.pages.empty()) {
                 const LessonPage& before = m_lesson.pages.back();
-                page.scene    = before.scene;
-                page.view     = before.view;
-                page.hasView  = before.hasView;
-                page.pipeline = before.pipeline;
+                page.scene               = before.scene;
+                page.view                = before.view;
+                page.hasView             = before.hasView;
+                page.pipeline            = before.pipeline;
             } else {
                 page.view.width = 320, page.view.height = 180;
             }
@@ -554,7 +570,7 @@ private:
 Result<Lesson> parseLesson(const std::string& text, const std::string& file)
 {
     LessonBuilder builder(file);
-    for (const Section& section : sectionsOf(text))
+    for (const LessonSection& section : sectionsOf(text))
         if (auto error = builder.add(section)) return *error;
     return builder.finish(1 + static_cast<int>(std::ranges::count(text, '\n')));
 }

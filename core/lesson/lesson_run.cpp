@@ -19,16 +19,16 @@ namespace {
 
 /// What there is to say of one event, as far as a stop can name it.
 struct Said {
-    std::optional<int>            line = {};
-    std::optional<PixelBox>       pixels = {};
+    std::optional<int>            line     = {};
+    std::optional<PixelBox>       pixels   = {};
     std::optional<TriangleId>     triangle = {};
-    std::optional<NodeName>       node = {};
-    std::optional<Stage>          stage = {};
-    std::optional<Verdict>        verdict = {};
-    std::optional<bool>           hidden = {};
-    std::optional<int>            update = {};
+    std::optional<NodeName>       node     = {};
+    std::optional<Stage>          stage    = {};
+    std::optional<Verdict>        verdict  = {};
+    std::optional<bool>           hidden   = {};
+    std::optional<int>            update   = {};
     std::optional<IntervalReason> interval = {};
-    std::optional<bool>           won = {};
+    std::optional<bool>           won      = {};
 };
 
 template <class Wanted>
@@ -39,18 +39,21 @@ bool holds(const std::optional<Wanted>& wanted, const std::optional<Wanted>& sai
 
 bool holds(const LessonStop& stop, const Said& said)
 {
-    const bool pixel = !stop.pixel || (said.pixels && said.pixels->x0 <= stop.pixel->x && stop.pixel->x < said.pixels->x1 &&
-                                       said.pixels->y0 <= stop.pixel->y && stop.pixel->y < said.pixels->y1);
-    return pixel && holds(stop.line, said.line) && holds(stop.triangle, said.triangle) && holds(stop.node, said.node) &&
-           holds(stop.stage, said.stage) && holds(stop.verdict, said.verdict) && holds(stop.hidden, said.hidden) &&
-           holds(stop.update, said.update) && holds(stop.interval, said.interval) && holds(stop.won, said.won);
+    const bool pixel = !stop.pixel
+                       || (said.pixels && said.pixels->x0 <= stop.pixel->x && stop.pixel->x < said.pixels->x1
+                           && said.pixels->y0 <= stop.pixel->y && stop.pixel->y < said.pixels->y1);
+    return pixel && holds(stop.line, said.line) && holds(stop.triangle, said.triangle) && holds(stop.node, said.node)
+           && holds(stop.stage, said.stage) && holds(stop.verdict, said.verdict) && holds(stop.hidden, said.hidden)
+           && holds(stop.update, said.update) && holds(stop.interval, said.interval) && holds(stop.won, said.won);
 }
 
 Said said(const StageFinished& e) { return {.stage = e.stage}; }
 Said said(const NodeRecalled& e) { return {.node = nameOf(e.place)}; }
 Said said(const NodeJudged& e)
 {
-    return {.node = nameOf(e.place), .verdict = e.verdict, .hidden = e.query ? std::optional(e.query->hidden) : std::nullopt};
+    return {.node    = nameOf(e.place),
+            .verdict = e.verdict,
+            .hidden  = e.query ? std::optional(e.query->hidden) : std::nullopt};
 }
 Said said(const TriangleFinished& e) { return {.triangle = e.triangle}; }
 Said said(const PyramidAsked& e)
@@ -65,7 +68,10 @@ Said said(const IntervalResolved& e)
 {
     return {.line = e.y, .pixels = PixelBox{e.x0, e.y, e.x1, e.y + 1}, .interval = e.reason};
 }
-Said said(const SpanFilled& e) { return {.line = e.y, .pixels = PixelBox{e.x0, e.y, e.x1, e.y + 1}, .triangle = e.triangle}; }
+Said said(const SpanFilled& e)
+{
+    return {.line = e.y, .pixels = PixelBox{e.x0, e.y, e.x1, e.y + 1}, .triangle = e.triangle};
+}
 Said said(const CellUpdated& e) { return {.update = e.write.level}; }
 Said said(const PixelTested& e)
 {
@@ -96,9 +102,12 @@ private:
     std::uint64_t            m_seen = 0, m_met = 0;
     std::optional<StepIndex> m_found;
 };
-static_assert(observes<StopRecorder, FrameFinished> && observes<StopRecorder, PyramidAsked>);
+static_assert(observesAll<StopRecorder, FrameFinished, PyramidAsked>);
 
-Error wrong(const std::string& file, int line, std::string sentence) { return {Trouble::Input, std::move(sentence), file, line}; }
+Error wrong(const std::string& file, int line, std::string sentence)
+{
+    return {Trouble::Input, std::move(sentence), file, line};
+}
 /// An error of the renderer, said of a place in the lesson.
 Error at(const std::string& file, int line, const Error& error)
 {
@@ -116,23 +125,28 @@ Result<StepState> stateOf(const LessonQuestion& question, Replay& replay, Grain 
     return replay.at(grain, {stop.value + 1});
 }
 
-std::optional<Error> choose(const LessonQuestion& question, const std::optional<FactValue>& value, const std::string& file, LessonAnswer& answer)
+std::optional<Error> choose(const LessonQuestion& question, const std::optional<FactValue>& value,
+                            const std::string& file, LessonAnswer& answer)
 {
     for (std::size_t i = 0; i < question.choices.size(); ++i) {
         const LessonChoice& choice = question.choices[i];
         if (value ? !choice.when->holds(*value) : !choice.isRight) continue;
-        if (answer.choice) return wrong(file, question.fileLine, fmt::format("two choices of this question are right: {} and {}", *answer.choice + 1, i + 1));
+        if (answer.choice)
+            return wrong(file, question.fileLine,
+                         fmt::format("two choices of this question are right: {} and {}", *answer.choice + 1, i + 1));
         answer.choice = i;
     }
     if (answer.choice) return std::nullopt;
-    const std::string found = std::holds_alternative<std::string>(*value) ? std::get<std::string>(*value) : fmt::format("{}", std::get<double>(*value));
-    return wrong(file, question.fileLine, fmt::format("no choice of this question is right: the renderer's '{}' is {}", question.fact, found));
+    const std::string found = std::holds_alternative<std::string>(*value) ? std::get<std::string>(*value)
+                                                                          : fmt::format("{}", std::get<double>(*value));
+    return wrong(file, question.fileLine,
+                 fmt::format("no choice of this question is right: the renderer's '{}' is {}", question.fact, found));
 }
 
 Result<LessonAnswer> answerOf(const LessonPage& page, const std::string& file, Replay& replay, StepIndex stop)
 {
-    const LessonQuestion& question = *page.question;
-    LessonAnswer          answer{.tolerance = question.tolerance};
+    const LessonQuestion&    question = *page.question;
+    LessonAnswer             answer{.tolerance = question.tolerance};
     std::optional<FactValue> value;
     if (!question.fact.empty()) {
         const auto state = stateOf(question, replay, page.stop.grain, stop);
@@ -141,14 +155,15 @@ Result<LessonAnswer> answerOf(const LessonPage& page, const std::string& file, R
         if (question.kind == LessonQuestion::Kind::Pixel) {
             const auto values = pixelFactOf(question.fact, source);
             if (!values) return at(file, question.fileLine, values.error());
-            answer.pixels = Grid<std::uint8_t>(values->width(), values->height(), 0);
+            answer.pixels     = Grid<std::uint8_t>(values->width(), values->height(), 0);
             std::size_t right = 0;
             for (int y = 0; y < values->height(); ++y)
                 for (int x = 0; x < values->width(); ++x)
                     right += answer.pixels.at(x, y) = question.accepted->holds(values->at(x, y));
             if (right == 0) return wrong(file, question.fileLine, "no pixel of the picture is a right answer");
             if (2 * right > static_cast<std::size_t>(values->width()) * static_cast<std::size_t>(values->height()))
-                return wrong(file, question.fileLine, "more than half of all pixels are right answers: nobody needs to know anything");
+                return wrong(file, question.fileLine,
+                             "more than half of all pixels are right answers: nobody needs to know anything");
             return answer;
         }
         const auto read = factOf(question.fact, source);
@@ -160,10 +175,13 @@ Result<LessonAnswer> answerOf(const LessonPage& page, const std::string& file, R
         return answer;
     }
     if (value && !std::holds_alternative<double>(*value))
-        return wrong(file, question.fileLine, fmt::format("'{}' is a word, not a number: ask for it by choices", question.fact));
+        return wrong(file, question.fileLine,
+                     fmt::format("'{}' is a word, not a number: ask for it by choices", question.fact));
     answer.number = value ? std::get<double>(*value) : *question.answer;
     if (question.answer && !answer.accepts(*question.answer))
-        return wrong(file, question.fileLine, fmt::format("the file says {}, but the renderer's '{}' is {}", *question.answer, question.fact, *answer.number));
+        return wrong(file, question.fileLine,
+                     fmt::format("the file says {}, but the renderer's '{}' is {}", *question.answer, question.fact,
+                                 *answer.number));
     return answer;
 }
 
@@ -173,7 +191,8 @@ bool LessonAnswer::accepts(double value) const { return number && std::abs(value
 
 bool LessonAnswer::acceptsPixel(PixelPosition pixel) const
 {
-    return pixel.x >= 0 && pixel.y >= 0 && pixel.x < pixels.width() && pixel.y < pixels.height() && pixels.at(pixel.x, pixel.y) != 0;
+    return pixel.x >= 0 && pixel.y >= 0 && pixel.x < pixels.width() && pixel.y < pixels.height()
+           && pixels.at(pixel.x, pixel.y) != 0;
 }
 
 ViewRequest viewOfPage(const LessonPage& page, const Scene& scene)
@@ -195,7 +214,9 @@ try {
         if (!count) return at(file, stop.fileLine, count.error());
         if (!stop.step) return StepIndex{*count - 1};
         if (*stop.step < *count) return StepIndex{*stop.step};
-        return wrong(file, stop.fileLine, fmt::format("there is no step {}: the last of grain '{}' is {}", *stop.step, wordOf(stop.grain), *count - 1));
+        return wrong(file, stop.fileLine,
+                     fmt::format("there is no step {}: the last of grain '{}' is {}", *stop.step, wordOf(stop.grain),
+                                 *count - 1));
     }
     if (const auto plan = planFrame(request); !plan) return at(file, stop.fileLine, plan.error());
     Frame         frame;
@@ -203,13 +224,13 @@ try {
     StopRecorder  recorder(stop);
     try {
         HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch, Listening(recorder));
-    } catch (const RunStopped&) {
-    }
+    } catch (const RunStopped&) {}
     if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "the lesson was cancelled"};
     if (recorder.found()) return *recorder.found();
     return wrong(file, stop.fileLine,
-                 recorder.met() == 0 ? std::string("the run never comes to this stop")
-                                     : fmt::format("the run comes to this stop {} times, not {}", recorder.met(), stop.nth));
+                 recorder.met() == 0
+                     ? std::string("the run never comes to this stop")
+                     : fmt::format("the run comes to this stop {} times, not {}", recorder.met(), stop.nth));
 } catch (const std::bad_alloc&) {
     return Error{Trouble::Limit, "there is not enough memory to run this frame"};
 }

@@ -1,7 +1,7 @@
 // Brings a page of a lesson to its step, and finds out what the right answer is there.
 //
-// Promise    the answer to a question about a fact is what the renderer's state says; a question without a right answer,
-//            or with two, is an error of the lesson with file and line
+// Promise    the answer to a question about a fact is what the renderer's state says; a question without a right
+//            answer, or with two, is an error of the lesson with file and line
 // Cost       some serial runs of the frame: lessons have small pictures
 #pragma once
 
@@ -17,10 +17,10 @@ namespace zscope {
 
 /// What is right, read from the state.
 struct LessonAnswer {
-    std::optional<double>      number = {};  // of a number
+    std::optional<double>      number    = {};  // of a number
     double                     tolerance = 0;
-    std::optional<std::size_t> choice = {};  // of a choice: which of them
-    Grid<std::uint8_t>         pixels = {};  // of a pixel: 1 where an answer is right
+    std::optional<std::size_t> choice    = {};  // of a choice: which of them
+    Grid<std::uint8_t>         pixels    = {};  // of a pixel: 1 where an answer is right
 
     bool accepts(double value) const;
     bool acceptsPixel(PixelPosition pixel) const;

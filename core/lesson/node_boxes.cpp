@@ -33,8 +33,10 @@ void addLine(const dvec3& from, const dvec3& to, const Camera& camera, std::vect
         at.z     = camera.near;
         return at;
     };
-    if (a.z < camera.near) a = cut(a, b);
-    else if (b.z < camera.near) b = cut(b, a);
+    if (a.z < camera.near)
+        a = cut(a, b);
+    else if (b.z < camera.near)
+        b = cut(b, a);
     const ScreenCorner start = projection.toScreen(a), end = projection.toScreen(b);
     lines.push_back({start.x, start.y, end.x, end.y});
 }
@@ -61,7 +63,8 @@ int deepestHolding(std::uint32_t item, const Tree& tree, const std::map<std::str
 
 int rowOf(const std::vector<NodeRow>& nodes, const NodeName& name)
 {
-    const auto found = std::ranges::find_if(nodes, [&](const NodeRow& row) { return row.path == name.path && row.instance == name.instance; });
+    const auto found = std::ranges::find_if(
+        nodes, [&](const NodeRow& row) { return row.path == name.path && row.instance == name.instance; });
     return found == nodes.end() ? -1 : static_cast<int>(found - nodes.begin());
 }
 
@@ -93,15 +96,17 @@ std::vector<ScreenLine> outlineOf(TriangleId triangle, const Scene& scene, const
     const Mesh&      mesh     = *scene.meshes[instance.mesh.value];
     const auto&      corners  = mesh.triangles[triangle.value - scene.firstTriangle[id.value]];
     for (std::size_t k = 0; k < 3; ++k)
-        addLine(instance.toWorld(mesh.positions[corners[k]]), instance.toWorld(mesh.positions[corners[(k + 1) % 3]]), camera, lines);
+        addLine(instance.toWorld(mesh.positions[corners[k]]), instance.toWorld(mesh.positions[corners[(k + 1) % 3]]),
+                camera, lines);
     return lines;
 }
 
 NodeOnScreen onScreen(const NodeRow& node, const Scene& scene, const Camera& camera)
 {
-    const NodeReach reach = reachOf(node.box, spaceOf(node, scene), Projection(camera), {0, 0, camera.width, camera.height});
-    const PixelBox& box   = reach.pixels;
-    const bool      none  = box.x1 <= box.x0 || box.y1 <= box.y0;
+    const NodeReach reach =
+        reachOf(node.box, spaceOf(node, scene), Projection(camera), {0, 0, camera.width, camera.height});
+    const PixelBox& box  = reach.pixels;
+    const bool      none = box.x1 <= box.x0 || box.y1 <= box.y0;
     return {none ? 0 : std::int64_t{box.x1 - box.x0} * (box.y1 - box.y0), reach.nearest, reach.crossesNear};
 }
 
@@ -112,7 +117,7 @@ const TreeNode* nodeAt(const Tree& tree, const std::string& path)
         if (!node->isOpen.load(std::memory_order_acquire)) return nullptr;
         const int  slot     = std::atoi(path.c_str() + dot + 1);
         const auto children = tree.childrenOf(*node);
-        const auto child    = std::ranges::find_if(children, [slot](const TreeNode& each) { return each.slot == slot; });
+        const auto child = std::ranges::find_if(children, [slot](const TreeNode& each) { return each.slot == slot; });
         if (child == children.end()) return nullptr;
         node = &*child;
     }
@@ -127,11 +132,13 @@ std::uint64_t itemsBelow(const NodeRow& node, const PreparedScene& scene, TreeKi
 
 int nodeHolding(TriangleId triangle, const std::vector<NodeRow>& nodes, const PreparedScene& scene, TreeKind kind)
 {
-    const InstanceId instance = scene.scene().instanceOf(triangle);
+    const InstanceId           instance = scene.scene().instanceOf(triangle);
     std::map<std::string, int> ofInstance, ofInstances;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (!nodes[i].instance) ofInstances.emplace(nodes[i].path, static_cast<int>(i));
-        else if (*nodes[i].instance == instance) ofInstance.emplace(nodes[i].path, static_cast<int>(i));
+        if (!nodes[i].instance)
+            ofInstances.emplace(nodes[i].path, static_cast<int>(i));
+        else if (*nodes[i].instance == instance)
+            ofInstance.emplace(nodes[i].path, static_cast<int>(i));
     }
     const SceneTrees& trees = treesOf(scene, kind);
     if (!ofInstance.empty())

@@ -1,4 +1,5 @@
-// The boxes of the hierarchy's nodes: where they lie in the world and in the picture, and which of them holds a triangle.
+// The boxes of the hierarchy's nodes: where they lie in the world and in the picture, and which of them holds a
+// triangle.
 //
 // Names      a node is named by its tree and its path, which stay the same from step to step; ids do not
 // Picture    pixels, y down; lines are cut at the near plane and reach beyond the picture as far as they do

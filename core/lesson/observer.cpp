@@ -27,7 +27,7 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b, int parts)
     std::uint32_t colour = 0xFF;
     for (int shift = 16; shift >= 0; shift -= 8) {
         const int from = static_cast<int>((a >> shift) & 0xFFu), to = static_cast<int>((b >> shift) & 0xFFu);
-        colour         = colour << 8 | static_cast<std::uint32_t>(from + (to - from) * parts / 256);
+        colour = colour << 8 | static_cast<std::uint32_t>(from + (to - from) * parts / 256);
     }
     return colour;
 }
@@ -62,18 +62,24 @@ Result<std::shared_ptr<const PreparedScene>> sceneOf(Mesh mesh, const Light& lig
 std::uint32_t observerColourOf(NodeVerdict verdict)
 {
     switch (verdict) {
-    case NodeVerdict::Entered: return 0xFF0072B2;
-    case NodeVerdict::Drawn: return 0xFF009E73;
-    case NodeVerdict::Hidden: return 0xFFCC79A7;
-    case NodeVerdict::Outside: return 0xFF98A2AE;
-    case NodeVerdict::Small: return 0xFFD55E00;
-    case NodeVerdict::Waiting: break;
+        case NodeVerdict::Entered:
+            return 0xFF0072B2;
+        case NodeVerdict::Drawn:
+            return 0xFF009E73;
+        case NodeVerdict::Hidden:
+            return 0xFFCC79A7;
+        case NodeVerdict::Outside:
+            return 0xFF98A2AE;
+        case NodeVerdict::Small:
+            return 0xFFD55E00;
+        case NodeVerdict::Waiting:
+            break;
     }
     return 0xFFD9B44A;
 }
 
-Result<std::shared_ptr<const Observer>> Observer::make(std::shared_ptr<const PreparedScene> scene, const Camera& culling,
-                                                       const HierarchyState& hierarchy)
+Result<std::shared_ptr<const Observer>> Observer::make(std::shared_ptr<const PreparedScene> scene,
+                                                       const Camera& culling, const HierarchyState& hierarchy)
 {
     auto made       = std::make_shared<Observer>();
     made->m_culling = culling;
@@ -83,15 +89,18 @@ Result<std::shared_ptr<const Observer>> Observer::make(std::shared_ptr<const Pre
     Mesh mesh;
     mesh.name = "observed";
     mesh.materials.clear();
-    for (const NodeVerdict verdict : {NodeVerdict::Waiting, NodeVerdict::Outside, NodeVerdict::Hidden, NodeVerdict::Entered,
-                                      NodeVerdict::Drawn, NodeVerdict::Small}) {
-        // Drawn triangles are pale blue, whatever their material; the others say by their colour why they are not in the picture.
+    for (const NodeVerdict verdict : {NodeVerdict::Waiting, NodeVerdict::Outside, NodeVerdict::Hidden,
+                                      NodeVerdict::Entered, NodeVerdict::Drawn, NodeVerdict::Small}) {
+        // Drawn triangles are pale blue, whatever their material; the others say by their colour why they are not in
+        // the picture.
         const std::uint32_t colour = observerColourOf(verdict);
-        mesh.materials.push_back({.name = std::string(wordOf(verdict)),
-                                  .diffuse = verdict == NodeVerdict::Drawn ? Rgb{0.66f, 0.75f, 0.88f} : rgbOf(mixed(colour, 0xFFFFFFFF, 96))});
+        mesh.materials.push_back({.name    = std::string(wordOf(verdict)),
+                                  .diffuse = verdict == NodeVerdict::Drawn ? Rgb{0.66f, 0.75f, 0.88f}
+                                                                           : rgbOf(mixed(colour, 0xFFFFFFFF, 96))});
     }
     if (hierarchy.tree)
-        for (const NodeVerdict verdict : {NodeVerdict::Drawn, NodeVerdict::Hidden, NodeVerdict::Outside, NodeVerdict::Small, NodeVerdict::Waiting})
+        for (const NodeVerdict verdict :
+             {NodeVerdict::Drawn, NodeVerdict::Hidden, NodeVerdict::Outside, NodeVerdict::Small, NodeVerdict::Waiting})
             made->addTriangles(*scene, hierarchy, *hierarchy.tree, verdict, mesh);
     auto painted = sceneOf(std::move(mesh), scene->scene().light);
     if (!painted) return painted.error();
@@ -101,7 +110,8 @@ Result<std::shared_ptr<const Observer>> Observer::make(std::shared_ptr<const Pre
     return std::shared_ptr<const Observer>(std::move(made));
 }
 
-void Observer::addTriangles(const PreparedScene& prepared, const HierarchyState& hierarchy, TreeKind kind, NodeVerdict verdict, Mesh& mesh)
+void Observer::addTriangles(const PreparedScene& prepared, const HierarchyState& hierarchy, TreeKind kind,
+                            NodeVerdict verdict, Mesh& mesh)
 {
     const Scene&      scene = prepared.scene();
     const SceneTrees& trees = treesOf(prepared, kind);
@@ -113,8 +123,10 @@ void Observer::addTriangles(const PreparedScene& prepared, const HierarchyState&
         const Mesh&   from    = scene.meshOf(instance);
         const Affine& toWorld = scene.instances[instance.value].toWorld;
         const auto&   corners = from.triangles[triangle];
-        addTriangle(mesh, {toWorld(from.positions[corners[0]]), toWorld(from.positions[corners[1]]), toWorld(from.positions[corners[2]])},
-                    MaterialId{static_cast<std::uint32_t>(verdict)});
+        addTriangle(mesh,
+                           {toWorld(from.positions[corners[0]]), toWorld(from.positions[corners[1]]),
+                     toWorld(from.positions[corners[2]])},
+                           MaterialId{static_cast<std::uint32_t>(verdict)});
         m_nodeOfTriangle.push_back(node);
     };
     for (const NodeRow& row : hierarchy.nodes) {
@@ -148,7 +160,8 @@ void Observer::addBoxes(const Scene& scene, const std::vector<NodeRow>& nodes)
         }
         const auto corners = cornersOf(row, scene);
         for (const auto& edge : kBoxEdges)
-            m_lines.push_back({corners[static_cast<std::size_t>(edge[0])], corners[static_cast<std::size_t>(edge[1])], row.id, row.verdict});
+            m_lines.push_back({corners[static_cast<std::size_t>(edge[0])], corners[static_cast<std::size_t>(edge[1])],
+                               row.id, row.verdict});
     }
 }
 
@@ -158,7 +171,8 @@ void Observer::addFrustum(const Camera& camera)
     // As far as the scene reaches: the far plane may be anywhere.
     double reach = 0;
     for (int i = 0; i < 8; ++i) {
-        const dvec3 corner{i & 1 ? m_bounds.max.x : m_bounds.min.x, i & 2 ? m_bounds.max.y : m_bounds.min.y, i & 4 ? m_bounds.max.z : m_bounds.min.z};
+        const dvec3 corner{i & 1 ? m_bounds.max.x : m_bounds.min.x, i & 2 ? m_bounds.max.y : m_bounds.min.y,
+                           i & 4 ? m_bounds.max.z : m_bounds.min.z};
         reach = std::max(reach, glm::dot(corner - camera.eye, camera.forward));
     }
     const double farther = std::min(camera.far, std::max(reach, 4 * camera.near));
@@ -170,7 +184,8 @@ void Observer::addFrustum(const Camera& camera)
     for (std::size_t i = 0; i < signs.size(); ++i) {
         const auto& a = signs[i];
         const auto& b = signs[(i + 1) % signs.size()];
-        for (const double z : {camera.near, farther}) m_lines.push_back({at(a[0], a[1], z), at(b[0], b[1], z), kFrustum, NodeVerdict::Waiting});
+        for (const double z : {camera.near, farther})
+            m_lines.push_back({at(a[0], a[1], z), at(b[0], b[1], z), kFrustum, NodeVerdict::Waiting});
         m_lines.push_back({camera.eye, at(a[0], a[1], farther), kFrustum, NodeVerdict::Waiting});
     }
 }
@@ -185,13 +200,13 @@ Camera Observer::firstView(int width, int height) const
     dvec3 side = m_culling.right - m_culling.forward * 0.8 + dvec3{0, 0.7, 0};
     if (glm::length(glm::cross(side, dvec3{0, 1, 0})) < 1e-6 * glm::length(side)) side = dvec3{1, 0.7, 1};
     ViewRequest view;
-    view.eye         = middle + glm::normalize(side) * (0.85 * size);
-    view.target      = middle;
-    view.verticalFov = 40;
-    view.near        = 1e-3 * size;
-    view.far         = 100 * size;
-    view.width       = width;
-    view.height      = height;
+    view.eye          = middle + glm::normalize(side) * (0.85 * size);
+    view.target       = middle;
+    view.verticalFov  = 40;
+    view.near         = 1e-3 * size;
+    view.far          = 100 * size;
+    view.width        = width;
+    view.height       = height;
     const auto camera = makeCamera(view, m_bounds);
     return camera ? *camera : m_culling;
 }
@@ -202,40 +217,52 @@ Result<ObserverPicture> Observer::draw(const Camera& from, const VerdictSet& box
     const Pipeline zbuffer = findPreset("zbuffer")->pipeline;
     Renderer       renderer;
     Frame          solid, wires;
-    if (const auto drawn = renderer.draw({.scene = m_painted, .camera = from, .pipeline = zbuffer, .threads = threads, .cancel = cancel}, solid); !drawn)
+    if (const auto drawn = renderer.draw(
+            {.scene = m_painted, .camera = from, .pipeline = zbuffer, .threads = threads, .cancel = cancel}, solid);
+        !drawn)
         return drawn.error();
 
-    Mesh             quads;
+    Mesh                                       quads;
     std::vector<std::pair<int, std::uint32_t>> ofQuad;  // node, colour
-    const double     focalPixels = from.height * 0.5 * from.focal;
-    const auto       isWanted = [&](std::size_t i) {
+    const double                               focalPixels = from.height * 0.5 * from.focal;
+    const auto                                 isWanted    = [&](std::size_t i) {
         return i >= m_frustumFrom || m_lines[i].node == selected || boxes[static_cast<std::size_t>(m_lines[i].verdict)];
     };
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         if (!isWanted(i)) continue;
-        const bool isSelected = i < m_frustumFrom && m_lines[i].node == selected;
-        dvec3      a = m_lines[i].a - from.eye, b = m_lines[i].b - from.eye;
-        double     za = glm::dot(a, from.forward), zb = glm::dot(b, from.forward);
+        const bool   isSelected = i < m_frustumFrom && m_lines[i].node == selected;
+        dvec3        a = m_lines[i].a - from.eye, b = m_lines[i].b - from.eye;
+        double       za = glm::dot(a, from.forward), zb = glm::dot(b, from.forward);
         const double least = from.near * 1.01;
         if (za < least && zb < least) continue;
         if (za < least) a += (b - a) * ((least - za) / (zb - za)), za = least;
         if (zb < least) b += (a - b) * ((least - zb) / (za - zb)), zb = least;
-        const dvec3  across = glm::cross(a, b);  // the same all along a line: at right angles to the plane of line and eye
+        // the same all along a line: at right angles to the plane of line and eye
+        const dvec3  across = glm::cross(a, b);
         const double length = glm::length(across);
         if (!(length > 0)) continue;
-        const double half = (isSelected || i >= m_frustumFrom ? (isSelected ? kThick : 2.0) : kThin) / 2 / focalPixels;
+        const double half  = (isSelected || i >= m_frustumFrom ? (isSelected ? kThick : 2.0) : kThin) / 2 / focalPixels;
         const dvec3  sideA = across * (half * za / length), sideB = across * (half * zb / length);
         const double ahead = isSelected ? 0.995 : 0.999;  // a little nearer than what the line lies on
         a *= ahead, b *= ahead;
-        const dvec3 p = from.eye + a - sideA, q = from.eye + a + sideA, r = from.eye + b + sideB, s = from.eye + b - sideB;
+        const dvec3 p = from.eye + a - sideA, q = from.eye + a + sideA, r = from.eye + b + sideB,
+                    s = from.eye + b - sideB;
         addTriangle(quads, {p, q, r}, {});
         addTriangle(quads, {p, r, s}, {});
-        const std::uint32_t colour = isSelected ? kSelectedColour : i >= m_frustumFrom ? kFrustumColour : observerColourOf(m_lines[i].verdict);
+        const std::uint32_t colour = isSelected           ? kSelectedColour
+                                     : i >= m_frustumFrom ? kFrustumColour
+                                                          : observerColourOf(m_lines[i].verdict);
         ofQuad.emplace_back(m_lines[i].node, colour);
     }
     const auto lines = sceneOf(std::move(quads), {});
     if (!lines) return lines.error();
-    if (const auto drawn = renderer.draw({.scene = *lines, .camera = from, .pipeline = zbuffer, .threads = threads, .shade = false, .cancel = cancel}, wires);
+    if (const auto drawn = renderer.draw({.scene    = *lines,
+                                          .camera   = from,
+                                          .pipeline = zbuffer,
+                                          .threads  = threads,
+                                          .shade    = false,
+                                          .cancel   = cancel},
+                                         wires);
         !drawn)
         return drawn.error();
 

@@ -20,16 +20,19 @@ std::optional<Error> cannotLook(const DrawRequest& request, Grain grain)
     if (const auto plan = planFrame(request); !plan) return plan.error();
     const std::vector<Grain> grains = grainsOf(request.pipeline);
     if (std::ranges::find(grains, grain) != grains.end()) return std::nullopt;
-    return Error{Trouble::Usage, nameOf(request.pipeline) + " has no steps of grain '" + std::string(wordOf(grain)) + "'"};
+    return Error{Trouble::Usage,
+                 nameOf(request.pipeline) + " has no steps of grain '" + std::string(wordOf(grain)) + "'"};
 }
 
 /// Compares a pixel of the picture that is being drawn after every step.
 class ChangeRecorder {
 public:
-    ChangeRecorder(Grain grain, PixelPosition pixel, const VisibilityBuffer& visible) : m_grain(grain), m_pixel(pixel), m_visible(visible) {}
+    ChangeRecorder(Grain grain, PixelPosition pixel, const VisibilityBuffer& visible)
+        : m_grain(grain), m_pixel(pixel), m_visible(visible)
+    {}
 
     template <class Event>
-        requires isStep<Event> || std::is_same_v<Event, PixelBlended>
+    requires isStep<Event> || std::is_same_v<Event, PixelBlended>
     void observe(const Event& e)
     {
         if constexpr (std::is_same_v<Event, PixelBlended>)
@@ -45,8 +48,8 @@ public:
 private:
     void look(StepIndex step)
     {
-        const std::int64_t id    = m_visible.idAt(m_pixel.x, m_pixel.y);
-        const float        value = m_visible.storedAt(m_pixel.x, m_pixel.y);
+        const std::int64_t id     = m_visible.idAt(m_pixel.x, m_pixel.y);
+        const float        value  = m_visible.storedAt(m_pixel.x, m_pixel.y);
         const float        before = m_seen == 1 ? m_visible.empty() : m_value;
         // A pre-pass keeps depths without ids, which the picture reports as background; they are a change all the same.
         if (id == m_id && value == before && !m_isBlended) {
@@ -69,17 +72,19 @@ private:
     bool                     m_isBlended = false;
     std::vector<PixelChange> m_changes;
 };
-static_assert(observes<ChangeRecorder, PixelTested> && observes<ChangeRecorder, PixelBlended> && observes<ChangeRecorder, FrameFinished>);
+static_assert(observesAll<ChangeRecorder, PixelTested, PixelBlended, FrameFinished>);
 
 /// Knows which steps hit a breakpoint, and ends the run when it has heard enough.
 class BreakpointRecorder {
 public:
-    BreakpointRecorder(Grain grain, std::optional<StepIndex> from, std::span<const Breakpoint> breakpoints, Direction direction, const Scene& scene, bool byFace)
+    BreakpointRecorder(Grain grain, std::optional<StepIndex> from, std::span<const Breakpoint> breakpoints,
+                       Direction direction, const Scene& scene, bool byFace)
         : m_grain(grain), m_from(from), m_direction(direction)
     {
         for (std::size_t i = 0; i < breakpoints.size(); ++i) {
             Breakpoint one = breakpoints[i];
-            if (byFace && one.on == Breakpoint::On::Triangle && one.triangle.value < scene.triangleCount()) m_faces.push_back({i, scene.firstOfFace(one.triangle)});
+            if (byFace && one.on == Breakpoint::On::Triangle && one.triangle.value < scene.triangleCount())
+                m_faces.push_back({i, scene.firstOfFace(one.triangle)});
             m_breakpoints.push_back(one);
         }
     }
@@ -164,13 +169,16 @@ private:
     }
     void onPixel(int y, int x0, int x1)
     {
-        hitIf([=](std::size_t, const Breakpoint& b) { return b.on == Breakpoint::On::Pixel && b.pixel.y == y && x0 <= b.pixel.x && b.pixel.x < x1; });
+        hitIf([=](std::size_t, const Breakpoint& b) {
+            return b.on == Breakpoint::On::Pixel && b.pixel.y == y && x0 <= b.pixel.x && b.pixel.x < x1;
+        });
     }
     void onTriangle(TriangleId id)
     {
         hitIf([&](std::size_t i, const Breakpoint& b) {
             if (b.on != Breakpoint::On::Triangle) return false;
-            return b.triangle == id || std::ranges::any_of(m_faces, [&](const auto& f) { return f.breakpoint == i && f.face == id; });
+            return b.triangle == id
+                   || std::ranges::any_of(m_faces, [&](const auto& f) { return f.breakpoint == i && f.face == id; });
         });
     }
     void onNode(const NodePlace& place)
@@ -191,16 +199,16 @@ private:
     std::optional<StepIndex>   m_from;
     Direction                  m_direction;
     std::vector<Breakpoint>    m_breakpoints;
-    std::vector<FaceOf>        m_faces;           // of triangles that are drawn as part of a face
-    const EdgeTable*           m_table = nullptr;  // of the run; outlives it
+    std::vector<FaceOf>        m_faces;              // of triangles that are drawn as part of a face
+    const EdgeTable*           m_table   = nullptr;  // of the run; outlives it
     bool                       m_isSweep = false;
-    int                        m_line    = -1;     // on which the triangle at hand was tested last
+    int                        m_line    = -1;  // on which the triangle at hand was tested last
     std::uint64_t              m_seen    = 0;
-    std::optional<std::size_t> m_hit;              // since the last step
+    std::optional<std::size_t> m_hit;  // since the last step
     std::optional<Stop>        m_found;
 };
-static_assert(observes<BreakpointRecorder, NodeJudged> && observes<BreakpointRecorder, TriangleSetUp> && observes<BreakpointRecorder, EdgeEntered> &&
-              observes<BreakpointRecorder, PixelTested> && observes<BreakpointRecorder, TileTested> && observes<BreakpointRecorder, FrameFinished>);
+static_assert(
+    observesAll<BreakpointRecorder, NodeJudged, TriangleSetUp, EdgeEntered, PixelTested, TileTested, FrameFinished>);
 
 Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to run this frame"}; }
 
@@ -213,7 +221,8 @@ try {
     const DrawRequest request = repeatable(asked);
     if (const auto error = cannotLook(request, grain)) return *error;
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= request.camera.width || pixel.y >= request.camera.height)
-        return Error{Trouble::Usage, "there is no pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) + " in this picture"};
+        return Error{Trouble::Usage, "there is no pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y)
+                                         + " in this picture"};
     Frame          frame;
     StripeScratch  scratch;
     ChangeRecorder changes(grain, pixel, frame.visible);
@@ -231,11 +240,11 @@ try {
     if (const auto error = cannotLook(request, grain)) return *error;
     Frame              frame;
     StripeScratch      scratch;
-    BreakpointRecorder recorder(grain, from, breakpoints, direction, request.scene->scene(), drawsFaces(request.pipeline));
+    BreakpointRecorder recorder(grain, from, breakpoints, direction, request.scene->scene(),
+                                drawsFaces(request.pipeline));
     try {
         HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch, Listening(recorder));
-    } catch (const RunStopped&) {
-    }
+    } catch (const RunStopped&) {}
     if (wasCancelled(request)) return Error{Trouble::Cancelled, "the search was cancelled"};
     return recorder.found();
 } catch (const std::bad_alloc&) {

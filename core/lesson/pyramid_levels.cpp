@@ -16,7 +16,8 @@ Grid<float> halved(const Grid<float>& below)
             float value = below.at(2 * x, 2 * y);
             if (2 * x + 1 < below.width()) value = std::min(value, below.at(2 * x + 1, 2 * y));
             if (2 * y + 1 < below.height()) value = std::min(value, below.at(2 * x, 2 * y + 1));
-            if (2 * x + 1 < below.width() && 2 * y + 1 < below.height()) value = std::min(value, below.at(2 * x + 1, 2 * y + 1));
+            if (2 * x + 1 < below.width() && 2 * y + 1 < below.height())
+                value = std::min(value, below.at(2 * x + 1, 2 * y + 1));
             above.at(x, y) = value;
         }
     }

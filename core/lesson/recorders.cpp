@@ -12,8 +12,8 @@ namespace {
 EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, int y)
 {
     const ScreenSide& side = table.sideOf(edge);
-    auto dx = static_cast<std::int64_t>(side.xb) - static_cast<std::int64_t>(side.xa);
-    auto dy = static_cast<std::int64_t>(side.yb) - static_cast<std::int64_t>(side.ya);
+    auto              dx   = static_cast<std::int64_t>(side.xb) - static_cast<std::int64_t>(side.xa);
+    auto              dy   = static_cast<std::int64_t>(side.yb) - static_cast<std::int64_t>(side.ya);
     if (dy < 0) dx = -dx, dy = -dy;
     const std::int64_t common   = std::gcd(dx, dy);
     const auto         crossing = ActiveEdge::stepper<std::int64_t>(side, y, y);
@@ -21,11 +21,12 @@ EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, int y)
     EdgeRow row;
     row.polygon    = table.parts()[edge.polygon()].id;
     row.xSubpixels = crossing.x();
-    row.x          = (static_cast<double>(crossing.x()) +
-             static_cast<double>(crossing.fraction()) / static_cast<double>(crossing.dy())) / kSubpixels;
-    row.dx         = {dx / common, dy / common};
-    row.firstLine  = table.linesOf(side, std::min(side.ya, side.yb), ExactRules{}).first;
-    row.lastLine   = edge.lastLine();
+    row.x          = (static_cast<double>(crossing.x())
+             + static_cast<double>(crossing.fraction()) / static_cast<double>(crossing.dy()))
+            / kSubpixels;
+    row.dx        = {dx / common, dy / common};
+    row.firstLine = table.linesOf(side, std::min(side.ya, side.yb), ExactRules{}).first;
+    row.lastLine  = edge.lastLine();
     return row;
 }
 
@@ -86,7 +87,8 @@ void TriangleRecorder::observe(const TriangleReached& e)
 {
     m_triangle.emplace();
     m_triangle->triangle = e.triangle.id;
-    for (std::size_t i = 0; i < 3; ++i) m_triangle->corners[i] = {e.triangle.x[i] / kSubpixels, e.triangle.y[i] / kSubpixels};
+    for (std::size_t i = 0; i < 3; ++i)
+        m_triangle->corners[i] = {e.triangle.x[i] / kSubpixels, e.triangle.y[i] / kSubpixels};
 }
 
 void TriangleRecorder::observe(const PixelTested& e)
@@ -96,7 +98,8 @@ void TriangleRecorder::observe(const PixelTested& e)
 
 void PixelRecorder::observe(const PixelTested& e)
 {
-    PixelState pixel{e.x, e.y, e.triangle, e.depth, e.won, std::nullopt, 0, e.keep, e.shaded, e.discarded, std::nullopt};
+    PixelState pixel{e.x, e.y,    e.triangle, e.depth,     e.won,       std::nullopt,
+                     0,   e.keep, e.shaded,   e.discarded, std::nullopt};
     if (e.moved) pixel.unmovedDepth = e.unmovedDepth;
     if (e.rivalRank != 0) {
         pixel.rival      = TriangleId{e.rivalRank - 1};
@@ -121,7 +124,7 @@ void HierarchyRecorder::observe(const StageStarted& e)
 
 NodeRow& HierarchyRecorder::rowOf(const NodePlace& place)
 {
-    const std::int64_t tree = place.isInstanceTree ? -1 : std::int64_t{place.instance.value};
+    const std::int64_t tree   = place.isInstanceTree ? -1 : std::int64_t{place.instance.value};
     const auto [known, isNew] = m_ids.try_emplace({tree, &place.node}, static_cast<int>(m_state.nodes.size()));
     if (!isNew) return m_state.nodes[static_cast<std::size_t>(known->second)];
 
@@ -158,15 +161,15 @@ void HierarchyRecorder::observe(const NodeRecalled& e)
 
 void HierarchyRecorder::observe(const NodeJudged& e)
 {
-    NodeRow& row = rowOf(e.place);
+    NodeRow&   row      = rowOf(e.place);
     const bool wasDrawn = row.verdict == NodeVerdict::Drawn;  // by the first of two passes
     if (!wasDrawn) row.pass = m_state.pass;
-    row.verdict  = e.verdict == Verdict::Outside  ? NodeVerdict::Outside
-                   : e.verdict == Verdict::Hidden ? NodeVerdict::Hidden
-                   : e.verdict == Verdict::Small  ? NodeVerdict::Small
-                   : wasDrawn                     ? NodeVerdict::Drawn
-                                                  : NodeVerdict::Entered;
-    m_state.now  = row.id;
+    row.verdict = e.verdict == Verdict::Outside  ? NodeVerdict::Outside
+                  : e.verdict == Verdict::Hidden ? NodeVerdict::Hidden
+                  : e.verdict == Verdict::Small  ? NodeVerdict::Small
+                  : wasDrawn                     ? NodeVerdict::Drawn
+                                                 : NodeVerdict::Entered;
+    m_state.now = row.id;
     if (e.query) return;  // heard when it was asked
     m_state.query.reset();
     m_state.asked.clear();

@@ -31,24 +31,23 @@ public:
 
     /// Nothing before the edge table was ready.
     std::optional<SweepState> state() const;
-    std::size_t bytes() const
+    std::size_t               bytes() const
     {
-        return (m_active.capacity() + m_entered.capacity() + m_left.capacity()) * sizeof(ActiveEdge) +
-               m_spans.capacity() * sizeof(SpanRow);
+        return (m_active.capacity() + m_entered.capacity() + m_left.capacity()) * sizeof(ActiveEdge)
+               + m_spans.capacity() * sizeof(SpanRow);
     }
 
 private:
     void beginLineIfOver();
 
-    const EdgeTable*        m_table = nullptr;  // of the run; outlives it
+    const EdgeTable*        m_table      = nullptr;  // of the run; outlives it
     bool                    m_lineIsOver = false;
     int                     m_y          = -1;
     std::vector<ActiveEdge> m_active, m_entered, m_left;
     std::vector<SpanRow>    m_spans;
 };
-static_assert(observes<SweepRecorder, EdgeTableReady> && observes<SweepRecorder, EdgeLeft> &&
-              observes<SweepRecorder, EdgeEntered> && observes<SweepRecorder, ScanlineReady> &&
-              observes<SweepRecorder, SpanFilled> && observes<SweepRecorder, ScanlineFinished>);
+static_assert(
+    observesAll<SweepRecorder, EdgeTableReady, EdgeLeft, EdgeEntered, ScanlineReady, SpanFilled, ScanlineFinished>);
 
 /// Keeps the triangle a stream method is working on and how many pixels it has won.
 class TriangleRecorder {
@@ -61,7 +60,7 @@ public:
 private:
     std::optional<TriangleState> m_triangle;
 };
-static_assert(observes<TriangleRecorder, TriangleReached> && observes<TriangleRecorder, PixelTested>);
+static_assert(observesAll<TriangleRecorder, TriangleReached, PixelTested>);
 
 /// Keeps the last span, the last tile and the last pixel's test; a new triangle or line makes both old.
 class PixelRecorder {
@@ -81,9 +80,7 @@ private:
     std::optional<PixelState> m_pixel;
     std::optional<TileTested> m_tile;
 };
-static_assert(observes<PixelRecorder, SpanFilled> && observes<PixelRecorder, PixelTested> &&
-              observes<PixelRecorder, TileTested> &&
-              observes<PixelRecorder, TriangleReached> && observes<PixelRecorder, ScanlineReady>);
+static_assert(observesAll<PixelRecorder, SpanFilled, PixelTested, TileTested, TriangleReached, ScanlineReady>);
 
 /// Keeps the last interval decided; a new line makes it old.
 class IntervalRecorder {
@@ -96,7 +93,7 @@ public:
 private:
     std::optional<IntervalState> m_interval;
 };
-static_assert(observes<IntervalRecorder, IntervalResolved> && observes<IntervalRecorder, ScanlineReady>);
+static_assert(observesAll<IntervalRecorder, IntervalResolved, ScanlineReady>);
 
 /// Keeps the nodes of the hierarchy as they become known and are judged, the last question to the pyramid, and the
 /// cell of it that was written last.
@@ -123,14 +120,12 @@ private:
     /// The same of a node whose ancestors may not be known either.
     NodeRow& rowWithAncestors(const NodePlace& place);
 
-    HierarchyState                                        m_state;
+    HierarchyState                                          m_state;
     std::map<std::pair<std::int64_t, const TreeNode*>, int> m_ids;  // (instance or -1, node) to row
     int m_instanceNode = -1;  // of the tree over the instances: the one whose instances are being visited
 };
-static_assert(observes<HierarchyRecorder, StageStarted> && observes<HierarchyRecorder, NodeJudged> &&
-              observes<HierarchyRecorder, PassStarted> && observes<HierarchyRecorder, NodeRecalled> &&
-              observes<HierarchyRecorder, NodeOpened> && observes<HierarchyRecorder, NodeDrawn> &&
-              observes<HierarchyRecorder, PyramidAsked> && observes<HierarchyRecorder, CellUpdated>);
+static_assert(observesAll<HierarchyRecorder, StageStarted, NodeJudged, PassStarted, NodeRecalled, NodeOpened, NodeDrawn,
+                          PyramidAsked, CellUpdated>);
 
 /// Counts the depth tests of every pixel, those of a pre-pass included.
 class TestCounter {
@@ -139,9 +134,9 @@ public:
 
     void observe(const PixelTested& e) { ++m_tests.at(e.x, e.y); }
 
-    Grid<std::uint32_t> take() { return std::move(m_tests); }
+    Grid<std::uint32_t>        take() { return std::move(m_tests); }
     const Grid<std::uint32_t>& tests() const { return m_tests; }
-    std::size_t         bytes() const { return m_tests.values().size_bytes(); }
+    std::size_t                bytes() const { return m_tests.values().size_bytes(); }
 
 private:
     Grid<std::uint32_t> m_tests;
@@ -152,8 +147,20 @@ static_assert(observes<TestCounter, PixelTested>);
 class MomentRecorder {
 public:
     enum class Moment {
-        None, StageOver, NodeOver, TriangleOver, QueryOver, TileOver, LineReady, LineOver, IntervalOver, SpanOver, UpdateOver, PixelOver,
-        BlendOver, FrameOver
+        None,
+        StageOver,
+        NodeOver,
+        TriangleOver,
+        QueryOver,
+        TileOver,
+        LineReady,
+        LineOver,
+        IntervalOver,
+        SpanOver,
+        UpdateOver,
+        PixelOver,
+        BlendOver,
+        FrameOver
     };
 
     void observe(const StageStarted& e) { m_stage = e.stage; }
@@ -179,11 +186,14 @@ public:
     Stage  stage() const { return m_stage; }
     Moment moment() const { return m_moment; }
     /// Nothing unless the last step blended a pixel.
-    std::optional<BlendState> blend() const { return m_moment == Moment::BlendOver ? std::optional(m_blend) : std::nullopt; }
+    std::optional<BlendState> blend() const
+    {
+        return m_moment == Moment::BlendOver ? std::optional(m_blend) : std::nullopt;
+    }
 
 private:
-    Stage  m_stage  = Stage::Clear;
-    Moment m_moment = Moment::None;
+    Stage      m_stage  = Stage::Clear;
+    Moment     m_moment = Moment::None;
     BlendState m_blend;
 };
 

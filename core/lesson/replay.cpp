@@ -23,7 +23,7 @@ std::vector<Grid<float>> cellsOf(const Pyramid& pyramid)
     std::vector<Grid<float>> cells;
     for (int level = Pyramid::kTileLevel; level < pyramid.levels(); ++level) {
         const GridView<const float> stored = pyramid.stored(level);
-        Grid<float>& copy = cells.emplace_back(stored.width, stored.height);
+        Grid<float>&                copy   = cells.emplace_back(stored.width, stored.height);
         for (int y = 0; y < stored.height; ++y) std::ranges::copy(stored.row(y), copy.view().row(y).begin());
     }
     return cells;
@@ -56,29 +56,29 @@ std::optional<Error> cannotStep(const DrawRequest& request, Grain grain)
     if (std::ranges::find(grains, grain) != grains.end()) return std::nullopt;
     std::string words;
     for (const Grain has : grains) words += (words.empty() ? "" : ", ") + std::string(wordOf(has));
-    return Error{Trouble::Usage, nameOf(request.pipeline) + " has no steps of grain '" + std::string(wordOf(grain)) +
-                                     "'; its grains are " + words};
+    return Error{Trouble::Usage, nameOf(request.pipeline) + " has no steps of grain '" + std::string(wordOf(grain))
+                                     + "'; its grains are " + words};
 }
 
 Error noSuchStep(Grain grain, StepIndex step, std::uint64_t count)
 {
-    return {Trouble::Usage, "there is no step " + std::to_string(step.value) + ": the last of grain '" +
-                                std::string(wordOf(grain)) + "' is " + std::to_string(count - 1)};
+    return {Trouble::Usage, "there is no step " + std::to_string(step.value) + ": the last of grain '"
+                                + std::string(wordOf(grain)) + "' is " + std::to_string(count - 1)};
 }
 Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to step through this frame"}; }
 Error wasCancelled() { return {Trouble::Cancelled, "stepping was cancelled"}; }
 
-bool isSweep(Scan scan) { return scan == Scan::SweepZLine || scan == Scan::SweepIntervals || scan == Scan::SweepPolygons; }
+bool isSweep(Scan scan)
+{
+    return scan == Scan::SweepZLine || scan == Scan::SweepIntervals || scan == Scan::SweepPolygons;
+}
 
 /// One run with everything that listens to it. It stays where it is: its parts know each other.
 struct Run {
     /// Up to a step, in memory that outlives it.
     Run(const DrawRequest& request, Grain grain, std::uint64_t step, StripeScratch& memory)
-        : recorders(request.camera.width, request.camera.height),
-          stages(recorders.steps),
-          stop(grain, step),
-          scratch(memory),
-          keeper({recorders, frame, scratch, stop, grain}, isSweep(repeatable(request).pipeline.scan))
+        : recorders(request.camera.width, request.camera.height), stages(recorders.steps), stop(grain, step),
+          scratch(memory), keeper({recorders, frame, scratch, stop, grain}, isSweep(repeatable(request).pipeline.scan))
     {
         scratch.pyramid = {};  // what coherence would take over
         scratch.memory  = {};
@@ -89,11 +89,11 @@ struct Run {
     void perform(const DrawRequest& request)
     {
         try {
-            HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch,
-                                             Listening(keeper, recorders.steps, recorders.sweep, recorders.interval, recorders.hierarchy,
-                                                       recorders.triangle, recorders.pixel, recorders.tests, recorders.moment, stages, stop));
-        } catch (const RunStopped&) {
-        }
+            HWY_STATIC_DISPATCH(runSerially)
+            (request, frame, scratch,
+             Listening(keeper, recorders.steps, recorders.sweep, recorders.interval, recorders.hierarchy,
+                       recorders.triangle, recorders.pixel, recorders.tests, recorders.moment, stages, stop));
+        } catch (const RunStopped&) {}
     }
 
     RunRecorders     recorders;
@@ -112,8 +112,9 @@ struct Replay::Survey {
     std::vector<StageBegin> stages;
     Checkpoints             checkpoints;
     StripeScratch           scratch;  // with the edge table that the checkpoints go on with
-    StripeScratch           before;   // of runs that fill an edge table themselves: they stop before the first checkpoint
-    std::unique_ptr<Run>    latest;   // stopped after a step
+    // of runs that fill an edge table themselves: they stop before the first checkpoint
+    StripeScratch        before;
+    std::unique_ptr<Run> latest;  // stopped after a step
 
     /// Whether `latest` stands right after this step.
     bool standsAt(Grain grain, StepIndex step) const
@@ -148,7 +149,8 @@ std::optional<Error> Replay::survey(Grain grain)
 std::optional<Error> Replay::runTo(Grain grain, StepIndex step)
 {
     if (auto error = survey(grain)) return error;
-    if (const std::uint64_t count = m_survey->steps.seen(grain); step.value >= count) return noSuchStep(grain, step, count);
+    if (const std::uint64_t count = m_survey->steps.seen(grain); step.value >= count)
+        return noSuchStep(grain, step, count);
     if (m_survey->standsAt(grain, step)) return std::nullopt;
 
     const KeptState* from = m_survey->checkpoints.lastBefore(grain, step.value);
@@ -179,7 +181,7 @@ Result<std::vector<StageMark>> Replay::stages(Grain grain)
     std::vector<StageMark> marks;
     for (std::size_t i = 0; i < m_survey->stages.size(); ++i) {
         const std::uint64_t first = m_survey->stages[i].before.seen(grain);
-        const std::uint64_t end   = i + 1 < m_survey->stages.size() ? m_survey->stages[i + 1].before.seen(grain) : *count;
+        const std::uint64_t end = i + 1 < m_survey->stages.size() ? m_survey->stages[i + 1].before.seen(grain) : *count;
         if (first < end) marks.push_back({m_survey->stages[i].stage, first});
     }
     return marks;
@@ -208,29 +210,30 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         const Pipeline       pipeline  = repeatable(m_request).pipeline;
 
         StepState state;
-        state.frame     = run.frame;
-        state.algorithm = nameOf(m_request.pipeline);
-        state.grain     = grain;
-        state.step      = step;
-        state.count     = m_survey->steps.seen(grain);
-        state.event     = run.stop.lastGrain();
-        state.stage     = moment.stage();
-        state.sweep     = recorders.sweep.state();
+        state.frame         = run.frame;
+        state.algorithm     = nameOf(m_request.pipeline);
+        state.grain         = grain;
+        state.step          = step;
+        state.count         = m_survey->steps.seen(grain);
+        state.event         = run.stop.lastGrain();
+        state.stage         = moment.stage();
+        state.sweep         = recorders.sweep.state();
         const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
-        state.hierarchy = recorders.hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
+        state.hierarchy     = recorders.hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
         if (state.hierarchy && pipeline.order != Order::Submitted)
             state.hierarchy->tree = pipeline.order == Order::Octree ? TreeKind::Octree : TreeKind::Bvh;
         if (state.hierarchy && hasCells) state.hierarchy->cells = cellsOf(run.scratch.pyramid);
-        state.tests     = recorders.tests.tests();
-        state.triangle  = recorders.triangle.state();
-        state.span      = recorders.pixel.span();
-        state.interval  = recorders.interval.state();
+        state.tests    = recorders.tests.tests();
+        state.triangle = recorders.triangle.state();
+        state.span     = recorders.pixel.span();
+        state.interval = recorders.interval.state();
         if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = recorders.pixel.pixel();
         if (moment.moment() == MomentRecorder::Moment::TileOver) state.tile = recorders.pixel.tile();
-        state.blend     = moment.blend();
-        state.sentence  = sentenceFor(state, pipeline, moment.moment(), m_request.scene->scene().triangleCount());
+        state.blend    = moment.blend();
+        state.sentence = sentenceFor(state, pipeline, moment.moment(), m_request.scene->scene().triangleCount());
         if (m_request.pipeline.chooser == Chooser::Measured)
-            state.sentence += " (auto has measured nothing here: its steps are those of " + nameOf(pipeline) + ", its first choice.)";
+            state.sentence +=
+                " (auto has measured nothing here: its steps are those of " + nameOf(pipeline) + ", its first choice.)";
         return state;
     } catch (const std::bad_alloc&) {
         return outOfMemory();

@@ -4,10 +4,11 @@
 // Steps      counted from 0 within a grain; state K is the state right after event K of the grain or a coarser one;
 //            K = count - 1 is the finished picture
 // Promise    the state at K is the same however K was reached; the picture at count - 1 is the one draw() makes
-// Cost       the first question of all: one serial one-lane run, which counts the steps of every grain and keeps copies of the
-//            structures at checkpoints. Then a run from the last checkpoint before the event (core/lesson/checkpoints.h)
-// Memory     at most CheckpointSpacing::bytes of copies, and the edge table of sweep methods: one for the steps before the
-//            first checkpoint, one for those after it
+// Cost       the first question of all: one serial one-lane run, which counts the steps of every grain and keeps copies
+//            of the structures at checkpoints. Then a run from the last checkpoint before the event
+//            (core/lesson/checkpoints.h)
+// Memory     at most CheckpointSpacing::bytes of copies, and the edge table of sweep methods: one for the steps before
+//            the first checkpoint, one for those after it
 #pragma once
 
 #include <cstdint>
@@ -36,8 +37,9 @@ struct StageMark {
 
 /// How far apart the checkpoints of a run are kept.
 struct CheckpointSpacing {
-    std::uint64_t events = 500'000;                 // heard by the recorders: 10 to 40 ms of a run
-    std::size_t   bytes  = std::size_t{192} << 20;  // of all of them; where they are more, the checkpoints are farther apart
+    std::uint64_t events = 500'000;  // heard by the recorders: 10 to 40 ms of a run
+    // of all of them; where they are more, the checkpoints are farther apart
+    std::size_t bytes = std::size_t{192} << 20;
 };
 
 class Replay {

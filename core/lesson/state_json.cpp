@@ -12,18 +12,19 @@ using Json = nlohmann::ordered_json;
 
 Json toJson(const EdgeRow& edge)
 {
-    return {{"polygon", edge.polygon.value}, {"x", edge.x},
+    return {{"polygon", edge.polygon.value},  {"x", edge.x},
             {"x_subpixels", edge.xSubpixels}, {"dx", edge.dx},
-            {"first_line", edge.firstLine}, {"last_line", edge.lastLine}};
+            {"first_line", edge.firstLine},   {"last_line", edge.lastLine}};
 }
 
 Json toJson(const SpanRow& span) { return {{"x0", span.x0}, {"x1", span.x1}, {"polygon", span.polygon.value}}; }
 
 Json toJson(const PixelState& pixel)
 {
-    Json json{{"x", pixel.x}, {"y", pixel.y}, {"triangle", pixel.triangle.value}, {"depth", pixel.depth}, {"won", pixel.won}};
-    json["rival"] = pixel.rival ? Json{{"triangle", pixel.rival->value}, {"depth", pixel.rivalDepth}} : Json(nullptr);
-    json["shaded"]    = pixel.shaded;
+    Json json{
+        {"x", pixel.x}, {"y", pixel.y}, {"triangle", pixel.triangle.value}, {"depth", pixel.depth}, {"won", pixel.won}};
+    json["rival"]  = pixel.rival ? Json{{"triangle", pixel.rival->value}, {"depth", pixel.rivalDepth}} : Json(nullptr);
+    json["shaded"] = pixel.shaded;
     json["discarded"] = pixel.discarded;
     if (pixel.unmovedDepth) json["unmoved_depth"] = *pixel.unmovedDepth;
     return json;
@@ -31,8 +32,11 @@ Json toJson(const PixelState& pixel)
 
 Json toJson(const TileTested& tile)
 {
-    return {{"rectangle", {tile.box.x0, tile.box.y0, tile.box.x1, tile.box.y1}}, {"triangle", tile.triangle.value},
-            {"nearest", tile.nearest}, {"farthest", tile.farthest}, {"rejected", tile.rejected}};
+    return {{"rectangle", {tile.box.x0, tile.box.y0, tile.box.x1, tile.box.y1}},
+            {"triangle", tile.triangle.value},
+            {"nearest", tile.nearest},
+            {"farthest", tile.farthest},
+            {"rejected", tile.rejected}};
 }
 
 /// "#rrggbb"
@@ -40,7 +44,11 @@ std::string hexOf(std::uint32_t colour) { return fmt::format("#{:06x}", colour &
 
 Json toJson(const BlendState& blend)
 {
-    return {{"x", blend.x}, {"y", blend.y}, {"surfaces", blend.surfaces}, {"before", hexOf(blend.before)}, {"after", hexOf(blend.after)}};
+    return {{"x", blend.x},
+            {"y", blend.y},
+            {"surfaces", blend.surfaces},
+            {"before", hexOf(blend.before)},
+            {"after", hexOf(blend.after)}};
 }
 
 Json toJson(const TriangleState& triangle)
@@ -50,8 +58,13 @@ Json toJson(const TriangleState& triangle)
 
 Json toJson(const NodeRow& node)
 {
-    Json json{{"id", node.id}, {"parent", node.parent}, {"depth", node.depth}, {"verdict", wordOf(node.verdict)},
-              {"box", {{"min", {node.box.min.x, node.box.min.y, node.box.min.z}}, {"max", {node.box.max.x, node.box.max.y, node.box.max.z}}}},
+    Json json{{"id", node.id},
+              {"parent", node.parent},
+              {"depth", node.depth},
+              {"verdict", wordOf(node.verdict)},
+              {"box",
+               {{"min", {node.box.min.x, node.box.min.y, node.box.min.z}},
+                {"max", {node.box.max.x, node.box.max.y, node.box.max.z}}}},
               {"path", node.path}};
     json["instance"] = node.instance ? Json(node.instance->value) : Json(nullptr);
     if (node.pass > 0) json["pass"] = node.pass;
@@ -92,7 +105,8 @@ Json toJson(const IntervalState& interval)
 Json rowsOf(const Grid<float>& cells)
 {
     Json rows = Json::array();
-    for (int y = 0; y < cells.height(); ++y) rows.push_back(Json(std::vector<float>(cells.view().row(y).begin(), cells.view().row(y).end())));
+    for (int y = 0; y < cells.height(); ++y)
+        rows.push_back(Json(std::vector<float>(cells.view().row(y).begin(), cells.view().row(y).end())));
     return rows;
 }
 
@@ -104,19 +118,25 @@ void addHierarchy(Json& json, const HierarchyState& hierarchy, PyramidCells cell
     json["query"] = nullptr;
     if (hierarchy.query) {
         const PyramidQuery& q = *hierarchy.query;
-        json["query"] = {{"asked", hierarchy.asked},
-                         {"triangle", hierarchy.askedAbout ? Json(hierarchy.askedAbout->value) : Json(nullptr)},
-                         {"rectangle", {q.box.x0, q.box.y0, q.box.x1, q.box.y1}}, {"level", q.level},
-                         {"value", q.value}, {"node_depth", q.nearest}, {"cells_read", q.cells}, {"verdict", q.hidden ? "hidden" : "entered"}};
+        json["query"]         = {{"asked", hierarchy.asked},
+                                 {"triangle", hierarchy.askedAbout ? Json(hierarchy.askedAbout->value) : Json(nullptr)},
+                                 {"rectangle", {q.box.x0, q.box.y0, q.box.x1, q.box.y1}},
+                                 {"level", q.level},
+                                 {"value", q.value},
+                                 {"node_depth", q.nearest},
+                                 {"cells_read", q.cells},
+                                 {"verdict", q.hidden ? "hidden" : "entered"}};
     }
     json["update"] = nullptr;
     if (const auto& cell = hierarchy.update)
-        json["update"] = {{"level", cell->level}, {"x", cell->x}, {"y", cell->y}, {"before", cell->before}, {"after", cell->after}};
+        json["update"] = {
+            {"level", cell->level}, {"x", cell->x}, {"y", cell->y}, {"before", cell->before}, {"after", cell->after}};
     json["pyramid"] = {{"levels", hierarchy.levels}};
     if (cells == PyramidCells::Left) return;
     Json stored = Json::array();
     for (std::size_t i = 0; i < hierarchy.cells.size(); ++i)
-        stored.push_back({{"level", Pyramid::kTileLevel + static_cast<int>(i)}, {"farthest", rowsOf(hierarchy.cells[i])}});
+        stored.push_back(
+            {{"level", Pyramid::kTileLevel + static_cast<int>(i)}, {"farthest", rowsOf(hierarchy.cells[i])}});
     json["pyramid"]["stored"] = std::move(stored);
 }
 

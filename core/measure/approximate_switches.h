@@ -1,7 +1,8 @@
-// What to time when the question is what exactness costs: an algorithm, and the same with one exactness given up at a time.
+// What to time when the question is what exactness costs: an algorithm, and the same with one exactness given up at a
+// time.
 //
-// Switches   every choice of an Approximation but the first of its kind, each alone. One that the algorithm cannot have is
-//            tried on the presets in their order, so that none is missing: edges=accumulated needs an edge walk
+// Switches   every choice of an Approximation but the first of its kind, each alone. One that the algorithm cannot have
+//            is tried on the presets in their order, so that none is missing: edges=accumulated needs an edge walk
 // Left out   what a still picture's ids and depths do not show: last-pyramid errs in motion, transparency in colours
 #pragma once
 

@@ -30,7 +30,8 @@ public:
             if (const auto done = m_truth.find(m_request, m_request.camera, 1); !done) return done.error();
         std::vector<Run>        runs;
         const std::vector<bool> shades = shadingsOf(m_request.pictures);
-        const std::size_t count = m_request.algorithms.size() * m_request.threads.size() * m_request.simd.size() * shades.size();
+        const std::size_t       count =
+            m_request.algorithms.size() * m_request.threads.size() * m_request.simd.size() * shades.size();
         for (const BenchAlgorithm& algorithm : m_request.algorithms) {
             std::vector<NamedCount> counters;
             if (m_request.count) {
@@ -42,7 +43,8 @@ public:
             for (const int threads : m_request.threads)
                 for (const Simd simd : m_request.simd)
                     for (const bool shade : shades) {
-                        m_request.progress.at(static_cast<double>(runs.size()) / static_cast<double>(count), algorithm.name);
+                        m_request.progress.at(static_cast<double>(runs.size()) / static_cast<double>(count),
+                                              algorithm.name);
                         Result<Run> run = prepare(algorithm, threads, simd, shade);
                         if (!run) return run.error();
                         run->row.counters = counters;
@@ -89,9 +91,10 @@ private:
         row.algorithm = algorithm.name;
         row.claim     = algorithm.claim;
         row.triangles = m_request.scene->triangleCount();
-        row.pixels    = static_cast<std::uint64_t>(run.draw.camera.width) * static_cast<std::uint64_t>(run.draw.camera.height);
-        row.buildMs   = m_buildMs;
-        row.load      = m_request.load;
+        row.pixels =
+            static_cast<std::uint64_t>(run.draw.camera.width) * static_cast<std::uint64_t>(run.draw.camera.height);
+        row.buildMs = m_buildMs;
+        row.load    = m_request.load;
 
         const Result<FrameReport> first = run.renderer->draw(run.draw, m_frame);
         if (!first) return first.error();
@@ -110,9 +113,12 @@ private:
     /// The frames of one round.
     Result<Done> timeRound(Run& run, int round)
     {
-        const auto before = [this](int each) { return static_cast<int>(std::int64_t{m_request.frames} * each / m_request.rounds); };
+        const auto before = [this](int each) {
+            return static_cast<int>(std::int64_t{m_request.frames} * each / m_request.rounds);
+        };
         std::vector<double> ms;
-        for (FrameQuota quota(before(round + 1) - before(round), m_request.leastMs / m_request.rounds); quota.wantsMore();) {
+        for (FrameQuota quota(before(round + 1) - before(round), m_request.leastMs / m_request.rounds);
+             quota.wantsMore();) {
             Result<FrameReport> report = run.renderer->draw(run.draw, m_frame);
             if (!report) return report.error();
             quota.drawn(report->frameMs);
@@ -131,7 +137,8 @@ private:
         for (int round = 0; round < m_request.rounds; ++round)
             for (std::size_t i = 0; i < runs.size(); ++i) {
                 Run& run = runs[round % 2 == 0 ? i : runs.size() - 1 - i];
-                m_request.progress.at(static_cast<double>(round) / static_cast<double>(m_request.rounds), run.row.algorithm);
+                m_request.progress.at(static_cast<double>(round) / static_cast<double>(m_request.rounds),
+                                      run.row.algorithm);
                 // What another run has left in the caches is none of this one's business.
                 if (const auto report = run.renderer->draw(run.draw, m_frame); !report) return report.error();
                 if (const auto done = timeRound(run, round); !done) return done.error();
@@ -219,14 +226,16 @@ PairedRatio pairedRatio(std::span<const double> roundMs, std::span<const double>
 
 Result<std::vector<BenchRow>> bench(const BenchRequest& request)
 {
-    assert(request.frames >= 1 && request.leastMs >= 0 && request.warmUp >= 0 && request.rounds >= 1 && request.rounds <= request.frames);
+    assert(request.frames >= 1 && request.leastMs >= 0 && request.warmUp >= 0 && request.rounds >= 1
+           && request.rounds <= request.frames);
     return Bench(request).run();
 }
 
 std::string benchToCsv(std::span<const BenchRow> rows)
 {
-    std::string csv = "scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,"
-                      "triangles,pixels,build_ms,bytes";
+    std::string csv =
+        "scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,"
+        "triangles,pixels,build_ms,bytes";
     for (const Stage stage : kStages) csv += fmt::format(",{}", wordOf(stage));
     const bool tellsShaded = !std::ranges::all_of(rows, &BenchRow::shaded);
     csv += tellsShaded ? ",shaded\n" : "\n";
@@ -281,13 +290,14 @@ Json toJson(const ErrorFigures& figures)
 
 std::string benchToJson(std::span<const BenchRow> rows)
 {
-    Json list  = Json::array();
+    Json list = Json::array();
     for (const BenchRow& row : rows) {
         Json stages = Json::object();
-        for (const Stage stage : kStages) stages[std::string(wordOf(stage))] = row.stageMs[static_cast<std::size_t>(stage)];
+        for (const Stage stage : kStages)
+            stages[std::string(wordOf(stage))] = row.stageMs[static_cast<std::size_t>(stage)];
         Json quartiles = Json::object();
         for (const Stage stage : kStages) {
-            const StageQuartiles& of = row.stageQuartiles[static_cast<std::size_t>(stage)];
+            const StageQuartiles& of              = row.stageQuartiles[static_cast<std::size_t>(stage)];
             quartiles[std::string(wordOf(stage))] = Json{{"q1", of.q1}, {"median", of.median}, {"q3", of.q3}};
         }
         Json counters = Json::object();

@@ -1,15 +1,16 @@
 // Times algorithms on a scene: verified first, then timed without a probe, then explained by counters.
 //
-// Runs       every algorithm with every thread count and vector target, shaded, or ids and depth alone, or both; each has
-//            warm-up frames, then `frames` timed ones, or as many as `leastMs` wants; one that chooses by trials has them behind
-//            it before. Counters come from a separate run and never slow a timed one
-// Verified   the first picture of every run, and the last timed one, which stands on what all before it have left. Of methods that draw faces the first of each algorithm is judged against
-//            the reference, which takes long, and the others against that first one. A picture that differs gets all its
-//            error figures; one that does not has zeros for the cost of the comparison alone
-// Rounds     more than one: the timed frames of every run are parted into so many turns, each run after the other in every
-//            turn, so that what disturbs the machine disturbs all of them alike and their times may be divided turn by turn;
-//            every other turn goes back through them, so that nobody always draws after the same one.
-//            All runs keep their memory until the last turn; the limit of memory is each run's own
+// Runs       every algorithm with every thread count and vector target, shaded, or ids and depth alone, or both; each
+//            has warm-up frames, then `frames` timed ones, or as many as `leastMs` wants; one that chooses by trials
+//            has them behind it before. Counters come from a separate run and never slow a timed one
+// Verified   the first picture of every run, and the last timed one, which stands on what all before it have left. Of
+//            methods that draw faces the first of each algorithm is judged against the reference, which takes long, and
+//            the others against that first one. A picture that differs gets all its error figures; one that does not
+//            has zeros for the cost of the comparison alone
+// Rounds     more than one: the timed frames of every run are parted into so many turns, each run after the other in
+//            every turn, so that what disturbs the machine disturbs all of them alike and their times may be divided
+//            turn by turn; every other turn goes back through them, so that nobody always draws after the same one. All
+//            runs keep their memory until the last turn; the limit of memory is each run's own
 // Quantiles  nearest rank, so every figure is a time that was measured; the stage times are those of the median
 //            frame and add up to it. The quartiles of a stage are its own, over all timed frames, and need not add up
 // Threads    one render thread, OpenMP inside; nothing else should run meanwhile
@@ -49,20 +50,22 @@ struct BenchRequest {
     Camera                       camera;
     FaceCulling                  faceCulling = FaceCulling::None;
     std::vector<BenchAlgorithm>  algorithms;
-    std::vector<int>             threads     = {0};  // 0: one per core
-    std::vector<Simd>            simd        = {Simd::Auto};
-    int                          warmUp      = 3;    // frames before the timed ones
-    int                          frames      = 30;   // timed, at least 1
-    double                       leastMs     = 0;    // that the timed frames of a run take together: more frames, if need be
-    int                          rounds      = 1;    // 1 to frames; each has its part of both
+    std::vector<int>             threads = {0};  // 0: one per core
+    std::vector<Simd>            simd    = {Simd::Auto};
+    int                          warmUp  = 3;   // frames before the timed ones
+    int                          frames  = 30;  // timed, at least 1
+    // that the timed frames of a run take together: more frames, if need be
+    double                       leastMs     = 0;
+    int                          rounds      = 1;  // 1 to frames; each has its part of both
     BenchPictures                pictures    = BenchPictures::Shaded;
-    bool                         verify      = true; // against the brute-force reference
-    std::optional<std::uint64_t> samples     = {};   // random pixels that are verified instead of all
-    bool                         count       = true; // the work behind the times
-    std::uint64_t                memoryLimit = 0;    // bytes; as DrawRequest
-    LoadTimes                    load        = {};   // of the scene, for the rows
+    bool                         verify      = true;  // against the brute-force reference
+    std::optional<std::uint64_t> samples     = {};    // random pixels that are verified instead of all
+    bool                         count       = true;  // the work behind the times
+    std::uint64_t                memoryLimit = 0;     // bytes; as DrawRequest
+    LoadTimes                    load        = {};    // of the scene, for the rows
     Progress                     progress    = {};
-    /// Told of every row as soon as it is finished, from the calling thread; what was told stays true if the rest fails.
+    /// Told of every row as soon as it is finished, from the calling thread; what was told stays true if the rest
+    /// fails.
     std::function<void(const BenchRow&)> finished = {};
 };
 
@@ -83,8 +86,8 @@ struct BenchRow {
     Simd        simd    = Simd::Scalar;
     bool        shaded  = true;  // false: ids and depth only
 
-    /// Pixels whose id or depth bits differ from the reference, or, of a method that is exact by face, its holes and spills;
-    /// nothing: no reference was asked for.
+    /// Pixels whose id or depth bits differ from the reference, or, of a method that is exact by face, its holes and
+    /// spills; nothing: no reference was asked for.
     std::optional<std::uint64_t> wrongPixels;
     /// All figures of the same picture, by face for a method that draws faces; there whenever wrongPixels is.
     std::optional<ErrorFigures> figures;
@@ -108,8 +111,8 @@ struct BenchRow {
     bool isBroken() const { return claim != Claim::Approximate && wrongPixels.value_or(0) != 0; }
 };
 
-/// How many times as long as another run a run takes: the median over the rounds, and an interval that holds the true one in 19
-/// of 20 cases, as far as so few rounds allow it.
+/// How many times as long as another run a run takes: the median over the rounds, and an interval that holds the true
+/// one in 19 of 20 cases, as far as so few rounds allow it.
 struct PairedRatio {
     double median = 1, low = 1, high = 1;
 };

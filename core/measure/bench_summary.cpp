@@ -14,7 +14,8 @@ ErrorFigures figuresOfEqual(const Picture& reference)
 {
     ErrorFigures figures;
     figures.pixels  = reference.ids.values().size();
-    figures.covered = static_cast<std::uint64_t>(std::ranges::count_if(reference.ids.values(), [](std::int64_t id) { return id >= 0; }));
+    figures.covered = static_cast<std::uint64_t>(
+        std::ranges::count_if(reference.ids.values(), [](std::int64_t id) { return id >= 0; }));
     return figures;
 }
 
@@ -46,15 +47,16 @@ void summarise(std::vector<FrameReport> reports, BenchRow& row)
 
     std::vector<double> times(reports.size());
     for (std::size_t stage = 0; stage < kStages.size(); ++stage) {
-        std::ranges::transform(reports, times.begin(), [stage](const FrameReport& report) { return report.stages[stage].ms; });
+        std::ranges::transform(reports, times.begin(),
+                               [stage](const FrameReport& report) { return report.stages[stage].ms; });
         std::ranges::sort(times);
-        const auto quantile = [&times](double p) { return times[quantileRank(times.size(), p)]; };
+        const auto quantile       = [&times](double p) { return times[quantileRank(times.size(), p)]; };
         row.stageQuartiles[stage] = {quantile(0.25), quantile(0.5), quantile(0.75)};
     }
 }
 
-DrawRequest drawRequestOf(const BenchRequest& request, std::shared_ptr<const PreparedScene> scene, const BenchAlgorithm& algorithm, int threads, Simd simd,
-                          bool shade)
+DrawRequest drawRequestOf(const BenchRequest& request, std::shared_ptr<const PreparedScene> scene,
+                          const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade)
 {
     return {.scene       = std::move(scene),
             .camera      = request.camera,
@@ -101,7 +103,8 @@ std::uint64_t ViewTruth::differing(const Picture& picture) const
     return differing;
 }
 
-Result<ErrorFigures> ViewTruth::figuresOf(const BenchRequest& request, bool byFace, const Picture& picture, std::uint64_t differing) const
+Result<ErrorFigures> ViewTruth::figuresOf(const BenchRequest& request, bool byFace, const Picture& picture,
+                                          std::uint64_t differing) const
 {
     const Scene& scene = *request.scene;
     if (!m_isSampled) {
@@ -113,17 +116,22 @@ Result<ErrorFigures> ViewTruth::figuresOf(const BenchRequest& request, bool byFa
         const auto [x, y] = m_points[i];
         pixels.push_back({m_samples[i].id, picture.ids.at(x, y), m_samples[i].depth, picture.depth.at(x, y)});
     }
-    if (byFace) return compareByFace(scene, m_camera, request.faceCulling, std::move(pixels), m_points, picture.ids.values(), request.progress);
+    if (byFace)
+        return compareByFace(scene, m_camera, request.faceCulling, std::move(pixels), m_points, picture.ids.values(),
+                             request.progress);
     return compare(pixels, picture.ids.values());
 }
 
-Result<ViewTruth::Judgement> ViewTruth::judge(const BenchRequest& request, const BenchAlgorithm& algorithm, const Picture& picture) const
+Result<ViewTruth::Judgement> ViewTruth::judge(const BenchRequest& request, const BenchAlgorithm& algorithm,
+                                              const Picture& picture) const
 {
     const bool          byFace  = drawsFaces(algorithm.pipeline);
     const std::uint64_t differ  = differing(picture);
     const auto          figures = figuresOf(request, byFace, picture, differ);
     if (!figures) return figures.error();
-    const std::uint64_t wrong = !byFace ? differ : algorithm.claim == Claim::ExactByFace ? figures->wrongCoverage() : figures->wrongPixels();
+    const std::uint64_t wrong = !byFace                                 ? differ
+                                : algorithm.claim == Claim::ExactByFace ? figures->wrongCoverage()
+                                                                        : figures->wrongPixels();
     return Judgement{wrong, *figures};
 }
 

@@ -21,13 +21,14 @@ public:
     };
 
     /// `seed` chooses the pixels where `samples` asks for some. Errors: Limit, Cancelled.
-    Result<Done>      find(const BenchRequest& request, const Camera& camera, std::uint64_t seed);
+    Result<Done> find(const BenchRequest& request, const Camera& camera, std::uint64_t seed);
     /// Errors: Cancelled.
     Result<Judgement> judge(const BenchRequest& request, const BenchAlgorithm& algorithm, const Picture& picture) const;
 
 private:
     std::uint64_t        differing(const Picture& picture) const;
-    Result<ErrorFigures> figuresOf(const BenchRequest& request, bool byFace, const Picture& picture, std::uint64_t differing) const;
+    Result<ErrorFigures> figuresOf(const BenchRequest& request, bool byFace, const Picture& picture,
+                                   std::uint64_t differing) const;
 
     Camera                     m_camera;
     bool                       m_isSampled = false;
@@ -40,8 +41,8 @@ private:
 void summarise(std::vector<FrameReport> reports, BenchRow& row);
 
 /// The request for one frame of a run.
-DrawRequest drawRequestOf(const BenchRequest& request, std::shared_ptr<const PreparedScene> scene, const BenchAlgorithm& algorithm, int threads, Simd simd,
-                          bool shade);
+DrawRequest drawRequestOf(const BenchRequest& request, std::shared_ptr<const PreparedScene> scene,
+                          const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade);
 
 /// Whether shaded pictures are timed, ids and depth alone, or one after the other.
 std::vector<bool> shadingsOf(BenchPictures pictures);

@@ -13,7 +13,8 @@ namespace zscope {
 
 namespace {
 
-constexpr std::array kDifferences{  // after Okabe and Ito, so that nobody's eyes confuse them
+constexpr std::array kDifferences{
+    // after Okabe and Ito, so that nobody's eyes confuse them
     DifferenceEntry{DrawnDifference::OnlyFirst, "only the first shows a triangle", 0xFF0072B2u},
     DifferenceEntry{DrawnDifference::OnlySecond, "only the second shows a triangle", 0xFFE69F00u},
     DifferenceEntry{DrawnDifference::OtherSurface, "another triangle", 0xFFD55E00u},
@@ -70,7 +71,7 @@ Result<Done> drawTimed(const DrawRequest& draw, int frames, ComparedAlgorithm& c
         reports.push_back(*std::move(report));
     }
     std::ranges::stable_sort(reports, {}, &FrameReport::frameMs);
-    const auto at = [&reports](double p) -> FrameReport& { return reports[quantileRank(reports.size(), p)]; };
+    const auto at   = [&reports](double p) -> FrameReport& { return reports[quantileRank(reports.size(), p)]; };
     compared.bestMs = reports.front().frameMs;
     compared.q1Ms   = at(0.25).frameMs;
     compared.q3Ms   = at(0.75).frameMs;
@@ -87,7 +88,8 @@ bool Comparison::areAllEqual() const { return std::ranges::all_of(algorithms, &C
 
 Result<Comparison> compareAlgorithms(const CompareRequest& request)
 try {
-    if (request.algorithms.empty()) return Error{Trouble::Usage, "there is nothing to compare: name at least one algorithm"};
+    if (request.algorithms.empty())
+        return Error{Trouble::Usage, "there is nothing to compare: name at least one algorithm"};
     const Scene&           scene = request.scene->scene();
     std::optional<Picture> reference;
     if (request.useReference) {
@@ -98,7 +100,9 @@ try {
     Comparison             comparison;
     std::optional<Picture> first;
     for (const BenchAlgorithm& algorithm : request.algorithms) {
-        request.progress.at(static_cast<double>(comparison.algorithms.size()) / static_cast<double>(request.algorithms.size()), algorithm.name);
+        request.progress.at(
+            static_cast<double>(comparison.algorithms.size()) / static_cast<double>(request.algorithms.size()),
+            algorithm.name);
         ComparedAlgorithm& compared = comparison.algorithms.emplace_back();
         compared.algorithm          = algorithm;
         DrawRequest draw;
@@ -115,16 +119,17 @@ try {
 
         const Picture picture = pictureOf(compared.frame.visible);
         if (reference) {
-            auto figures = drawsFaces(algorithm.pipeline)
-                               ? compareByFace(scene, request.camera, request.faceCulling, *reference, picture, request.progress)
-                               : Result<ErrorFigures>(compare(*reference, picture));
+            auto figures = drawsFaces(algorithm.pipeline) ? compareByFace(scene, request.camera, request.faceCulling,
+                                                                          *reference, picture, request.progress)
+                                                          : Result<ErrorFigures>(compare(*reference, picture));
             if (!figures) return figures.error();
             compared.againstReference = *std::move(figures);
         }
         if (!first) first = picture;
         const ComparedAlgorithm& leader = comparison.algorithms.front();
-        const bool byFace = drawsFaces(algorithm.pipeline) || drawsFaces(leader.algorithm.pipeline);
-        compared.againstFirst = byFace ? compare(byFaces(*first, scene), byFaces(picture, scene)) : compare(*first, picture);
+        const bool               byFace = drawsFaces(algorithm.pipeline) || drawsFaces(leader.algorithm.pipeline);
+        compared.againstFirst =
+            byFace ? compare(byFaces(*first, scene), byFaces(picture, scene)) : compare(*first, picture);
         bool isEqual = compared.againstFirst.wrongPixels() == 0;
         if (!byFace) {
             const std::span<const std::uint32_t> a = leader.frame.colour.values(), b = compared.frame.colour.values();
@@ -146,8 +151,8 @@ Grid<std::uint32_t> paintDifference(const Frame& first, const Frame& second, con
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x) {
             const DrawnDifference found = differenceAt(first, second, x, y, scene, byFace);
-            const auto       entry = std::ranges::find(kDifferences, found, &DifferenceEntry::difference);
-            picture.at(x, y)       = entry == kDifferences.end() ? faded(first.colour.at(x, y)) : entry->colour;
+            const auto            entry = std::ranges::find(kDifferences, found, &DifferenceEntry::difference);
+            picture.at(x, y)            = entry == kDifferences.end() ? faded(first.colour.at(x, y)) : entry->colour;
         }
     return picture;
 }

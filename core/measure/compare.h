@@ -1,8 +1,8 @@
-// Algorithms side by side: the same scene from the same camera, each picture against the reference and against the first
-// one's, and the time and work behind it. The values of a comparison sheet.
+// Algorithms side by side: the same scene from the same camera, each picture against the reference and against the
+// first one's, and the time and work behind it. The values of a comparison sheet.
 //
-// Equal      the same id, depth bits and colour at every pixel; where either of two draws whole faces, the same face at every
-//            pixel: their depths and colours are those of faces
+// Equal      the same id, depth bits and colour at every pixel; where either of two draws whole faces, the same face at
+//            every pixel: their depths and colours are those of faces
 // Times      of `frames` frames after one that warms up; the stages are those of the median frame and add up to it.
 //            A measured choice goes through its trials first
 // Counters   from a run of its own
@@ -26,25 +26,26 @@ struct CompareRequest {
     std::shared_ptr<const PreparedScene> scene;
     Camera                               camera;
     FaceCulling                          faceCulling = FaceCulling::None;
-    std::vector<BenchAlgorithm>          algorithms;             // [0] is what the others are held against
-    int                                  threads      = 0;       // 0: one per core
+    std::vector<BenchAlgorithm>          algorithms;        // [0] is what the others are held against
+    int                                  threads      = 0;  // 0: one per core
     Simd                                 simd         = Simd::Auto;
-    int                                  frames       = 9;       // timed, at least 1
-    bool                                 useReference = true;    // also compare each with the brute-force picture
-    std::uint64_t                        memoryLimit  = 0;       // bytes; as DrawRequest
+    int                                  frames       = 9;     // timed, at least 1
+    bool                                 useReference = true;  // also compare each with the brute-force picture
+    std::uint64_t                        memoryLimit  = 0;     // bytes; as DrawRequest
     Progress                             progress     = {};
 };
 
 struct ComparedAlgorithm {
     BenchAlgorithm              algorithm;
-    Frame                       frame;                // shaded
-    FrameReport                 report;               // of the median frame
+    Frame                       frame;   // shaded
+    FrameReport                 report;  // of the median frame
     double                      bestMs = 0, q1Ms = 0, q3Ms = 0;
     std::vector<NamedCount>     counters;
-    std::optional<ErrorFigures> againstReference;     // by face where whole faces are drawn
-    ErrorFigures                againstFirst;         // the first picture is the reference; by face where either draws whole faces
-    std::uint64_t               coloursDiffer = 0;    // from the first's, pixels; 0 where either draws whole faces
-    bool                        isEqualToFirst = true;
+    std::optional<ErrorFigures> againstReference;  // by face where whole faces are drawn
+    // the first picture is the reference; by face where either draws whole faces
+    ErrorFigures  againstFirst;
+    std::uint64_t coloursDiffer  = 0;  // from the first's, pixels; 0 where either draws whole faces
+    bool          isEqualToFirst = true;
 };
 
 struct Comparison {

@@ -1,6 +1,6 @@
-// The comparison sheet: one column per algorithm with its picture, where it differs, its figures, its stages as bars and its counters;
-// above them the scene, the machine and the version, below them the command that makes it again. What is where is decided here; on
-// what it is drawn, a picture or a page, by whoever has letters.
+// The comparison sheet: one column per algorithm with its picture, where it differs, its figures, its stages as bars
+// and its counters; above them the scene, the machine and the version, below them the command that makes it again. What
+// is where is decided here; on what it is drawn, a picture or a page, by whoever has letters.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,10 @@ public:
     /// y is the base line.
     virtual void text(int x, int y, std::string_view utf8, int size, std::uint32_t colour) = 0;
     /// The same for a name, which is the same in every language.
-    virtual void name(int x, int y, std::string_view utf8, int size, std::uint32_t colour) { text(x, y, utf8, size, colour); }
+    virtual void name(int x, int y, std::string_view utf8, int size, std::uint32_t colour)
+    {
+        text(x, y, utf8, size, colour);
+    }
     virtual void fill(int x0, int y0, int x1, int y1, std::uint32_t colour) = 0;
     /// The whole picture in a place that is at most as large.
     virtual void picture(int x, int y, int width, int height, const Grid<std::uint32_t>& pixels) = 0;

@@ -61,13 +61,9 @@ private:
 class CullJudge {
 public:
     CullJudge(const DrawRequest& request, const VisibilityBuffer& finished, std::span<const std::int64_t> visible)
-        : m_scene(request.scene->scene()),
-          m_finished(finished),
-          m_projection(request.camera),
-          m_encoding(request.pipeline.approximation.format, request.camera.near, request.camera.far),
-          m_visible(visible)
-    {
-    }
+        : m_scene(request.scene->scene()), m_finished(finished), m_projection(request.camera),
+          m_encoding(request.pipeline.approximation.format, request.camera.near, request.camera.far), m_visible(visible)
+    {}
 
     /// A pre-pass culls nothing and colours nothing: what comes after it counts.
     void observe(const StageStarted& e) { m_inPrepass = e.stage == Stage::Prepass; }
@@ -76,28 +72,32 @@ public:
     {
         if (m_inPrepass) return;
         switch (e.verdict) {
-        case Verdict::Outside:
-            ++m_audit.nodesOutside;
-            sayBelow(e.place, VisibleTriangles::Fate::NodeOutside);
-            break;
-        case Verdict::Hidden:
-            ++m_audit.nodesHidden;
-            sayBelow(e.place, VisibleTriangles::Fate::NodeHidden);
-            break;
-        case Verdict::Small: sayBelow(e.place, VisibleTriangles::Fate::NodeSmall); break;
-        case Verdict::Entered:
-            ++m_audit.nodesEntered;
-            m_audit.missedNodes += isBehind(e.place);
-            break;
+            case Verdict::Outside:
+                ++m_audit.nodesOutside;
+                sayBelow(e.place, VisibleTriangles::Fate::NodeOutside);
+                break;
+            case Verdict::Hidden:
+                ++m_audit.nodesHidden;
+                sayBelow(e.place, VisibleTriangles::Fate::NodeHidden);
+                break;
+            case Verdict::Small:
+                sayBelow(e.place, VisibleTriangles::Fate::NodeSmall);
+                break;
+            case Verdict::Entered:
+                ++m_audit.nodesEntered;
+                m_audit.missedNodes += isBehind(e.place);
+                break;
         }
     }
 
     void observe(const TriangleSetUp& e)
     {
         if (m_inPrepass || e.fate == SetUp::Drawn) return;  // those drawn are heard of again
-        m_visible.say(e.triangle.value, e.fate == SetUp::Outside ? VisibleTriangles::Fate::Unseen : VisibleTriangles::Fate::Dropped);
+        m_visible.say(e.triangle.value,
+                      e.fate == SetUp::Outside ? VisibleTriangles::Fate::Unseen : VisibleTriangles::Fate::Dropped);
     }
-    /// The parts of a triangle come one after another: it is hidden if all are, and missed if all that are drawn are behind.
+    /// The parts of a triangle come one after another: it is hidden if all are, and missed if all that are drawn are
+    /// behind.
     void observe(const TriangleHidden& e)
     {
         if (m_inPrepass) return;
@@ -144,7 +144,8 @@ private:
         const auto  items  = place.tree.allItems(place.node);
         if (place.isInstanceTree) {
             for (const std::uint32_t instance : items)
-                if (starts[instance] < starts[instance + 1]) m_visible.sayOfAll(starts[instance], starts[instance + 1] - 1, fate);
+                if (starts[instance] < starts[instance + 1])
+                    m_visible.sayOfAll(starts[instance], starts[instance + 1] - 1, fate);
             return;
         }
         const std::uint32_t first = starts[place.instance.value];
@@ -156,7 +157,8 @@ private:
     {
         const Affine    world;
         const Affine&   toWorld = place.isInstanceTree ? world : m_scene.instances[place.instance.value].toWorld;
-        const NodeReach reach   = reachOf(place.node.bounds, toWorld, m_projection, {0, 0, m_finished.width(), m_finished.height()});
+        const NodeReach reach =
+            reachOf(place.node.bounds, toWorld, m_projection, {0, 0, m_finished.width(), m_finished.height()});
         return !reach.crossesNear && isBehind(reach.pixels, reach.nearest);
     }
     /// The perfect test: every pixel of the box is nearer than anything in it.
@@ -182,8 +184,7 @@ private:
     bool                    m_allBehind   = true;   // all of its parts that were drawn
     TriangleId              m_triangle;
 };
-static_assert(observes<CullJudge, NodeJudged> && observes<CullJudge, TriangleSetUp> && observes<CullJudge, TriangleHidden> &&
-              observes<CullJudge, TriangleReached> && observes<CullJudge, StageStarted>);
+static_assert(observesAll<CullJudge, NodeJudged, TriangleSetUp, TriangleHidden, TriangleReached, StageStarted>);
 
 }  // namespace
 

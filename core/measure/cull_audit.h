@@ -1,16 +1,16 @@
 // What culling left out of a frame and what it let through, judged against the finished depth of the same frame.
 //
-// False cull   a triangle that owns a pixel of the true picture and was left out by a test: with a batch or a node outside
-//              the view, with a node called hidden or dropped as too small, or called hidden itself. 0 for every method called conservative.
-//              What geometry drops (no area, behind the near plane) is no cull, and neither is a triangle that is left
-//              out in one place and drawn in another
-// Missed cull  a node that was entered, or a triangle that was drawn, although a perfect test of the same box and nearest
-//              depth against the finished depth would have hidden it. A node that reaches before the near plane has no
-//              such bounds and is never missed; one that covers no pixel centre always is
-// How          the frame runs again, one thread and one lane, with a probe that looks at every verdict; the perfect test
-//              reads the pixels, not the pyramid that it judges
-// Cost         a serial run, plus per node and triangle drawn its pixels up to the first that does not hide it; a byte and
-//              an id per visible triangle
+// False cull   a triangle that owns a pixel of the true picture and was left out by a test: with a batch or a node
+//              outside the view, with a node called hidden or dropped as too small, or called hidden itself. 0 for
+//              every method called conservative. What geometry drops (no area, behind the near plane) is no cull, and
+//              neither is a triangle that is left out in one place and drawn in another
+// Missed cull  a node that was entered, or a triangle that was drawn, although a perfect test of the same box and
+//              nearest depth against the finished depth would have hidden it. A node that reaches before the near plane
+//              has no such bounds and is never missed; one that covers no pixel centre always is
+// How          the frame runs again, one thread and one lane, with a probe that looks at every verdict; the perfect
+//              test reads the pixels, not the pyramid that it judges
+// Cost         a serial run, plus per node and triangle drawn its pixels up to the first that does not hide it; a byte
+//              and an id per visible triangle
 #pragma once
 
 #include <cstdint>

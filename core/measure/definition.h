@@ -52,13 +52,10 @@ PixelBox pixelsWithin(std::int64_t minXs, std::int64_t maxXs, std::int64_t minYs
 struct Side {
     Wide xa = 0, ya = 0;  // where it starts, 1/256 pixel
     Wide dx = 0, dy = 0;
-    Wide bias = 0;        // 0: centres exactly on a left or top side belong; 1: on others they do not
+    Wide bias = 0;  // 0: centres exactly on a left or top side belong; 1: on others they do not
 
     /// The edge function at the centre of (i, j), less the bias: inside iff >= 0.
-    Wide at(int i, int j) const
-    {
-        return dx * (Wide{256} * j + 128 - ya) - dy * (Wide{256} * i + 128 - xa) - bias;
-    }
+    Wide at(int i, int j) const { return dx * (Wide{256} * j + 128 - ya) - dy * (Wide{256} * i + 128 - xa) - bias; }
     /// What at() gains from one pixel to the next on the right.
     Wide perPixel() const { return Wide{-256} * dy; }
 };
@@ -66,8 +63,10 @@ struct Side {
 /// Where a triangle has holes, and how far back its relief lies: docs/correctness.md, Cut-outs and Reliefs.
 class Patterns {
 public:
-    /// `model` and `view` are corners of the first triangle of its face in the mesh's space and in view space, before clipping.
-    Patterns(const Material& material, const std::array<dvec3, 3>& model, const std::array<dvec3, 3>& view, const Camera& camera);
+    /// `model` and `view` are corners of the first triangle of its face in the mesh's space and in view space, before
+    /// clipping.
+    Patterns(const Material& material, const std::array<dvec3, 3>& model, const std::array<dvec3, 3>& view,
+             const Camera& camera);
 
     bool   isHole(int i, int j) const;
     bool   hasRelief() const { return m_relief.has_value(); }
@@ -92,20 +91,21 @@ private:
     std::optional<Cutout> m_cutout;
     std::optional<Relief> m_relief;
     double                m_deepest = 0;  // of the relief, in near distances
-    std::array<dvec3, 3> m_view;
-    dvec3                m_weight;  // the plane's normal, not of length 1
-    Coordinate           m_first, m_second;
-    double               m_halfWidth, m_halfHeight, m_focal;  // pixels
+    std::array<dvec3, 3>  m_view;
+    dvec3                 m_weight;  // the plane's normal, not of length 1
+    Coordinate            m_first, m_second;
+    double                m_halfWidth, m_halfHeight, m_focal;  // pixels
 };
 
 /// A triangle in front of the near plane, snapped, with area, facing the viewer as the culling asks.
 class Part {
 public:
-    Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera, const std::optional<Patterns>& patterns = {});
+    Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera,
+         const std::optional<Patterns>& patterns = {});
 
     const std::array<Corner, 3>& corners() const { return m_corners; }  // in the order of the walk
     const std::array<Side, 3>&   sides() const { return m_sides; }
-    const PixelBox&              box() const { return m_box; }          // holds every covered pixel
+    const PixelBox&              box() const { return m_box; }  // holds every covered pixel
 
     bool  covers(int i, int j) const;  // a hole is not covered
     bool  isHole(int i, int j) const { return m_patterns && m_patterns->isHole(i, j); }
@@ -118,13 +118,13 @@ private:
     void   setSides(Wide doubleArea);
     double limitedDepth(int i, int j) const;
 
-    std::array<Corner, 3> m_corners;
-    std::array<Side, 3>   m_sides;
-    PixelBox              m_box;
+    std::array<Corner, 3>   m_corners;
+    std::array<Side, 3>     m_sides;
+    PixelBox                m_box;
     std::optional<Patterns> m_patterns;
-    double                m_a = 0, m_b = 0, m_c = 0;  // depth = a x + b y + c at pixel centres
-    float                 m_lo = 0, m_hi = 0;         // limits: the nearest and farthest corner
-    bool                  m_isFlat = false;           // no plane could be computed: depth is m_hi
+    double                  m_a = 0, m_b = 0, m_c = 0;  // depth = a x + b y + c at pixel centres
+    float                   m_lo = 0, m_hi = 0;         // limits: the nearest and farthest corner
+    bool                    m_isFlat = false;           // no plane could be computed: depth is m_hi
 };
 
 /// What became of a triangle. Of two parts the better fate counts: the first in this order.

@@ -50,7 +50,8 @@ void countLost(std::span<const PixelPair> pixels, std::span<const std::int64_t> 
 {
     std::vector<std::pair<std::int64_t, bool>> visible;  // id, this pixel shows something behind it
     for (const PixelPair& p : pixels) {
-        if (p.referenceId >= 0 && p.referenceId != p.testId) visible.emplace_back(p.referenceId, showsSomethingBehind(p));
+        if (p.referenceId >= 0 && p.referenceId != p.testId)
+            visible.emplace_back(p.referenceId, showsSomethingBehind(p));
     }
     std::ranges::sort(visible);  // of one id, `false` comes first
     std::vector<std::int64_t> shown(testIds.begin(), testIds.end());
@@ -128,15 +129,16 @@ ErrorFigures together(std::span<const ErrorFigures> pictures)
         all.depthBitsDiffer += each.depthBitsDiffer;
         all.lostTriangles += each.lostTriangles;
         all.falseCulls += each.falseCulls;
-        all.p99DepthSteps = std::max(all.p99DepthSteps, each.p99DepthSteps);
-        all.maxDepthSteps = std::max(all.maxDepthSteps, each.maxDepthSteps);
+        all.p99DepthSteps      = std::max(all.p99DepthSteps, each.p99DepthSteps);
+        all.maxDepthSteps      = std::max(all.maxDepthSteps, each.maxDepthSteps);
         const auto keepLargest = [](RelativeDistance& to, const RelativeDistance& from) {
             to.p99 = std::max(to.p99, from.p99);
             to.max = std::max(to.max, from.max);
         };
         keepLargest(all.distanceOnSameSurface, each.distanceOnSameSurface);
         keepLargest(all.distanceOnWrongSurface, each.distanceOnWrongSurface);
-        const auto onSame = static_cast<double>(each.covered - each.holes - each.wrongSurface()), onOther = static_cast<double>(each.wrongSurface());
+        const auto onSame  = static_cast<double>(each.covered - each.holes - each.wrongSurface()),
+                   onOther = static_cast<double>(each.wrongSurface());
         same += onSame;
         other += onOther;
         exact += each.exactShare * onSame;

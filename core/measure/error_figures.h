@@ -25,11 +25,11 @@ struct RelativeDistance {
 };
 
 struct ErrorFigures {
-    std::uint64_t pixels   = 0;  // compared
-    std::uint64_t covered  = 0;  // the reference shows a triangle
-    std::uint64_t holes    = 0;  // ... and the test shows background
-    std::uint64_t spills   = 0;  // the test shows a triangle where the reference shows background
-    std::uint64_t nearTies = 0;  // both show a triangle, another one, at most kNearTieSteps apart
+    std::uint64_t pixels           = 0;  // compared
+    std::uint64_t covered          = 0;  // the reference shows a triangle
+    std::uint64_t holes            = 0;  // ... and the test shows background
+    std::uint64_t spills           = 0;  // the test shows a triangle where the reference shows background
+    std::uint64_t nearTies         = 0;  // both show a triangle, another one, at most kNearTieSteps apart
     std::uint64_t realWrongSurface = 0;  // the same, farther apart
     std::uint64_t depthBitsDiffer  = 0;  // of all pixels
 
@@ -48,7 +48,11 @@ struct ErrorFigures {
     std::uint64_t wrongSurface() const { return nearTies + realWrongSurface; }
     std::uint64_t wrongPixels() const { return wrongCoverage() + wrongSurface(); }
     /// The largest relative depth error wherever both show a triangle.
-    double worstDistance() const { return distanceOnSameSurface.max > distanceOnWrongSurface.max ? distanceOnSameSurface.max : distanceOnWrongSurface.max; }
+    double worstDistance() const
+    {
+        return distanceOnSameSurface.max > distanceOnWrongSurface.max ? distanceOnSameSurface.max
+                                                                      : distanceOnWrongSurface.max;
+    }
     /// Same ids and same depth bits at every pixel compared.
     bool isExact() const { return wrongPixels() == 0 && depthBitsDiffer == 0; }
 };
@@ -56,8 +60,9 @@ struct ErrorFigures {
 /// float32 steps between two depths (0 and up).
 std::uint32_t stepsBetween(float a, float b);
 
-/// Of several pictures as if they were one: counts add up, shares and root mean squares weigh by pixels, largest values stay. What
-/// is larger than 99 % of the pixels of all is not known from those of each: the largest of these stands for it.
+/// Of several pictures as if they were one: counts add up, shares and root mean squares weigh by pixels, largest values
+/// stay. What is larger than 99 % of the pixels of all is not known from those of each: the largest of these stands for
+/// it.
 ErrorFigures together(std::span<const ErrorFigures> pictures);
 
 /// Both pictures must have the same size.

@@ -23,13 +23,16 @@ public:
     Result<Experiment> read(const JsonValue& document)
     {
         Experiment experiment;
-        const bool isRead = knows(document, "an experiment", {"title", "question", "baseline", "parts"}) && text(document, "title", experiment.title, true) &&
-                            text(document, "question", experiment.question, false) && word(document, "baseline", experiment.baseline) &&
-                            parts(document, experiment.parts);
+        const bool isRead = knows(document, "an experiment", {"title", "question", "baseline", "parts"})
+                            && text(document, "title", experiment.title, true)
+                            && text(document, "question", experiment.question, false)
+                            && word(document, "baseline", experiment.baseline) && parts(document, experiment.parts);
         if (!isRead) return *m_error;
         if (const JsonValue* baseline = find(document, "baseline")) experiment.baselineLine = baseline->line;
         if (experiment.caseCount() > kMaxCases)
-            return Error{Trouble::Limit, fmt::format("an experiment has at most {} cases, not {}", kMaxCases, experiment.caseCount()), m_file, document.line};
+            return Error{Trouble::Limit,
+                         fmt::format("an experiment has at most {} cases, not {}", kMaxCases, experiment.caseCount()),
+                         m_file, document.line};
         experiment.digest = digestOf(experiment);
         return experiment;
     }
@@ -39,16 +42,20 @@ private:
     {
         std::string all = experiment.baseline;
         for (const ExperimentPart& part : experiment.parts) {
-            all += fmt::format("\n{}|{}x{}|{}|{}|{}|{}|{}|", fmt::join(part.algorithms, ","), part.width, part.height, part.hasSize,
-                               part.faceCulling ? static_cast<int>(*part.faceCulling) : -1, part.frames, part.rounds, part.shade.value_or(true));
+            all += fmt::format("\n{}|{}x{}|{}|{}|{}|{}|{}|", fmt::join(part.algorithms, ","), part.width, part.height,
+                               part.hasSize, part.faceCulling ? static_cast<int>(*part.faceCulling) : -1, part.frames,
+                               part.rounds, part.shade.value_or(true));
             if (!part.path.empty()) all += fmt::format("path {}|", part.path);
             if (part.samples) all += fmt::format("sample {}|", *part.samples);
             if (part.peers) all += fmt::format("peers {}|", part.shade.has_value());
             for (const int threads : part.threads) all += fmt::format("{},", threads);
             for (const ExperimentScene& scene : part.scenes)
-                all += fmt::format("\n {}|{}|{}|{}|{}|{}", scene.word, scene.view, scene.camera, scene.model, scene.modelCamera, scene.x.value_or(-1));
+                all += fmt::format("\n {}|{}|{}|{}|{}|{}", scene.word, scene.view, scene.camera, scene.model,
+                                   scene.modelCamera, scene.x.value_or(-1));
             for (const ExperimentScene& scene : part.scenes)
-                if (scene.width > 0 || !scene.choices.empty()) all += fmt::format("\n {} {}x{} {}", scene.word, scene.width, scene.height, fmt::join(scene.choices, ","));
+                if (scene.width > 0 || !scene.choices.empty())
+                    all += fmt::format("\n {} {}x{} {}", scene.word, scene.width, scene.height,
+                                       fmt::join(scene.choices, ","));
         }
         return digestOfText(all);
     }
@@ -61,10 +68,12 @@ private:
 
     bool knows(const JsonValue& value, std::string_view what, std::initializer_list<std::string_view> keys)
     {
-        if (!value.object()) return fail(value, fmt::format("{} is an object with some of: {}", what, fmt::join(keys, ", ")));
+        if (!value.object())
+            return fail(value, fmt::format("{} is an object with some of: {}", what, fmt::join(keys, ", ")));
         for (const auto& [key, member] : *value.object())
             if (std::ranges::find(keys, key) == keys.end())
-                return fail(member, fmt::format("{} has no '{}': it has {}", what, key.substr(0, 60), fmt::join(keys, ", ")));
+                return fail(member,
+                            fmt::format("{} has no '{}': it has {}", what, key.substr(0, 60), fmt::join(keys, ", ")));
         return true;
     }
 
@@ -114,7 +123,8 @@ private:
     {
         const JsonValue* value = find(object, key);
         if (!value) return fail(object, fmt::format("'{}' is missing", key));
-        if (!value->array() || value->array()->empty()) return fail(*value, fmt::format("'{}' is a list that is not empty", key));
+        if (!value->array() || value->array()->empty())
+            return fail(*value, fmt::format("'{}' is a list that is not empty", key));
         return std::ranges::all_of(*value->array(), each);
     }
 
@@ -131,14 +141,19 @@ private:
 
     bool onePart(const JsonValue& value, ExperimentPart& part)
     {
-        if (!knows(value, "a part", {"title", "scenes", "algorithms", "threads", "size", "cull", "frames", "rounds", "shade", "x", "path", "sample", "peers"})) return false;
+        if (!knows(value, "a part",
+                   {"title", "scenes", "algorithms", "threads", "size", "cull", "frames", "rounds", "shade", "x",
+                    "path", "sample", "peers"}))
+            return false;
         const auto algorithm = [&](const JsonValue& each) {
             if (!each.text() || each.text()->empty()) return fail(each, "an algorithm is a text");
             part.algorithms.push_back(*each.text());
             part.algorithmLines.push_back(each.line);
             return true;
         };
-        if (!text(value, "title", part.title, true) || !text(value, "x", part.x, false) || !list(value, "algorithms", algorithm)) return false;
+        if (!text(value, "title", part.title, true) || !text(value, "x", part.x, false)
+            || !list(value, "algorithms", algorithm))
+            return false;
         if (!list(value, "scenes", [&](const JsonValue& each) { return oneScene(each, part); })) return false;
         if (!size(value, part) || !culling(value, part) || !threads(value, part)) return false;
         if (const JsonValue* path = find(value, "path")) part.pathLine = path->line;
@@ -161,14 +176,20 @@ private:
         part.rounds = std::min(part.rounds, part.frames);
         if (!number(value, "rounds", 1, kMaxFrames, part.rounds)) return false;
         if (part.rounds <= part.frames) return true;
-        return fail(*find(value, "rounds"), fmt::format("'rounds' are parts of the 'frames', so at most {}: only along a 'path' there may be more", part.frames));
+        return fail(
+            *find(value, "rounds"),
+            fmt::format("'rounds' are parts of the 'frames', so at most {}: only along a 'path' there may be more",
+                        part.frames));
     }
 
     /// Along a path.
     bool passes(const JsonValue& value, ExperimentPart& part)
     {
-        if (const JsonValue* frames = find(value, "frames")) return fail(*frames, "a part with a 'path' has as many frames as the path: 'rounds' says how often it is flown");
-        if (part.peers) return fail(*find(value, "peers"), "'peers' are timed on one view: a part with a 'path' has none");
+        if (const JsonValue* frames = find(value, "frames"))
+            return fail(*frames,
+                        "a part with a 'path' has as many frames as the path: 'rounds' says how often it is flown");
+        if (part.peers)
+            return fail(*find(value, "peers"), "'peers' are timed on one view: a part with a 'path' has none");
         return number(value, "rounds", 1, kMaxFrames, part.rounds);
     }
 
@@ -188,9 +209,12 @@ private:
         if (value.text()) {
             scene.word = *value.text();
         } else {
-            if (!knows(value, "a scene", {"scene", "title", "view", "camera", "model", "model_camera", "x", "size", "choices"})) return false;
-            const bool isRead = word(value, "scene", scene.word) && word(value, "title", scene.title) && word(value, "view", scene.view) &&
-                                word(value, "camera", scene.camera) && word(value, "model", scene.model) && word(value, "model_camera", scene.modelCamera);
+            if (!knows(value, "a scene",
+                       {"scene", "title", "view", "camera", "model", "model_camera", "x", "size", "choices"}))
+                return false;
+            const bool isRead = word(value, "scene", scene.word) && word(value, "title", scene.title)
+                                && word(value, "view", scene.view) && word(value, "camera", scene.camera)
+                                && word(value, "model", scene.model) && word(value, "model_camera", scene.modelCamera);
             if (!isRead) return false;
             if (const JsonValue* x = find(value, "x")) {
                 const auto read = realOf(*x, m_file, "x");
@@ -200,7 +224,8 @@ private:
             }
             if (!pair(value, "size", scene.width, scene.height)) return false;
             const auto choice = [&](const JsonValue& each) {
-                if (!each.text() || each.text()->find('=') == std::string::npos) return fail(each, "a choice is written axis=choice");
+                if (!each.text() || each.text()->find('=') == std::string::npos)
+                    return fail(each, "a choice is written axis=choice");
                 scene.choices.push_back(*each.text());
                 return true;
             };
@@ -224,8 +249,11 @@ private:
         if (!word(value, key, said)) return false;
         if (said.empty()) return true;
         char rest = 0;
-        if (std::sscanf(said.c_str(), "%5dx%5d%c", &width, &height, &rest) == 2 && width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide) return true;
-        return fail(*find(value, key), fmt::format("'{}' is written WxH, each from 1 to {} pixels, not '{}'", key, kMaxPictureSide, said.substr(0, 60)));
+        if (std::sscanf(said.c_str(), "%5dx%5d%c", &width, &height, &rest) == 2 && width >= 1 && height >= 1
+            && width <= kMaxPictureSide && height <= kMaxPictureSide)
+            return true;
+        return fail(*find(value, key), fmt::format("'{}' is written WxH, each from 1 to {} pixels, not '{}'", key,
+                                                   kMaxPictureSide, said.substr(0, 60)));
     }
 
     bool culling(const JsonValue& value, ExperimentPart& part)

@@ -16,9 +16,9 @@ namespace {
 /// A face that covers a point.
 struct Cover {
     std::size_t   point;
-    std::uint32_t face;   // id of its first triangle
-    float         depth;  // of the triangle that covers it; of several the nearest
-    bool          kept;   // not beyond the far plane
+    std::uint32_t face;        // id of its first triangle
+    float         depth;       // of the triangle that covers it; of several the nearest
+    bool          kept;        // not beyond the far plane
     int           layers = 1;  // triangles that do
 };
 
@@ -34,8 +34,7 @@ class FaceTruth {
 public:
     FaceTruth(const Scene& scene, const Camera& camera, FaceCulling culling)
         : m_scene(scene), m_culling(culling), m_view(camera, FaceCulling::None)
-    {
-    }
+    {}
 
     float farDepth() const { return m_view.farDepth; }
     bool  isMended(std::uint32_t face) const
@@ -50,7 +49,7 @@ public:
     {
         const PointsByRow  rows(points, m_view.camera.height);
         std::vector<Cover> all;
-        const auto done = forEachTriangle(m_scene, m_view, progress, everyInstance, [&](std::uint32_t id, Fate, const std::vector<Part>& parts) {
+        const auto         collect = [&](std::uint32_t id, Fate, const std::vector<Part>& parts) {
             for (const Part& part : parts)
                 rows.within(part.box(), [&](std::uint32_t point) {
                     const PixelPosition p = points[point];
@@ -61,7 +60,8 @@ public:
 #pragma omp critical(zscope_face_covers)
                     all.push_back({point, face, depth, depth >= m_view.farDepth});
                 });
-        });
+        };
+        const auto done = forEachTriangle(m_scene, m_view, progress, everyInstance, collect);
         if (!done) return done.error();
         return withoutHoles(std::move(all));
     }
@@ -72,9 +72,7 @@ public:
         const auto known = m_farthest.find(face);
         if (known != m_farthest.end()) return known->second;
         float farthest = 1;
-        forEachPart(face, [&](const Part& part) {
-            farthest = std::min(farthest, part.farthestDepth());
-        });
+        forEachPart(face, [&](const Part& part) { farthest = std::min(farthest, part.farthestDepth()); });
         return m_farthest[face] = farthest;
     }
 
@@ -92,7 +90,9 @@ private:
             else
                 merged.push_back(cover);
         }
-        std::erase_if(merged, [this](const Cover& c) { return isMended(c.face) && (c.layers % 2 == 0 || isCulledWhole(c.face)); });
+        std::erase_if(merged, [this](const Cover& c) {
+            return isMended(c.face) && (c.layers % 2 == 0 || isCulledWhole(c.face));
+        });
         return merged;
     }
 
@@ -141,7 +141,8 @@ Verdict judge(PixelPair& pixel, std::span<const Cover> covers, const FaceTruth& 
     if (pixel.testId >= 0 && std::ranges::none_of(covers, isShown)) return Verdict::Spill;
     for (const Cover& cover : covers) {
         const float farthest = truth.farthestOf(cover.face);
-        if (!isShown(cover) && farthest >= truth.farDepth() && (pixel.testId < 0 || farthest > pixel.testDepth)) return Verdict::Hole;
+        if (!isShown(cover) && farthest >= truth.farDepth() && (pixel.testId < 0 || farthest > pixel.testDepth))
+            return Verdict::Hole;
     }
     return pixel.testId == pixel.referenceId ? Verdict::Right : Verdict::OfDepth;
 }
@@ -155,7 +156,8 @@ public:
     {
         if (id == m_last) return m_lastFace;
         m_last = id;
-        return m_lastFace = id < 0 ? id : std::int64_t{m_scene.firstOfFace(TriangleId{static_cast<std::uint32_t>(id)}).value};
+        return m_lastFace =
+                   id < 0 ? id : std::int64_t{m_scene.firstOfFace(TriangleId{static_cast<std::uint32_t>(id)}).value};
     }
 
 private:
@@ -181,7 +183,9 @@ Result<ErrorFigures> compareByFace(const Scene& scene, const Camera& camera, Fac
     const FaceTruth            truth(scene, camera, faceCulling);
     std::vector<std::size_t>   doubtful;  // indices of pixels
     std::vector<PixelPosition> places;
-    const auto isMended = [&truth](std::int64_t id) { return id >= 0 && truth.isMended(static_cast<std::uint32_t>(id)); };
+    const auto                 isMended = [&truth](std::int64_t id) {
+        return id >= 0 && truth.isMended(static_cast<std::uint32_t>(id));
+    };
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const PixelPair& p = pixels[i];
         if (p.referenceId == p.testId && !isMended(p.testId)) continue;

@@ -22,9 +22,9 @@
 
 namespace zscope {
 
-/// Figures as compare() gives them, holes and spills as said above; falseCulls are faces that are in no pixel of the test
-/// and left a hole. `pixels` are those at `points`, with the ids of triangles; `testIds` are those of the whole picture.
-/// `points` are distinct or not, inside the picture. Errors: Cancelled.
+/// Figures as compare() gives them, holes and spills as said above; falseCulls are faces that are in no pixel of the
+/// test and left a hole. `pixels` are those at `points`, with the ids of triangles; `testIds` are those of the whole
+/// picture. `points` are distinct or not, inside the picture. Errors: Cancelled.
 Result<ErrorFigures> compareByFace(const Scene& scene, const Camera& camera, FaceCulling faceCulling,
                                    std::vector<PixelPair> pixels, std::span<const PixelPosition> points,
                                    std::span<const std::int64_t> testIds, const Progress& progress = {});

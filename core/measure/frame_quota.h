@@ -1,7 +1,7 @@
 // How many frames a run is timed: a number of them, and more if these were over sooner than a time that was asked for.
 //
-// Why        thirty frames of half a millisecond are over in fifteen: whatever the machine does for a moment is all that their
-//            median knows
+// Why        thirty frames of half a millisecond are over in fifteen: whatever the machine does for a moment is all
+//            that their median knows
 // Promise    at least `frames` frames, and no more than it takes to fill `leastMs`, or kMost
 #pragma once
 

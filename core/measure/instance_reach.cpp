@@ -53,16 +53,16 @@ PixelBox reachOf(const Bounds& meshBox, const Affine& toWorld, const View& view)
             p[r]            = along(row[0], row[1], row[2], q) + exactly(row[3]);
         }
     }
-    const Box d{p[0] - exactly(camera.eye.x), p[1] - exactly(camera.eye.y), p[2] - exactly(camera.eye.z)};
+    const Box      d{p[0] - exactly(camera.eye.x), p[1] - exactly(camera.eye.y), p[2] - exactly(camera.eye.z)};
     const Interval z = along(camera.forward.x, camera.forward.y, camera.forward.z, d);
-    if (z.hi < camera.near) return nothing;       // every corner is outside, however it is rounded
+    if (z.hi < camera.near) return nothing;  // every corner is outside, however it is rounded
     if (!(z.lo >= camera.near)) return everything;
 
     const Interval depth{camera.near / z.hi, camera.near / z.lo};
-    const Interval x = exactly(camera.width * 0.5) +
-                       (along(camera.right.x, camera.right.y, camera.right.z, d) * depth) * exactly(view.k);
-    const Interval y = exactly(camera.height * 0.5) -
-                       (along(camera.up.x, camera.up.y, camera.up.z, d) * depth) * exactly(view.k);
+    const Interval x = exactly(camera.width * 0.5)
+                       + (along(camera.right.x, camera.right.y, camera.right.z, d) * depth) * exactly(view.k);
+    const Interval y =
+        exactly(camera.height * 0.5) - (along(camera.up.x, camera.up.y, camera.up.z, d) * depth) * exactly(view.k);
     if (!(x.lo <= x.hi) || !(y.lo <= y.hi)) return everything;
 
     // Parts beyond the end of the grid are not drawn, so an end out there may as well stand at it.

@@ -1,7 +1,9 @@
 // How much more was drawn than is seen: the price of drawing in the wrong order or of hiding nothing.
 //
-// Triangles  entered into pixels (or into an edge table), a pre-pass included, against those that own a pixel at the end
-// Fragments  depth tests, a pre-pass included, against covered pixels. A sweep by intervals gives whole runs away untested
+// Triangles  entered into pixels (or into an edge table), a pre-pass included, against those that own a pixel at the
+//            end
+// Fragments  depth tests, a pre-pass included, against covered pixels. A sweep by intervals gives whole runs away
+//            untested
 // Source     docs/correctness.md, What is promised, what is measured
 #pragma once
 

@@ -12,8 +12,9 @@ namespace zscope {
 namespace {
 
 /// The counters of a series: what a frame's work can be told by, whatever the method.
-constexpr std::array<std::string_view, 7> kTold{"triangles_drawn", "triangles_hidden", "triangles_hidden_by_node", "nodes_visited",
-                                                "pyramid_queries", "fragments_tested", "fragments_shaded"};
+constexpr std::array<std::string_view, 7> kTold{"triangles_drawn", "triangles_hidden", "triangles_hidden_by_node",
+                                                "nodes_visited",   "pyramid_queries",  "fragments_tested",
+                                                "fragments_shaded"};
 
 class PathBench {
 public:
@@ -22,13 +23,14 @@ public:
     Result<std::vector<BenchRow>> run()
     {
         Stopwatch watch;
-        m_scene         = std::make_shared<const PreparedScene>(m_request.scene);
-        m_buildMs       = watch.lap();
-        m_steps         = m_path.cameras.size() * static_cast<std::size_t>(m_request.rounds + 1);
+        m_scene   = std::make_shared<const PreparedScene>(m_request.scene);
+        m_buildMs = watch.lap();
+        m_steps   = m_path.cameras.size() * static_cast<std::size_t>(m_request.rounds + 1);
         for (const BenchAlgorithm& algorithm : m_request.algorithms)
             for (const int threads : m_request.threads)
                 for (const Simd simd : m_request.simd)
-                    for (const bool shade : shadingsOf(m_request.pictures)) m_runs.push_back(runOf(algorithm, threads, simd, shade));
+                    for (const bool shade : shadingsOf(m_request.pictures))
+                        m_runs.push_back(runOf(algorithm, threads, simd, shade));
         if (const auto done = verifyAll(); !done) return done.error();
         if (m_request.count)
             if (const auto done = countAll(); !done) return done.error();
@@ -53,7 +55,9 @@ private:
 
     Run runOf(const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade) const
     {
-        Run run{.algorithm = &algorithm, .draw = drawRequestOf(m_request, m_scene, algorithm, threads, simd, shade), .row = {}};
+        Run run{.algorithm = &algorithm,
+                .draw      = drawRequestOf(m_request, m_scene, algorithm, threads, simd, shade),
+                .row       = {}};
         run.series.frames.resize(m_path.cameras.size());
         BenchRow& row = run.row;
         row.scene     = m_request.scene->name;
@@ -61,13 +65,17 @@ private:
         row.claim     = algorithm.claim;
         row.shaded    = shade;
         row.triangles = m_request.scene->triangleCount();
-        row.pixels    = static_cast<std::uint64_t>(m_path.cameras.front().width) * static_cast<std::uint64_t>(m_path.cameras.front().height);
-        row.buildMs   = m_buildMs;
-        row.load      = m_request.load;
+        row.pixels    = static_cast<std::uint64_t>(m_path.cameras.front().width)
+                     * static_cast<std::uint64_t>(m_path.cameras.front().height);
+        row.buildMs = m_buildMs;
+        row.load    = m_request.load;
         return run;
     }
 
-    void tell(std::size_t step, const std::string& what) const { m_request.progress.at(static_cast<double>(step) / static_cast<double>(m_steps), what); }
+    void tell(std::size_t step, const std::string& what) const
+    {
+        m_request.progress.at(static_cast<double>(step) / static_cast<double>(m_steps), what);
+    }
 
     Result<FrameReport> draw(Run& run, std::size_t frame)
     {
@@ -81,7 +89,8 @@ private:
         for (std::size_t frame = 0; frame < m_path.cameras.size(); ++frame) {
             tell(frame, "reference");
             if (m_request.verify)
-                if (const auto done = m_truth.find(m_request, m_path.cameras[frame], frame + 1); !done) return done.error();
+                if (const auto done = m_truth.find(m_request, m_path.cameras[frame], frame + 1); !done)
+                    return done.error();
             for (Run& run : m_runs) {
                 const auto report = draw(run, frame);
                 if (!report) return report.error();
@@ -114,7 +123,8 @@ private:
             if (counted && counted->algorithm == run.algorithm) {
                 run.row.counters    = counted->row.counters;
                 run.series.counters = counted->series.counters;
-                for (std::size_t i = 0; i < run.series.frames.size(); ++i) run.series.frames[i].counts = counted->series.frames[i].counts;
+                for (std::size_t i = 0; i < run.series.frames.size(); ++i)
+                    run.series.frames[i].counts = counted->series.frames[i].counts;
                 continue;
             }
             for (std::size_t frame = 0; frame < m_path.cameras.size(); ++frame) {
@@ -125,7 +135,8 @@ private:
                 if (!work) return work.error();
                 note(run, work->counters, run.series.frames[frame]);
             }
-            for (NamedCount& counter : run.row.counters) counter.value = (counter.value + m_path.cameras.size() / 2) / m_path.cameras.size();
+            for (NamedCount& counter : run.row.counters)
+                counter.value = (counter.value + m_path.cameras.size() / 2) / m_path.cameras.size();
             counted = &run;
         }
         return Done{};
@@ -136,8 +147,10 @@ private:
     {
         for (const NamedCount& counter : counters) {
             const auto known = std::ranges::find(run.row.counters, counter.name, &NamedCount::name);
-            if (known == run.row.counters.end()) run.row.counters.push_back(counter);
-            else known->value += counter.value;
+            if (known == run.row.counters.end())
+                run.row.counters.push_back(counter);
+            else
+                known->value += counter.value;
         }
         if (run.series.counters.empty()) run.series.counters.assign(kTold.begin(), kTold.end());
         for (const std::string& name : run.series.counters) {

@@ -30,7 +30,8 @@ bool showsItsBack(const Part& part)
 }
 
 /// What one part is to a pixel that lies in its box.
-std::optional<Cover> coverOf(const Part& part, PixelPosition p, float depth, bool isTransparent, const View& view, FaceCulling culling)
+std::optional<Cover> coverOf(const Part& part, PixelPosition p, float depth, bool isTransparent, const View& view,
+                             FaceCulling culling)
 {
     if (!coversWithHoles(part, p.x, p.y)) return std::nullopt;
     if (culling == FaceCulling::Back && showsItsBack(part)) return Cover::BackFace;
@@ -50,7 +51,7 @@ public:
         if (box.isEmpty()) return false;
         double lo = HUGE_VAL, hi = -HUGE_VAL;
         for (int i = 0; i < 8; ++i) {
-            const dvec3 q{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
+            const dvec3  q{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
             const double z = viewOf(toWorld(q)).z;
             lo = std::min(lo, z), hi = std::max(hi, z);
         }
@@ -62,7 +63,8 @@ public:
         const Mesh&          mesh = m_scene.meshOf(instance);
         std::array<dvec3, 3> corners;
         for (std::size_t i = 0; i < 3; ++i)
-            corners[i] = viewOf(m_scene.instances[instance.value].toWorld(mesh.positions[mesh.triangles[meshTriangle][i]]));
+            corners[i] =
+                viewOf(m_scene.instances[instance.value].toWorld(mesh.positions[mesh.triangles[meshTriangle][i]]));
         return corners;
     }
 
@@ -70,9 +72,10 @@ public:
     std::optional<float> meets(const std::array<dvec3, 3>& corners, PixelPosition p) const
     {
         if (std::ranges::all_of(corners, [](const dvec3& v) { return v.z <= 0; })) return std::nullopt;
-        const dvec3  ray{(p.x + 0.5) - m_camera.width * 0.5, m_camera.height * 0.5 - (p.y + 0.5), m_camera.height * 0.5 * m_camera.focal};
+        const dvec3  ray{(p.x + 0.5) - m_camera.width * 0.5, m_camera.height * 0.5 - (p.y + 0.5),
+                        m_camera.height * 0.5 * m_camera.focal};
         const dvec3  e1 = corners[1] - corners[0], e2 = corners[2] - corners[0];
-        const dvec3  h  = glm::cross(ray, e2);
+        const dvec3  h   = glm::cross(ray, e2);
         const double det = glm::dot(e1, h);
         if (det == 0) return std::nullopt;
         const double u = -glm::dot(corners[0], h) / det;
@@ -104,13 +107,14 @@ bool mayBeCut(Fate fate, const std::vector<Part>& parts)
     });
 }
 
-/// Fills `parts` for a transparent triangle too; tells what it is. One that leaves nothing counts as without area unless it
-/// lies behind the near plane.
+/// Fills `parts` for a transparent triangle too; tells what it is. One that leaves nothing counts as without area
+/// unless it lies behind the near plane.
 struct Geometry {
     Fate fate;
     bool isTransparent;
 };
-Geometry geometryOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view, Fate fate, std::vector<Part>& parts)
+Geometry geometryOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view, Fate fate,
+                    std::vector<Part>& parts)
 {
     if (fate != Fate::Transparent) return {fate, false};
     transparentPartsOf(scene, instance, meshTriangle, view, parts);
@@ -134,7 +138,8 @@ void keepBest(std::vector<PixelCover>& covers)
 
 std::string_view wordOf(Cover cover)
 {
-    constexpr std::array<std::string_view, 6> words{"opaque", "transparent", "beyond-far", "hole", "back-face", "before-near"};
+    constexpr std::array<std::string_view, 6> words{"opaque", "transparent", "beyond-far",
+                                                    "hole",   "back-face",   "before-near"};
     return words[static_cast<std::size_t>(cover)];
 }
 
@@ -152,29 +157,33 @@ Result<std::vector<std::vector<PixelCover>>> coversOf(const Scene& scene, const 
     const auto reachesAPoint = [&](InstanceId i) {
         const Instance& instance = scene.instances[i.value];
         const Bounds&   box      = boxes[instance.mesh.value];
-        return rows.within(reachOf(box, instance.toWorld, view), [](auto) {}) || beforeNear.mayHold(box, instance.toWorld);
+        return rows.within(reachOf(box, instance.toWorld, view), [](auto) {})
+               || beforeNear.mayHold(box, instance.toWorld);
     };
     const auto add = [&all](std::uint32_t point, const PixelCover& cover) {
 #pragma omp critical(zscope_pixel_covers)
         all[point].push_back(cover);
     };
-    const auto done = forEachTriangle(scene, view, progress, reachesAPoint, [&](std::uint32_t id, Fate fate, const std::vector<Part>& opaque) {
-        std::vector<Part>   transparent;
-        const InstanceId    instance     = scene.instanceOf(TriangleId{id});
-        const std::uint32_t meshTriangle = id - scene.firstTriangle[instance.value];
-        const Geometry      geometry     = geometryOf(scene, instance, meshTriangle, view, fate, transparent);
-        const auto&         parts        = geometry.isTransparent ? transparent : opaque;
-        for (const Part& part : parts)
-            rows.within(part.box(), [&](std::uint32_t point) {
-                const PixelPosition p     = points[point];
-                const float         depth = part.depth(p.x, p.y);
-                if (const auto cover = coverOf(part, p, depth, geometry.isTransparent, view, faceCulling)) add(point, {TriangleId{id}, *cover, depth});
-            });
-        if (!mayBeCut(geometry.fate, parts)) return;
-        const std::array<dvec3, 3> corners = beforeNear.cornersOf(instance, meshTriangle);
-        for (std::uint32_t point = 0; point < points.size(); ++point)
-            if (const auto depth = beforeNear.meets(corners, points[point])) add(point, {TriangleId{id}, Cover::BeforeNear, *depth});
-    });
+    const auto done = forEachTriangle(
+        scene, view, progress, reachesAPoint, [&](std::uint32_t id, Fate fate, const std::vector<Part>& opaque) {
+            std::vector<Part>   transparent;
+            const InstanceId    instance     = scene.instanceOf(TriangleId{id});
+            const std::uint32_t meshTriangle = id - scene.firstTriangle[instance.value];
+            const Geometry      geometry     = geometryOf(scene, instance, meshTriangle, view, fate, transparent);
+            const auto&         parts        = geometry.isTransparent ? transparent : opaque;
+            for (const Part& part : parts)
+                rows.within(part.box(), [&](std::uint32_t point) {
+                    const PixelPosition p     = points[point];
+                    const float         depth = part.depth(p.x, p.y);
+                    if (const auto cover = coverOf(part, p, depth, geometry.isTransparent, view, faceCulling))
+                        add(point, {TriangleId{id}, *cover, depth});
+                });
+            if (!mayBeCut(geometry.fate, parts)) return;
+            const std::array<dvec3, 3> corners = beforeNear.cornersOf(instance, meshTriangle);
+            for (std::uint32_t point = 0; point < points.size(); ++point)
+                if (const auto depth = beforeNear.meets(corners, points[point]))
+                    add(point, {TriangleId{id}, Cover::BeforeNear, *depth});
+        });
     if (!done) return done.error();
     for (std::vector<PixelCover>& covers : all) keepBest(covers);
     return all;
@@ -201,13 +210,18 @@ TriangleCovers coversOf(const Scene& scene, const Camera& camera, FaceCulling fa
             for (int x = part.box().x0; x <= part.box().x1; ++x) {
                 const PixelPosition p{x, y};
                 const float         depth = part.depth(x, y);
-                if (const auto cover = coverOf(part, p, depth, geometry.isTransparent, view, faceCulling)) found.push_back({p, {triangle, *cover, depth}});
+                if (const auto cover = coverOf(part, p, depth, geometry.isTransparent, view, faceCulling))
+                    found.push_back({p, {triangle, *cover, depth}});
             }
     std::ranges::sort(found, [](const auto& a, const auto& b) {
-        const auto key = [](const auto& f) { return std::tuple(f.first.y, f.first.x, f.second.cover, -f.second.depth); };
+        const auto key = [](const auto& f) {
+            return std::tuple(f.first.y, f.first.x, f.second.cover, -f.second.depth);
+        };
         return key(a) < key(b);
     });
-    found.erase(std::unique(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), found.end());
+    found.erase(
+        std::unique(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+        found.end());
     for (const auto& [p, cover] : found) {
         covers.beyondFar += cover.cover == Cover::BeyondFar;
         covers.holes += cover.cover == Cover::Hole;

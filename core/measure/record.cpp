@@ -20,7 +20,10 @@ constexpr int kForm = 1;
 
 Json toJson(const ExperimentText& text) { return {{"en", text.english}, {"zh_CN", text.chinese}}; }
 
-ExperimentText textOf(const Json& json) { return {json.at("en").get<std::string>(), json.at("zh_CN").get<std::string>()}; }
+ExperimentText textOf(const Json& json)
+{
+    return {json.at("en").get<std::string>(), json.at("zh_CN").get<std::string>()};
+}
 
 /// From JSON; knows which case it was reading when an exception ends it.
 class RecordReader {
@@ -37,8 +40,8 @@ public:
         json.at("program").at("version").get_to(head.version);
         json.at("program").at("compiler").get_to(head.compiler);
         json.at("machine").at("processor").get_to(head.processor);
-        head.cores     = wholeOf<unsigned>(json.at("machine").at("cores"));
-        head.caseCount = wholeOf<std::size_t>(json.at("case_count"), 1, kMaxCases);
+        head.cores        = wholeOf<unsigned>(json.at("machine").at("cores"));
+        head.caseCount    = wholeOf<std::size_t>(json.at("case_count"), 1, kMaxCases);
         const Json& cases = listOf(json.at("cases"));
         for (m_case = 0; *m_case < cases.size(); ++*m_case) {
             RecordCase one = caseOf(cases[*m_case], head.caseCount);
@@ -56,8 +59,8 @@ public:
         const Result<JsonValue> whole = parseJson(text, {});
         const auto*             top   = whole ? whole->object() : nullptr;
         if (!top) return 0;
-        const auto cases = std::ranges::find(*top, "cases", &JsonMember::first);
-        const auto* list = cases == top->end() ? nullptr : cases->second.array();
+        const auto  cases = std::ranges::find(*top, "cases", &JsonMember::first);
+        const auto* list  = cases == top->end() ? nullptr : cases->second.array();
         return m_case && list && *m_case < list->size() ? (*list)[*m_case].line : whole->line;
     }
 
@@ -79,8 +82,8 @@ private:
             throw Json::other_error::create(501, "no rows", &json);
         }
         if (json.contains("word")) {  // older records have no view
-            one.word        = json.at("word").get<std::string>();
-            one.faceCulling = json.at("cull") == "back" ? FaceCulling::Back : FaceCulling::None;
+            one.word          = json.at("word").get<std::string>();
+            one.faceCulling   = json.at("cull") == "back" ? FaceCulling::Back : FaceCulling::None;
             const auto camera = cameraFromJson(json.at("camera").dump(), "record");
             if (!camera) throw Json::other_error::create(501, "no camera", &json);
             one.camera = *camera;
@@ -98,7 +101,8 @@ std::string processorName()
 {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+        if (line.starts_with("model name") && line.find(": ") != std::string::npos)
+            return line.substr(line.find(": ") + 2);
     return "unknown processor";
 }
 
@@ -120,10 +124,12 @@ std::string whyNotComparable(const RecordHead& a, const RecordHead& b)
     const auto differ = [](std::string_view what, const auto& one, const auto& other) {
         return one == other ? std::string() : fmt::format("{} differs: {} and {}", what, one, other);
     };
-    if (a.digest != b.digest) return fmt::format("they answer different questions: '{}' and '{}'", a.title.english, b.title.english);
-    for (const std::string& why : {differ("the program's version", a.version, b.version), differ("its compiler", a.compiler, b.compiler),
-                                   differ("the processor", a.processor, b.processor), differ("the number of cores", a.cores, b.cores),
-                                   differ("the number of cases", a.caseCount, b.caseCount)})
+    if (a.digest != b.digest)
+        return fmt::format("they answer different questions: '{}' and '{}'", a.title.english, b.title.english);
+    for (const std::string& why :
+         {differ("the program's version", a.version, b.version), differ("its compiler", a.compiler, b.compiler),
+          differ("the processor", a.processor, b.processor), differ("the number of cores", a.cores, b.cores),
+          differ("the number of cases", a.caseCount, b.caseCount)})
         if (!why.empty()) return why;
     return {};
 }
@@ -146,15 +152,15 @@ std::string recordToJson(const Record& record)
     Json              cases = Json::array();
     for (const RecordCase& each : record.cases) {
         Json one{{"index", each.index},
-                         {"part", toJson(each.part)},
-                         {"scene", each.scene},
-                         {"x", toJson(each.x)},
-                         {"place", each.place},
-                         {"scene_digest", each.sceneDigest},
-                         {"path_digest", each.pathDigest},
-                         {"width", each.width},
-                         {"height", each.height},
-                         {"rows", Json::parse(each.rows)}};
+                 {"part", toJson(each.part)},
+                 {"scene", each.scene},
+                 {"x", toJson(each.x)},
+                 {"place", each.place},
+                 {"scene_digest", each.sceneDigest},
+                 {"path_digest", each.pathDigest},
+                 {"width", each.width},
+                 {"height", each.height},
+                 {"rows", Json::parse(each.rows)}};
         if (!each.word.empty()) {
             one["word"]   = each.word;
             one["cull"]   = each.faceCulling == FaceCulling::Back ? "back" : "none";
@@ -163,7 +169,11 @@ std::string recordToJson(const Record& record)
         cases.push_back(std::move(one));
     }
     const Json all{{"record", kForm},
-                   {"experiment", {{"title", toJson(head.title)}, {"question", toJson(head.question)}, {"baseline", head.baseline}, {"digest", head.digest}}},
+                   {"experiment",
+                    {{"title", toJson(head.title)},
+                     {"question", toJson(head.question)},
+                     {"baseline", head.baseline},
+                     {"digest", head.digest}}},
                    {"program", {{"version", head.version}, {"compiler", head.compiler}}},
                    {"machine", {{"processor", head.processor}, {"cores", head.cores}}},
                    {"case_count", head.caseCount},
@@ -175,20 +185,28 @@ Result<Record> recordFromJson(const std::string& text, const std::string& file)
 {
     RecordReader reader;
     try {
-        // Text is made of values again, level by level of the stack: what lies too deep for that is left out, and refused.
+        // Text is made of values again, level by level of the stack: what lies too deep for that is left out, and
+        // refused.
         bool       isTooDeep = false;
         const Json json      = Json::parse(text, [&isTooDeep](int depth, Json::parse_event_t, const Json&) {
             isTooDeep = isTooDeep || depth > kMaxJsonDepth;
             return depth <= kMaxJsonDepth;
         });
         if (isTooDeep) return parseJson(text, file).error();
-        if (text.find('\0') != std::string::npos) return parseJson(text, file).error();  // this parser would take it for the end
+        // this parser would take it for the end
+        if (text.find('\0') != std::string::npos) return parseJson(text, file).error();
         if (!json.is_object() || !json.contains("record"))
-            return Error{Trouble::Input, "this is no record of an experiment: 'bench --experiment' makes them", file, 1};
-        if (json.at("record") != kForm) return Error{Trouble::Input, "this record has a form that this version does not know", file, reader.line(text)};
+            return Error{Trouble::Input, "this is no record of an experiment: 'bench --experiment' makes them", file,
+                         1};
+        if (json.at("record") != kForm)
+            return Error{Trouble::Input, "this record has a form that this version does not know", file,
+                         reader.line(text)};
         return reader.read(json);
     } catch (const Json::parse_error& error) {
-        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())), '\n');
+        const auto line =
+            1
+            + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
+                         '\n');
         return Error{Trouble::Input, "this is not JSON, or only part of it", file, static_cast<int>(line)};
     } catch (const Json::exception&) {
         return Error{Trouble::Input, reader.trouble(), file, reader.line(text)};
@@ -201,17 +219,21 @@ Result<Record> joined(std::span<const NamedRecord> records)
     const std::string& first = records.front().file;
     for (const NamedRecord& other : records.subspan(1)) {
         if (const std::string why = whyNotComparable(all.head, other.record.head); !why.empty())
-            return Error{Trouble::Input, fmt::format("this record cannot be joined with '{}': {}", first, why), other.file};
+            return Error{Trouble::Input, fmt::format("this record cannot be joined with '{}': {}", first, why),
+                         other.file};
         for (const RecordCase& each : other.record.cases) {
             const RecordCase* known = all.find(each.index);
             if (!known) {
                 all.add(each);
             } else if (known->sceneDigest != each.sceneDigest) {
                 return Error{Trouble::Input,
-                             fmt::format("its scene '{}' is not the one of '{}': their digests are {} and {}", each.scene, first, each.sceneDigest, known->sceneDigest),
+                             fmt::format("its scene '{}' is not the one of '{}': their digests are {} and {}",
+                                         each.scene, first, each.sceneDigest, known->sceneDigest),
                              other.file};
             } else if (known->pathDigest != each.pathDigest) {
-                return Error{Trouble::Input, fmt::format("its camera path for '{}' is not the one of '{}'", each.scene, first), other.file};
+                return Error{Trouble::Input,
+                             fmt::format("its camera path for '{}' is not the one of '{}'", each.scene, first),
+                             other.file};
             }
         }
     }
@@ -246,7 +268,8 @@ std::optional<Pipeline> pipelineNamed(std::string_view name)
 Result<std::vector<BenchRow>> rowsOf(const RecordCase& measured)
 {
     auto rows = benchFromJson(measured.rows);
-    if (!rows) return Error{Trouble::Input, fmt::format("the rows of '{}' are not those of a benchmark", measured.scene)};
+    if (!rows)
+        return Error{Trouble::Input, fmt::format("the rows of '{}' are not those of a benchmark", measured.scene)};
     for (BenchRow& row : *rows) row.scene = measured.scene;
     return rows;
 }

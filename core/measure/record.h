@@ -1,11 +1,12 @@
-// What an experiment measured: one JSON file that grows case by case, can be gone on with after an interruption, and can be
-// joined with those of other machines of the same kind.
+// What an experiment measured: one JSON file that grows case by case, can be gone on with after an interruption, and
+// can be joined with those of other machines of the same kind.
 //
-// Form       {"record":1,"experiment":{title, question, baseline, digest},"program":{version, compiler},"machine":{processor,
-//            cores},"case_count":N,"cases":[{"index","part","scene","x","scene_digest","path_digest","word","camera","cull",
-//            "width","height","rows":[...]}...]}, cases by rising index; rows as benchToJson() writes them
-// Comparable only records of one experiment, program and kind of machine; a case that is in two of them must have been measured
-//            on the same scene, along the same camera path
+// Form       {"record":1,"experiment":{title, question, baseline, digest},
+//            "program":{version, compiler},"machine":{processor, cores},"case_count":N,
+//            "cases":[{"index","part","scene","x","scene_digest","path_digest","word","camera","cull","width","height",
+//            "rows":[...]}...]}, cases by rising index; rows as benchToJson() writes them
+// Comparable only records of one experiment, program and kind of machine; a case that is in two of them must have been
+//            measured on the same scene, along the same camera path
 // Errors     one sentence that names the file and what differs
 #pragma once
 
@@ -26,11 +27,11 @@ inline constexpr std::uint64_t kMaxRecordFile = std::uint64_t{1} << 30;  // byte
 /// What must be the same for times to be compared.
 struct RecordHead {
     ExperimentText title, question;
-    std::string    baseline, digest;     // as Experiment
-    std::string    version, compiler;    // of this program
-    std::string    processor;            // as the system calls it
+    std::string    baseline, digest;   // as Experiment
+    std::string    version, compiler;  // of this program
+    std::string    processor;          // as the system calls it
     unsigned       cores     = 1;
-    std::size_t    caseCount = 0;        // of the whole experiment
+    std::size_t    caseCount = 0;  // of the whole experiment
 };
 /// Of the program that runs and the machine it runs on.
 RecordHead recordHeadFor(const Experiment& experiment);
@@ -41,15 +42,16 @@ std::string whyNotComparable(const RecordHead& a, const RecordHead& b);
 
 struct RecordCase {
     std::size_t    index = 0;
-    ExperimentText part, x;       // x: what `place` means
+    ExperimentText part, x;  // x: what `place` means
     std::string    scene, sceneDigest;
-    double         place = 0;     // of the scene on the axis of a growth curve; its number in the part where it has none
-    int            width = 0, height = 0;
-    std::string    pathDigest = {};  // of the camera path; empty: one view
-    std::string    word = {};     // that loads the scene; empty: a record of before there was one
-    Camera         camera = {};   // of the view, or of the path's first frame
-    FaceCulling    faceCulling = FaceCulling::None;
-    std::string    rows;          // JSON, an array
+    // of the scene on the axis of a growth curve; its number in the part where it has none
+    double      place = 0;
+    int         width = 0, height = 0;
+    std::string pathDigest  = {};  // of the camera path; empty: one view
+    std::string word        = {};  // that loads the scene; empty: a record of before there was one
+    Camera      camera      = {};  // of the view, or of the path's first frame
+    FaceCulling faceCulling = FaceCulling::None;
+    std::string rows;  // JSON, an array
 };
 
 struct Record {

@@ -17,8 +17,8 @@ template <class Visit>
 void forEachCovered(const Part& part, const Visit& visit)
 {
     const definition::PixelBox& box = part.box();
-    const auto& [p, q, r] = part.sides();
-    const auto rowIsOutside = [&box](const Side& side, int y) {  // the edge function is linear: its ends decide
+    const auto& [p, q, r]           = part.sides();
+    const auto rowIsOutside         = [&box](const Side& side, int y) {  // the edge function is linear: its ends decide
         return side.at(box.x0, y) < 0 && side.at(box.x1, y) < 0;
     };
     for (int y = box.y0; y <= box.y1; ++y) {
@@ -40,18 +40,20 @@ Result<Picture> referencePicture(const Scene& scene, const Camera& camera, FaceC
 try {
     const View   view(camera, faceCulling);
     Grid<Winner> winners(camera.width, camera.height, 0);
-    const auto   drawn = forEachTriangle(
-        scene, view, progress, everyInstance, [&](std::uint32_t id, Fate, const std::vector<Part>& parts) {
-            for (const Part& part : parts) {
-                forEachCovered(part, [&](int x, int y) {
-                    const float depth = part.depth(x, y);
-                    if (depth >= view.farDepth) offer(winners.at(x, y), winnerOf(depth, id));
-                });
-            }
-        });
+    const auto   drawn = forEachTriangle(scene, view, progress, everyInstance,
+                                         [&](std::uint32_t id, Fate, const std::vector<Part>& parts) {
+                                           for (const Part& part : parts) {
+                                               forEachCovered(part, [&](int x, int y) {
+                                                   const float depth = part.depth(x, y);
+                                                   if (depth >= view.farDepth)
+                                                       offer(winners.at(x, y), winnerOf(depth, id));
+                                               });
+                                           }
+                                       });
     if (!drawn) return drawn.error();
 
-    Picture picture{.ids = Grid<std::int64_t>(camera.width, camera.height), .depth = Grid<float>(camera.width, camera.height)};
+    Picture picture{.ids   = Grid<std::int64_t>(camera.width, camera.height),
+                    .depth = Grid<float>(camera.width, camera.height)};
     for (std::size_t i = 0; i < winners.values().size(); ++i) {
         const SampleTruth truth   = truthOf(winners.values()[i]);
         picture.ids.values()[i]   = truth.id;
@@ -66,10 +68,10 @@ Result<TriangleFates> referenceFates(const Scene& scene, const Camera& camera, F
                                      const Progress& progress)
 {
     std::array<std::atomic<std::uint64_t>, 6> counts{};
-    const auto done = forEachTriangle(scene, View(camera, faceCulling), progress, everyInstance,
-                                      [&](std::uint32_t, Fate fate, const std::vector<Part>&) {
-                                          ++counts[static_cast<std::size_t>(fate)];
-                                      });
+    const auto                                count = [&](std::uint32_t, Fate fate, const std::vector<Part>&) {
+        ++counts[static_cast<std::size_t>(fate)];
+    };
+    const auto done = forEachTriangle(scene, View(camera, faceCulling), progress, everyInstance, count);
     if (!done) return done.error();
     const auto of = [&counts](Fate fate) { return counts[static_cast<std::size_t>(fate)].load(); };
     return TriangleFates{.drawn       = of(Fate::Drawn),

@@ -43,8 +43,7 @@ struct SampleTruth {
 /// their order. Tests every triangle of every instance that can reach a point; memory per point and thread only,
 /// so scenes far too large to draw by brute force can be judged. Errors: Cancelled.
 Result<std::vector<SampleTruth>> referenceSamples(const Scene& scene, const Camera& camera, FaceCulling faceCulling,
-                                                  std::span<const PixelPosition> points,
-                                                  const Progress& progress = {});
+                                                  std::span<const PixelPosition> points, const Progress& progress = {});
 
 /// A triangle that covers a pixel, whether or not it is seen there.
 struct CoveringTriangle {

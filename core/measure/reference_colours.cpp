@@ -41,7 +41,8 @@ Result<std::vector<Fragment>> transparentFragments(const Scene& scene, const Cam
                         if (!part.covers(x, y)) continue;
                         const float depth = part.depth(x, y);
                         if (depth < view.farDepth || depth <= opaque.depth.at(x, y)) continue;
-                        all.push_back({static_cast<std::uint32_t>(y * camera.width + x), depth, scene.firstTriangle[i] + t});
+                        all.push_back(
+                            {static_cast<std::uint32_t>(y * camera.width + x), depth, scene.firstTriangle[i] + t});
                     }
                 }
             }
@@ -72,7 +73,7 @@ void lay(std::uint32_t over, float opacity, std::array<float, 3>& channels)
 {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto source = static_cast<float>(over >> (16 - 8 * i) & 0xFFu);
-        channels[i] = channels[i] + (source - channels[i]) * opacity;
+        channels[i]       = channels[i] + (source - channels[i]) * opacity;
     }
 }
 
@@ -83,7 +84,8 @@ Result<Grid<std::uint32_t>> referenceColours(const Scene& scene, const Camera& c
 try {
     Grid<std::uint32_t> colours(camera.width, camera.height, kBackgroundColour);
     for (std::size_t i = 0; i < colours.values().size(); ++i)
-        if (const std::int64_t id = opaque.ids.values()[i]; id >= 0) colours.values()[i] = shaded(scene, static_cast<std::uint32_t>(id));
+        if (const std::int64_t id = opaque.ids.values()[i]; id >= 0)
+            colours.values()[i] = shaded(scene, static_cast<std::uint32_t>(id));
 
     const auto fragments = transparentFragments(scene, camera, faceCulling, opaque, progress);
     if (!fragments) return fragments.error();
@@ -110,7 +112,8 @@ ColourFigures compareColours(const Grid<std::uint32_t>& reference, const Grid<st
         if (a == b) continue;
         ++figures.wrong;
         for (const int shift : {0, 8, 16})
-            figures.maxChannel = std::max(figures.maxChannel, std::abs(static_cast<int>(a >> shift & 0xFFu) - static_cast<int>(b >> shift & 0xFFu)));
+            figures.maxChannel = std::max(figures.maxChannel, std::abs(static_cast<int>(a >> shift & 0xFFu)
+                                                                       - static_cast<int>(b >> shift & 0xFFu)));
     }
     return figures;
 }

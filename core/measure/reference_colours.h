@@ -1,8 +1,8 @@
-// The colours of the definition, by brute force: every opaque pixel from its triangle, and every transparent triangle against
-// every pixel of its box, fragments sorted and blended. What blending is held against.
+// The colours of the definition, by brute force: every opaque pixel from its triangle, and every transparent triangle
+// against every pixel of its box, fragments sorted and blended. What blending is held against.
 //
-// Promise    the colours of docs/correctness.md, Polygons, last point, to the bit; shares with the renderer only the shaded
-//            colour of a triangle (core/shade/colour_table.h)
+// Promise    the colours of docs/correctness.md, Polygons, last point, to the bit; shares with the renderer only the
+//            shaded colour of a triangle (core/shade/colour_table.h)
 // Cost       as referencePicture(), and 12 bytes per transparent fragment
 #pragma once
 

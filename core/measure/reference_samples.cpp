@@ -33,17 +33,18 @@ Result<std::vector<SampleTruth>> referenceSamples(const Scene& scene, const Came
         const Instance& instance = scene.instances[i.value];
         return rows.within(reachOf(boxes[instance.mesh.value], instance.toWorld, view), [](auto) {});
     };
-    const auto done = forEachTriangle(
-        scene, view, progress, reachesAPoint, [&](std::uint32_t id, Fate, const std::vector<Part>& parts) {
-            for (const Part& part : parts) {
-                rows.within(part.box(), [&](std::uint32_t point) {
-                    const PixelPosition p = points[point];
-                    if (!part.covers(p.x, p.y)) return;
-                    const float depth = part.depth(p.x, p.y);
-                    if (depth >= view.farDepth) offer(winners[point], winnerOf(depth, id));
-                });
-            }
-        });
+    const auto done = forEachTriangle(scene, view, progress, reachesAPoint,
+                                      [&](std::uint32_t id, Fate, const std::vector<Part>& parts) {
+                                          for (const Part& part : parts) {
+                                              rows.within(part.box(), [&](std::uint32_t point) {
+                                                  const PixelPosition p = points[point];
+                                                  if (!part.covers(p.x, p.y)) return;
+                                                  const float depth = part.depth(p.x, p.y);
+                                                  if (depth >= view.farDepth)
+                                                      offer(winners[point], winnerOf(depth, id));
+                                              });
+                                          }
+                                      });
     if (!done) return done.error();
 
     std::vector<SampleTruth> truths;

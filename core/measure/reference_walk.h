@@ -1,5 +1,5 @@
-// What the reference pictures and the reference samples share: the walk over all triangles, the points in rows, and the rule
-// that finds the winner. For core/measure only.
+// What the reference pictures and the reference samples share: the walk over all triangles, the points in rows, and the
+// rule that finds the winner. For core/measure only.
 #pragma once
 
 #include <algorithm>
@@ -39,8 +39,7 @@ inline void offer(Winner& pixel, Winner sample)
 {
     const std::atomic_ref<Winner> shared(pixel);
     Winner                        seen = shared.load(std::memory_order_relaxed);
-    while (seen < sample && !shared.compare_exchange_weak(seen, sample, std::memory_order_relaxed)) {
-    }
+    while (seen < sample && !shared.compare_exchange_weak(seen, sample, std::memory_order_relaxed)) {}
 }
 
 /// Calls body(id, fate, parts) for every triangle of the instances that are wanted, from several threads at once.
@@ -68,8 +67,7 @@ Result<Done> forEachTriangle(const Scene& scene, const View& view, const Progres
             const std::int64_t stop  = std::min<std::int64_t>(starts[next], end);
             if (id < stop && wanted(instance)) {
                 for (; id < stop; ++id) {
-                    const Fate fate =
-                        partsOf(scene, instance, static_cast<std::uint32_t>(id - start), view, parts);
+                    const Fate fate = partsOf(scene, instance, static_cast<std::uint32_t>(id - start), view, parts);
                     body(static_cast<std::uint32_t>(id), fate, parts);
                 }
             }

@@ -2,8 +2,8 @@
 //
 // Times      the median over the passes along the path; stages are those of that very frame and add up to it
 // Counters   of each view by itself, counted in a run of its own: what a second frame of the same view does
-// Lag        after a cut: how many frames show a wrong pixel before the first that shows none. A method that takes nothing over
-//            from the frame before has none
+// Lag        after a cut: how many frames show a wrong pixel before the first that shows none. A method that takes
+//            nothing over from the frame before has none
 #pragma once
 
 #include <array>
@@ -20,10 +20,10 @@ namespace zscope {
 struct SeriesFrame {
     double                             ms = 0;
     std::array<double, kStages.size()> stageMs{};
-    std::uint64_t                      covered = 0;       // pixels (or samples) where the reference shows a triangle
-    std::optional<std::uint64_t>       wrongPixels;       // as BenchRow::wrongPixels; nothing: not checked
-    std::string                        chosen;            // `auto`: the preset that drew it on the last pass
-    std::vector<std::uint64_t>         counts;            // as Series::counters; empty: not counted
+    std::uint64_t                      covered = 0;  // pixels (or samples) where the reference shows a triangle
+    std::optional<std::uint64_t>       wrongPixels;  // as BenchRow::wrongPixels; nothing: not checked
+    std::string                        chosen;       // `auto`: the preset that drew it on the last pass
+    std::vector<std::uint64_t>         counts;       // as Series::counters; empty: not counted
 
     friend bool operator==(const SeriesFrame&, const SeriesFrame&) = default;
 };
@@ -37,9 +37,9 @@ struct Lag {
 };
 
 struct Series {
-    std::vector<std::string> counters;     // names
+    std::vector<std::string> counters;  // names
     std::vector<SeriesFrame> frames;
-    std::vector<Lag>         lags;         // of every cut; empty where nothing was checked
+    std::vector<Lag>         lags;  // of every cut; empty where nothing was checked
 
     friend bool operator==(const Series&, const Series&) = default;
 };

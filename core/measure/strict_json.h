@@ -1,4 +1,5 @@
-// Numbers of a JSON file, taken for what they are: the parser's own way makes 18446744073709551615 of -1, and 2 of 2.7, without a word.
+// Numbers of a JSON file, taken for what they are: the parser's own way makes 18446744073709551615 of -1, and 2 of 2.7,
+// without a word.
 //
 // Errors     nlohmann's exceptions, as for a member that is missing
 #pragma once
@@ -17,7 +18,8 @@ template <std::integral Whole>
 Whole wholeOf(const nlohmann::ordered_json& json, Whole least = 0, Whole most = std::numeric_limits<Whole>::max())
 {
     const auto isIn = [=](auto value) { return std::cmp_less_equal(least, value) && std::cmp_less_equal(value, most); };
-    const bool fits = json.is_number_unsigned() ? isIn(json.get<std::uint64_t>()) : json.is_number_integer() && isIn(json.get<std::int64_t>());
+    const bool fits = json.is_number_unsigned() ? isIn(json.get<std::uint64_t>())
+                                                : json.is_number_integer() && isIn(json.get<std::int64_t>());
     if (!fits) throw nlohmann::ordered_json::other_error::create(501, "no such whole number", &json);
     return json.get<Whole>();
 }

@@ -2,8 +2,8 @@
 //
 // Growing    a suite is one entry in suites.cpp; `bench --suite`, `list suites` and the tests read it from there
 // Words      algorithms are names of presets, scenes are words for loadScene(), threads as in BenchRequest
-// Cameras    a view of the scene's own, or a file of ten numbers, which sets the size of the picture too; such files and
-//            models are named relative to the root of the project
+// Cameras    a view of the scene's own, or a file of ten numbers, which sets the size of the picture too; such files
+//            and models are named relative to the root of the project
 // Compared   every time is set against that of kSuiteBaseline, which is in every suite
 #pragma once
 
@@ -36,7 +36,7 @@ struct Suite {
     std::string_view                  title;  // the question, in one line
     std::span<const SuiteScene>       scenes;
     std::span<const std::string_view> algorithms;
-    std::span<const int>              threads;  // 0: one per core
+    std::span<const int>              threads;           // 0: one per core
     std::optional<FaceCulling>        faceCulling = {};  // absent: as the view says
     BenchPictures                     pictures    = BenchPictures::Shaded;
 };

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "core/geometry/transparent_surfaces.h"
 #include "core/measure/cull_audit.h"
 #include "core/measure/face_figures.h"
-#include "core/geometry/transparent_surfaces.h"
 
 namespace zscope {
 
@@ -17,9 +17,9 @@ namespace {
 
 /// The truth at all pixels, or at some.
 struct Truth {
-    Picture                    picture;
-    std::vector<PixelPosition> points;
-    std::vector<SampleTruth>   samples;
+    Picture                            picture;
+    std::vector<PixelPosition>         points;
+    std::vector<SampleTruth>           samples;
     std::optional<Grid<std::uint32_t>> colours;  // where something is transparent
 };
 
@@ -29,8 +29,7 @@ Result<Truth> truthOf(const VerifyRequest& request)
     Truth        truth;
     if (request.samples) {
         truth.points = randomPixels(request.camera, *request.samples, request.sampleSeed);
-        auto samples =
-            referenceSamples(scene, request.camera, request.faceCulling, truth.points, request.progress);
+        auto samples = referenceSamples(scene, request.camera, request.faceCulling, truth.points, request.progress);
         if (!samples) return samples.error();
         truth.samples = *std::move(samples);
     } else {
@@ -38,7 +37,8 @@ Result<Truth> truthOf(const VerifyRequest& request)
         if (!picture) return picture.error();
         truth.picture = *std::move(picture);
         if (!transparentSurfacesOf(*request.scene).isEmpty()) {
-            auto colours = referenceColours(scene, request.camera, request.faceCulling, truth.picture, request.progress);
+            auto colours =
+                referenceColours(scene, request.camera, request.faceCulling, truth.picture, request.progress);
             if (!colours) return colours.error();
             truth.colours = *std::move(colours);
         }
@@ -46,7 +46,8 @@ Result<Truth> truthOf(const VerifyRequest& request)
     return truth;
 }
 
-Result<ErrorFigures> figuresOf(const Truth& truth, const VerifyRequest& request, const Pipeline& pipeline, const Picture& test)
+Result<ErrorFigures> figuresOf(const Truth& truth, const VerifyRequest& request, const Pipeline& pipeline,
+                               const Picture& test)
 {
     const Scene& scene  = request.scene->scene();
     const bool   byFace = drawsFaces(pipeline);
@@ -64,7 +65,8 @@ Result<ErrorFigures> figuresOf(const Truth& truth, const VerifyRequest& request,
                           .testDepth      = test.depth.at(x, y)});
     }
     if (!byFace) return compare(pixels, test.ids.values());
-    return compareByFace(scene, request.camera, request.faceCulling, std::move(pixels), truth.points, test.ids.values(), request.progress);
+    return compareByFace(scene, request.camera, request.faceCulling, std::move(pixels), truth.points, test.ids.values(),
+                         request.progress);
 }
 
 std::vector<std::int64_t> visibleIds(const Truth& truth)
@@ -104,15 +106,16 @@ Camera turnedAside(Camera camera)
     return camera;
 }
 
-/// What a frame that is judged again comes after: the same view (nothing), and for whoever remembers the frame before also a
-/// cut, and a view from which the camera has just turned.
+/// What a frame that is judged again comes after: the same view (nothing), and for whoever remembers the frame before
+/// also a cut, and a view from which the camera has just turned.
 std::vector<std::optional<Camera>> viewsBefore(const DrawRequest& draw)
 {
     if (!remembersFrames(draw.pipeline)) return {std::nullopt};
     return {std::nullopt, turnedAway(draw.camera), turnedAside(draw.camera)};
 }
 
-/// Draws the request again, after the view `before` if there is one, and keeps the worse of these figures and `figures`.
+/// Draws the request again, after the view `before` if there is one, and keeps the worse of these figures and
+/// `figures`.
 Result<Done> judgeAgain(const Truth& truth, const VerifyRequest& request, Renderer& renderer, const DrawRequest& draw,
                         const std::optional<Camera>& before, Frame& frame, const Picture& first, ErrorFigures& figures)
 {
@@ -158,14 +161,14 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
     const std::vector<std::int64_t> visible = visibleIds(*truth);
     Frame                           frame;
     std::vector<VerifyRow>          rows;
-    DrawRequest draw{.scene       = request.scene,
-                     .camera      = request.camera,
-                     .faceCulling = request.faceCulling,
-                     .pipeline    = {},
-                     .shade       = truth->colours.has_value(),
-                     .memoryLimit = request.memoryLimit,
-                     .cancel      = request.progress.cancel};
-    const std::size_t total = request.algorithms.size() * request.threads.size() * request.simd.size();
+    DrawRequest                     draw{.scene       = request.scene,
+                                         .camera      = request.camera,
+                                         .faceCulling = request.faceCulling,
+                                         .pipeline    = {},
+                                         .shade       = truth->colours.has_value(),
+                                         .memoryLimit = request.memoryLimit,
+                                         .cancel      = request.progress.cancel};
+    const std::size_t               total = request.algorithms.size() * request.threads.size() * request.simd.size();
     for (const Preset& algorithm : request.algorithms) {
         draw.pipeline = algorithm.pipeline;
         std::optional<CullAudit> audit;
@@ -177,10 +180,11 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                 Renderer   renderer;
                 const auto report = renderer.draw(draw, frame);
                 if (!report) return report.error();
-                const Picture first   = pictureOf(frame.visible);
+                const Picture                first = pictureOf(frame.visible);
                 std::optional<ColourFigures> colours;  // whole faces have the colour of their first triangle
-                if (truth->colours && !drawsFaces(draw.pipeline)) colours = compareColours(*truth->colours, frame.colour);
-                auto          figures = figuresOf(*truth, request, draw.pipeline, first);
+                if (truth->colours && !drawsFaces(draw.pipeline))
+                    colours = compareColours(*truth->colours, frame.colour);
+                auto figures = figuresOf(*truth, request, draw.pipeline, first);
                 if (!figures) return figures.error();
                 for (const std::optional<Camera>& before : viewsBefore(draw)) {
                     const auto done = judgeAgain(*truth, request, renderer, draw, before, frame, first, *figures);

@@ -2,12 +2,12 @@
 // reference: the library part of `zscope-cli verify`.
 //
 // Promise    the reference is made once; every row compares all pixels, or the same sampled pixels
-// Frames     every row draws two, with a renderer of its own: a first one, and one that may use what the first left behind.
-//            Of a method with coherence it draws four more: the same again after one that looks the other way, a cut, and
-//            after one a quarter of the picture to the side. A picture that differs from the first is judged too, and the
-//            worst of them is the row's
-// Culling    a stream method that skips more than batches outside the view is audited as well, once: its verdicts against
-//            the triangles that the reference shows (core/measure/cull_audit.h)
+// Frames     every row draws two, with a renderer of its own: a first one, and one that may use what the first left
+//            behind. Of a method with coherence it draws four more: the same again after one that looks the other way,
+//            a cut, and after one a quarter of the picture to the side. A picture that differs from the first is judged
+//            too, and the worst of them is the row's
+// Culling    a stream method that skips more than batches outside the view is audited as well, once: its verdicts
+//            against the triangles that the reference shows (core/measure/cull_audit.h)
 // Colours    of a scene with transparent surfaces are judged too, unless pixels are sampled
 // Cost       one brute-force picture (or its samples), two frames per row, one serial frame per audit
 #pragma once
@@ -31,12 +31,12 @@ struct VerifyRequest {
     std::shared_ptr<const PreparedScene> scene;
     Camera                               camera;
     FaceCulling                          faceCulling = FaceCulling::None;
-    std::vector<Preset>                  algorithms;            // drawn in this order
-    std::vector<int>                     threads     = {0};     // each algorithm with each; 0: one per core
+    std::vector<Preset>                  algorithms;         // drawn in this order
+    std::vector<int>                     threads     = {0};  // each algorithm with each; 0: one per core
     std::vector<Simd>                    simd        = {Simd::Auto};
-    std::optional<std::uint64_t>         samples     = {};      // random pixels instead of all
+    std::optional<std::uint64_t>         samples     = {};  // random pixels instead of all
     std::uint64_t                        sampleSeed  = 1;
-    std::uint64_t                        memoryLimit = 0;       // bytes a frame may take; 0: as DrawRequest
+    std::uint64_t                        memoryLimit = 0;  // bytes a frame may take; 0: as DrawRequest
     Progress                             progress    = {};
 };
 
@@ -45,15 +45,15 @@ struct VerifyRow {
     Claim        claim   = Claim::Exact;
     int          threads = 1;  // as used
     Simd         simd    = Simd::Scalar;
-    ErrorFigures figures;         // by face for a method that draws whole faces (core/measure/face_figures.h)
-    /// Of the audit, or those that the picture itself betrays (ErrorFigures::falseCulls) if they are more or nothing was
-    /// audited: threads cull by stripes of their own, and the audited run has one.
+    ErrorFigures figures;  // by face for a method that draws whole faces (core/measure/face_figures.h)
+    /// Of the audit, or those that the picture itself betrays (ErrorFigures::falseCulls) if they are more or nothing
+    /// was audited: threads cull by stripes of their own, and the audited run has one.
     std::uint64_t falseCulls = 0;
     /// Where something is transparent and every pixel is compared: how the shaded picture differs.
     std::optional<ColourFigures> colours = {};
 
-    /// An exact method without any difference, or one that covers exactly what it should by face; an approximate one is not
-    /// judged, it publishes its figures.
+    /// An exact method without any difference, or one that covers exactly what it should by face; an approximate one is
+    /// not judged, it publishes its figures.
     bool passed() const
     {
         if (claim == Claim::ExactByFace) return figures.wrongCoverage() == 0;

@@ -6,9 +6,9 @@
 //              with a `grain` is a step; one without is only a fact for recorders and counters
 // Stopping     StopAt throws RunStopped right after event k: the run unwinds, and the recorders and buffers, left as
 //              they are, are the state after step k. Only serial drivers run with a probe that stops
-// Checkpoints  places where a run can begin again from copies of its structures: what else it knows there follows from its
-//              inputs and from the decisions it took before. A recorder may send it ahead to one; on the way nothing is told,
-//              nothing drawn, and decisions are looked up
+// Checkpoints  places where a run can begin again from copies of its structures: what else it knows there follows from
+//              its inputs and from the decisions it took before. A recorder may send it ahead to one; on the way
+//              nothing is told, nothing drawn, and decisions are looked up
 #pragma once
 
 #include <concepts>
@@ -21,10 +21,21 @@
 namespace zscope {
 
 template <class Recorder, class Event>
-concept observes = requires(Recorder recorder, const Event& event) { recorder.observe(event); };
+concept observes = requires(Recorder recorder, const Event& event)
+{
+    recorder.observe(event);
+};
+
+template <class Recorder, class... Events>
+concept observesAll = (observes<Recorder, Events> && ...);
 
 template <class Event>
-concept isStep = requires { { Event::grain } -> std::convertible_to<Grain>; };
+concept isStep = requires
+{
+    {
+        Event::grain
+        } -> std::convertible_to<Grain>;
+};
 
 enum class Checkpoint {
     Batch,      // before the vertices of a batch are transformed
@@ -33,9 +44,14 @@ enum class Checkpoint {
 };
 
 template <class Recorder>
-concept sendsAhead = requires(Recorder recorder, Checkpoint at) {
-    { recorder.isOnTheWay() } -> std::same_as<bool>;
-    { recorder.passesBy(at) } -> std::same_as<bool>;
+concept sendsAhead = requires(Recorder recorder, Checkpoint at)
+{
+    {
+        recorder.isOnTheWay()
+        } -> std::same_as<bool>;
+    {
+        recorder.passesBy(at)
+        } -> std::same_as<bool>;
 };
 
 struct NoProbe {
@@ -51,8 +67,7 @@ struct NoProbe {
 
     template <class Event>
     constexpr void operator()(const Event&) const noexcept
-    {
-    }
+    {}
 };
 
 /// Thrown by StopAt to unwind a stepped run; caught by the serial driver that started it.
@@ -75,8 +90,8 @@ public:
 
     std::uint64_t seen() const { return m_seen; }
     /// So many of them have happened before the run began.
-    void          beginAfter(std::uint64_t seen) { m_seen = seen; }
-    Grain         lastGrain() const { return m_lastGrain; }
+    void  beginAfter(std::uint64_t seen) { m_seen = seen; }
+    Grain lastGrain() const { return m_lastGrain; }
 
 private:
     Grain         m_grain;
@@ -85,8 +100,8 @@ private:
     Grain         m_lastGrain = Grain::Frame;
 };
 
-/// Tells each event to every recorder that observes it, in the order given; put StopAt last. At most the first recorder sends
-/// the run ahead.
+/// Tells each event to every recorder that observes it, in the order given; put StopAt last. At most the first recorder
+/// sends the run ahead.
 template <class First, class... Others>
 class Listening {
 public:

@@ -2,10 +2,11 @@
 //
 // Depth      float64 until it is stored; limited to the corners' depths, then rounded to float32 (the order does not
 //            matter: rounding is monotone and the limits are float32 values)
-// Winner     the larger key (core/depth/pixel_key.h): larger depth, on equal depth the lower rank. Lanes that are not covered keep
-//            what they have
-// Patterns   a fragment in a hole does not exist, one in a relief lies farther than its triangle. Early depth tests first, looks
-//            up what passed before anything is written, and tests what was moved again; shading first looks up all
+// Winner     the larger key (core/depth/pixel_key.h): larger depth, on equal depth the lower rank. Lanes that are not
+//            covered keep what they have
+// Patterns   a fragment in a hole does not exist, one in a relief lies farther than its triangle. Early depth tests
+//            first, looks up what passed before anything is written, and tests what was moved again; shading first
+//            looks up all
 // Far        free: background holds a value just below everything that may be kept
 #if defined(ZSCOPE_DEPTH_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_DEPTH_TEST_INL_H
@@ -43,7 +44,8 @@ inline int laneCount() { return static_cast<int>(hn::Lanes(F64())); }
 /// Rounded to float32 and back: the result of one float32 operation on float32 values, whichever way it was computed.
 inline Vec64 inFloat32(Vec64 value) { return hn::PromoteTo(F64(), hn::DemoteTo(F32(), value)); }
 
-/// The upper halves of the keys of stored depths, their lower halves 0. `kMayBeNegative`: if not, a float32's own bits are in order.
+/// The upper halves of the keys of stored depths, their lower halves 0. `kMayBeNegative`: if not, a float32's own bits
+/// are in order.
 template <bool kMayBeNegative>
 HWY_INLINE Keys upperHalves(hn::Vec<F32> depth)
 {
@@ -78,13 +80,15 @@ template <Keep kKeep>
 HWY_INLINE hn::Mask<I64> winners(Keys offered, Keys held, [[maybe_unused]] float empty)
 {
     if constexpr (kKeep != Keep::Equal) return offered > held;
-    // After a pre-pass: of those with the depth that it left, the lowest rank. A depth that the far test dropped equals background's.
+    // After a pre-pass: of those with the depth that it left, the lowest rank. A depth that the far test dropped equals
+    // background's.
     const auto sameDepth = hn::AndNot(hn::Set(I64(), 0xFFFFFFFF), hn::Xor(offered, held)) == hn::Zero(I64());
     const auto better    = hn::Or(offered > held, isNobodys(held));
     return hn::And(hn::And(sameDepth, better), offered > hn::Set(I64(), keyOf(empty, 0)));
 }
 
-/// What the pixel holds after the fragment was offered. `kNormal` as in DepthTest. A depth whose sign is negative wins nowhere.
+/// What the pixel holds after the fragment was offered. `kNormal` as in DepthTest. A depth whose sign is negative wins
+/// nowhere.
 template <Keep kKeep, bool kNormal>
 HWY_INLINE Keys keptOf(Keys offered, Keys held, [[maybe_unused]] float empty)
 {
@@ -94,8 +98,8 @@ HWY_INLINE Keys keptOf(Keys offered, Keys held, [[maybe_unused]] float empty)
         return hn::IfThenElse(winners<kKeep>(offered, held, empty), offered, held);
 }
 
-/// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c in every lane. `kNormal`: so
-/// are all keys that the buffer holds (core/depth/key_order-inl.h).
+/// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c in every lane.
+/// `kNormal`: so are all keys that the buffer holds (core/depth/key_order-inl.h).
 template <Keep kKeep, class Rules, bool kNormal = false>
 class DepthTest {
     static_assert(!kNormal || (Rules::kExact && kKeep != Keep::Equal));
@@ -103,17 +107,12 @@ class DepthTest {
 public:
     /// `empty` is the depth of the background of the buffer that is tested against.
     DepthTest(const DepthPlane& plane, std::uint32_t rank, float empty, const Rules& rules)
-        : m_a(plane.a),
-          m_farthest(plane.farthest),
-          m_nearest(plane.nearest),
-          m_lower(lowerHalf<kKeep>(rank)),
-          m_rank(rank),
-          m_empty(empty),
-          m_rules(rules)
-    {
-    }
+        : m_a(plane.a), m_farthest(plane.farthest), m_nearest(plane.nearest), m_lower(lowerHalf<kKeep>(rank)),
+          m_rank(rank), m_empty(empty), m_rules(rules)
+    {}
 
-    /// a*(i + 0.5) for the pixels x, x + 1, ... of a span or box that begins at pixel `first`; those before it do not count.
+    /// a*(i + 0.5) for the pixels x, x + 1, ... of a span or box that begins at pixel `first`; those before it do not
+    /// count.
     Vec64 column(int x, [[maybe_unused]] int first) const
     {
         const auto centres = hn::Iota(F64(), 0.0) + hn::Set(F64(), x + 0.5);
@@ -125,17 +124,18 @@ public:
         return hn::Set(F64(), m_a) * centres;
     }
 
-    /// Offers the covered lanes at row[0..]; they are the pixels x, x + 1, ... of line y. Returns what is held there now.
+    /// Offers the covered lanes at row[0..]; they are the pixels x, x + 1, ... of line y. Returns what is held there
+    /// now.
     template <class Fragments, class Probe>
-    Keys offer(Vec64 column, Vec64 line, hn::Mask<F64> covered, PixelKey* row, [[maybe_unused]] int x, [[maybe_unused]] int y,
-               [[maybe_unused]] const Fragments& fragments, const Probe& probe) const
+    Keys offer(Vec64 column, Vec64 line, hn::Mask<F64> covered, PixelKey* row, [[maybe_unused]] int x,
+               [[maybe_unused]] int y, [[maybe_unused]] const Fragments& fragments, const Probe& probe) const
     {
         if constexpr (Fragments::kPatterned) {
             return offerPatterned(column, line, covered, row, x, y, fragments, probe);
         } else {
             constexpr ShadingMoment kShading = Fragments::kMoment;
-            const U32  u32;
-            const auto offered = keysOf(limited(column + line));
+            const U32               u32;
+            const auto              offered = keysOf(limited(column + line));
 
             [[maybe_unused]] auto colours = hn::Undefined(u32);
             if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
@@ -161,9 +161,16 @@ public:
                 if (hn::AllFalse(F64(), covered)) return kept;
                 const bool     wins  = !hn::AllFalse(I64(), won);
                 const PixelKey rival = hn::GetLane(held);
-                probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = depthOf(hn::GetLane(offered)), .won = wins,
-                                  .rivalRank = rankOf(rival), .rivalDepth = depthOf(rival), .keep = kKeep,
-                                  .shaded = kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins)});
+                probe(PixelTested{
+                    .x          = x,
+                    .y          = y,
+                    .triangle   = TriangleId{m_rank - 1},
+                    .depth      = depthOf(hn::GetLane(offered)),
+                    .won        = wins,
+                    .rivalRank  = rankOf(rival),
+                    .rivalDepth = depthOf(rival),
+                    .keep       = kKeep,
+                    .shaded = kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins)});
             }
             return kept;
         }
@@ -180,25 +187,25 @@ public:
     }
 
 private:
-    /// offer() for fragments that a pattern may discard or move. It never moves them nearer, so if a fragment fails where its
-    /// triangle is, it fails; if it passes there, the pattern is looked up and it is tested where it is.
+    /// offer() for fragments that a pattern may discard or move. It never moves them nearer, so if a fragment fails
+    /// where its triangle is, it fails; if it passes there, the pattern is looked up and it is tested where it is.
     template <class Fragments, class Probe>
-    Keys offerPatterned(Vec64 column, Vec64 line, hn::Mask<F64> covered, PixelKey* row, int x, int y, const Fragments& fragments,
-                        const Probe& probe) const
+    Keys offerPatterned(Vec64 column, Vec64 line, hn::Mask<F64> covered, PixelKey* row, int x, int y,
+                        const Fragments& fragments, const Probe& probe) const
     {
         constexpr bool kShadesFirst = Fragments::kMoment == ShadingMoment::BeforeTest;
-        const F64  d64;
-        const U32  u32;
-        const auto inside = hn::RebindMask(I64(), covered);
-        const auto flat   = limited(column + line);
-        const auto bound  = keysOf(flat);
-        const auto held   = hn::LoadU(I64(), row);
-        const bool moves  = fragments.moves();
+        const F64      d64;
+        const U32      u32;
+        const auto     inside = hn::RebindMask(I64(), covered);
+        const auto     flat   = limited(column + line);
+        const auto     bound  = keysOf(flat);
+        const auto     held   = hn::LoadU(I64(), row);
+        const bool     moves  = fragments.moves();
 
-        const auto looked  = kShadesFirst ? inside : hn::And(inside, moves ? mayWin(bound, held) : wins(bound, held));
-        auto       offered = bound;
+        const auto looked = kShadesFirst ? inside : hn::And(inside, moves ? mayWin(bound, held) : wins(bound, held));
+        auto offered = bound;
         auto       exists = looked, won = looked;
-        auto       kept   = held;
+        auto       kept = held;
         if (!hn::AllFalse(I64(), looked)) {
             exists = hn::AndNot(hn::RebindMask(I64(), fragments.discarded(d64, x, y)), looked);
             if (moves) offered = keysOf(fragments.moved(d64, flat, x, y));
@@ -206,17 +213,26 @@ private:
             kept = hn::IfThenElse(won, offered, held);
             hn::StoreU(kept, I64(), row);
             if constexpr (Fragments::kMoment != ShadingMoment::Never)
-                if (!hn::AllFalse(I64(), exists)) fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
+                if (!hn::AllFalse(I64(), exists))
+                    fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
         }
 
         if constexpr (Probe::listens) {
             if (hn::AllFalse(d64, covered)) return kept;
             const bool     isLookedAt = !hn::AllFalse(I64(), looked), isThere = !hn::AllFalse(I64(), exists);
             const PixelKey rival = hn::GetLane(held);
-            probe(PixelTested{.x = x, .y = y, .triangle = TriangleId{m_rank - 1}, .depth = depthOf(hn::GetLane(offered)),
-                              .won = !hn::AllFalse(I64(), won), .rivalRank = rankOf(rival), .rivalDepth = depthOf(rival), .keep = kKeep,
-                              .shaded    = kShadesFirst || (Fragments::kMoment != ShadingMoment::Never && isThere),
-                              .discarded = isLookedAt && !isThere, .moved = isThere && moves, .unmovedDepth = depthOf(hn::GetLane(bound))});
+            probe(PixelTested{.x            = x,
+                              .y            = y,
+                              .triangle     = TriangleId{m_rank - 1},
+                              .depth        = depthOf(hn::GetLane(offered)),
+                              .won          = !hn::AllFalse(I64(), won),
+                              .rivalRank    = rankOf(rival),
+                              .rivalDepth   = depthOf(rival),
+                              .keep         = kKeep,
+                              .shaded       = kShadesFirst || (Fragments::kMoment != ShadingMoment::Never && isThere),
+                              .discarded    = isLookedAt && !isThere,
+                              .moved        = isThere && moves,
+                              .unmovedDepth = depthOf(hn::GetLane(bound))});
         }
         return kept;
     }
@@ -249,10 +265,7 @@ private:
         return winners<kKeep>(offered, held, m_empty);
     }
 
-    Vec64 limited(Vec64 z) const
-    {
-        return hn::Min(hn::Max(z, hn::Set(F64(), m_farthest)), hn::Set(F64(), m_nearest));
-    }
+    Vec64 limited(Vec64 z) const { return hn::Min(hn::Max(z, hn::Set(F64(), m_farthest)), hn::Set(F64(), m_nearest)); }
 
     /// As DepthEncoding::stored(), before the last rounding to float32.
     Vec64 stored(Vec64 z) const
@@ -300,9 +313,9 @@ template <class Rules>
 class LineDepths {
 public:
     LineDepths(const DepthPlane& plane, int y, const Rules& rules)
-        : m_plane(plane), m_rules(rules), m_y(y), m_centre(hn::Set(F64(), y + 0.5)), m_b(hn::Set(F64(), plane.b)), m_c(hn::Set(F64(), plane.c))
-    {
-    }
+        : m_plane(plane), m_rules(rules), m_y(y), m_centre(hn::Set(F64(), y + 0.5)), m_b(hn::Set(F64(), plane.b)),
+          m_c(hn::Set(F64(), plane.c))
+    {}
 
     Vec64 here() const
     {

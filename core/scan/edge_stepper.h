@@ -34,7 +34,7 @@ public:
     {
         __extension__ using Wide = __int128;
         using Product            = std::conditional_t<sizeof(Integer) == 4, std::int64_t, Wide>;
-        const auto fromX = static_cast<std::int64_t>(xa), fromY = static_cast<std::int64_t>(ya);
+        const auto    fromX = static_cast<std::int64_t>(xa), fromY = static_cast<std::int64_t>(ya);
         const Product dx = static_cast<std::int64_t>(xb) - fromX, dy = static_cast<std::int64_t>(yb) - fromY;
         m_dy = static_cast<Integer>(dy);
         divide(dx * (centreOfLine(line) - fromY), dy, m_x, m_fraction);
@@ -66,8 +66,8 @@ public:
     Integer dy() const { return m_dy; }
 
 private:
-    /// Rounded towards minus infinity, remainder in [0, by). In the 32-bit case both numbers are exact in float64, whose
-    /// division is several times faster and at most one off after truncation: the remainder tells.
+    /// Rounded towards minus infinity, remainder in [0, by). In the 32-bit case both numbers are exact in float64,
+    /// whose division is several times faster and at most one off after truncation: the remainder tells.
     template <class Product>
     static void divide(Product value, Product by, Integer& quotient, Integer& remainder)
     {
@@ -95,9 +95,9 @@ class AccumulatedEdge {
 public:
     AccumulatedEdge(double xa, double ya, double xb, double yb, int line, int)
         : m_step(static_cast<float>((xb - xa) / (yb - ya) * kSubpixels)),
-          m_x(static_cast<float>(xa) + m_step * (static_cast<float>(static_cast<double>(centreOfLine(line)) - ya) / 256.0f))
-    {
-    }
+          m_x(static_cast<float>(xa)
+              + m_step * (static_cast<float>(static_cast<double>(centreOfLine(line)) - ya) / 256.0f))
+    {}
 
     void nextLine() { m_x += m_step; }
     int  firstPixel() const { return firstPixelCentreFrom(std::ceil(x32())); }

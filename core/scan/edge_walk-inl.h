@@ -22,8 +22,8 @@ namespace zscope::HWY_NAMESPACE {
 
 struct EdgeWalk {
     template <Keep kKeep, class Fragments, class Rules, class Probe>
-    static void fill(const ScreenTriangle& triangle, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
-                     const Probe& probe)
+    static void fill(const ScreenTriangle& triangle, const Fragments& fragments, VisibilityBuffer& visible,
+                     const Rules& rules, const Probe& probe)
     {
         // From top to bottom: the long side joins the first and the last, the short sides meet in the middle.
         std::array<std::size_t, 3> at{0, 1, 2};
@@ -52,9 +52,9 @@ struct EdgeWalk {
 private:
     /// Lines [first, end) between the long side and the short side from corner `top` to `bottom` (in order of y).
     template <Keep kKeep, class Stepper, class Fragments, class Rules, class Probe>
-    static void walk(const ScreenTriangle& triangle, const std::array<std::size_t, 3>& at, std::size_t top, std::size_t bottom,
-                     int first, int end, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
-                     const Probe& probe)
+    static void walk(const ScreenTriangle& triangle, const std::array<std::size_t, 3>& at, std::size_t top,
+                     std::size_t bottom, int first, int end, const Fragments& fragments, VisibilityBuffer& visible,
+                     const Rules& rules, const Probe& probe)
     {
         if (first >= end) return;
         if (rules.isSkippedAsHorizontal(triangle.x[at[top]], triangle.x[at[bottom]])) return;

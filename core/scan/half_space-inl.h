@@ -1,18 +1,21 @@
 // Scan conversion by half-spaces: a pixel is inside a triangle if it lies on the inner side of all three edges.
 //
 // Edges      values are integers below 2^53 (core/geometry/half_plane.h), so float64 lanes hold them exactly
-// Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments are shaded
-// Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when something is drawn to
-//            it, and those along the pyramid's, which are judged side by side. A tile wholly on the outer side of one edge is
-//            skipped, and one that is covered whole may be kept as a plane (tile_plane-inl.h)
+// Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments
+//            are shaded
+// Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when
+//            something is drawn to it, and those along the pyramid's, which are judged side by side. A tile wholly on
+//            the outer side of one edge is skipped, and one that is covered whole may be kept as a plane
+//            (tile_plane-inl.h)
 // Full speed where only keys are stored, and nobody listens, large-inl.h finds all of a triangle's tiles first
-// Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped (at full speed; whoever listens
-//            sees its pixels lose), and one whose pixels are all gone over tells its farthest depth, which was in registers anyway
-// Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot win
-//            is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no pixel
-//            writes to it
-// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits (at full speed only where that matters); those
-//            beyond kWidestByTiles are handed to EdgeWalk, which finds the same pixels
+// Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped (at full
+//            speed; whoever listens sees its pixels lose), and one whose pixels are all gone over tells its farthest
+//            depth, which was in registers anyway
+// Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot
+//            win is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no
+//            pixel writes to it
+// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits (at full speed only where
+//            that matters); those beyond kWidestByTiles are handed to EdgeWalk, which finds the same pixels
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #if defined(ZSCOPE_HALF_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_HALF_SPACE_INL_H
@@ -40,20 +43,24 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 struct HalfSpace {
-    /// `upkeep` (TileUpkeep) is asked whether the pyramid's tiles hide the triangle and told what becomes of them. Opens what is drawn to.
+    /// `upkeep` (TileUpkeep) is asked whether the pyramid's tiles hide the triangle and told what becomes of them.
+    /// Opens what is drawn to.
     template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
-    static void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep, VisibilityBuffer& visible,
-                     const Rules& rules, const Probe& probe)
+    static void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep,
+                     VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
-        if constexpr (kComparesAsFloats && Rules::kExact && kKeep != Keep::Equal && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned)
-            if (areNormal(visible.empty())) return fillBox<kKeep, true>(triangle, fragments, upkeep, visible, rules, probe);
+        if constexpr (kComparesAsFloats && Rules::kExact && kKeep != Keep::Equal
+                      && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned)
+            if (areNormal(visible.empty()))
+                return fillBox<kKeep, true>(triangle, fragments, upkeep, visible, rules, probe);
         fillBox<kKeep, false>(triangle, fragments, upkeep, visible, rules, probe);
     }
 
     /// The same, tile by tile of `tiles`, which is told what may have changed; `told` hears what it brings up to date.
     template <Keep kKeep, class Fragments, class Told, class Rules, class Probe>
-    static void fillByTiles(const ScreenTriangle& triangle, Pyramid& tiles, const Told& told, const Fragments& fragments,
-                            VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    static void fillByTiles(const ScreenTriangle& triangle, Pyramid& tiles, const Told& told,
+                            const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
+                            const Probe& probe)
     {
         visible.open(triangle.box);
         if (triangle.wide) {
@@ -69,14 +76,15 @@ struct HalfSpace {
         for (int top = tiles.tileAt(box.x0, box.y0).y0; top < box.y1; top += kTile) {
             for (int left = tiles.tileAt(box.x0, box.y0).x0; left < box.x1; left += kTile) {
                 if (edges.areOutside({left, top, left + kTile, top + kTile})) continue;
-                const PixelBox here{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kTile, box.x1),
+                const PixelBox   here{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kTile, box.x1),
                                     std::min(top + kTile, box.y1)};
                 const float      nearest = nearestIn(triangle.depth, here, rules);
                 const TileAnswer answer  = tiles.askTile(left, top, nearest, told);
                 probe(TileTested{here, triangle.id, nearest, answer.farthest, answer.hidden});
                 if (answer.hidden) continue;
                 for (int x = left; x < here.x1; x += laneCount())
-                    fillTile(triangle, edges, test, test.column(x, box.x0), x, here.y0, here.y1, false, fragments, visible, rules, probe);
+                    fillTile(triangle, edges, test, test.column(x, box.x0), x, here.y0, here.y1, false, fragments,
+                             visible, rules, probe);
                 tiles.touched(here);
             }
         }
@@ -86,23 +94,24 @@ private:
     static constexpr int kTile = 1 << Pyramid::kTileLevel;
 
     static constexpr std::size_t kParts = VisibilityBuffer::kTileWidth / kTile;
-    using Depths = std::array<float, kParts>;
+    using Depths                        = std::array<float, kParts>;
 
-    /// Which parts of a box in one tile of the visibility buffer are not wholly on the outer side of an edge: bit i is the i-th tile of the
-    /// pyramid in there, from the left.
+    /// Which parts of a box in one tile of the visibility buffer are not wholly on the outer side of an edge: bit i is
+    /// the i-th tile of the pyramid in there, from the left.
     static std::uint32_t partsReached(const PixelBox& box, const HalfPlanes& edges)
     {
         const F64     d64;
-        std::uint32_t all = 0;
+        std::uint32_t all      = 0;
         const int     tileLeft = VisibilityBuffer::leftOfTile(box.x0) - edges.x0;
         for (std::size_t i = 0; i < kParts; i += hn::Lanes(d64)) {
             const auto left  = countFrom(d64, static_cast<double>(i)) * hn::Set(d64, kTile) + hn::Set(d64, tileLeft);
-            const auto first = hn::Max(left, hn::Set(d64, box.x0 - edges.x0)), last = hn::Min(left + hn::Set(d64, kTile - 1), hn::Set(d64, box.x1 - 1 - edges.x0));
-            auto       reached = first <= last;
+            const auto first = hn::Max(left, hn::Set(d64, box.x0 - edges.x0)),
+                       last  = hn::Min(left + hn::Set(d64, kTile - 1), hn::Set(d64, box.x1 - 1 - edges.x0));
+            auto reached     = first <= last;
             for (const HalfPlane& plane : edges.planes) {
                 const auto   slope = hn::Set(d64, plane.perPixel);
                 const double line  = std::max(plane.at(0, box.y0 - edges.y0), plane.at(0, box.y1 - 1 - edges.y0));
-                reached            = hn::And(reached, hn::Max(first * slope, last * slope) + hn::Set(d64, line) >= hn::Zero(d64));
+                reached = hn::And(reached, hn::Max(first * slope, last * slope) + hn::Set(d64, line) >= hn::Zero(d64));
             }
             all |= bitsOf(d64, reached) << i;
         }
@@ -121,8 +130,8 @@ private:
 
     /// fill(); `kNormal` as in DepthTest.
     template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules, class Probe>
-    static void fillBox(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep, VisibilityBuffer& visible,
-                          const Rules& rules, const Probe& probe)
+    static void fillBox(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep,
+                        VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         const PixelBox& box = triangle.box;
         if (triangle.wide && !(Rules::kExact && fitsTiles(triangle))) {
@@ -131,13 +140,15 @@ private:
             upkeep.touched(box);
             return;
         }
-        const HalfPlanes fromBox{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
+        const HalfPlanes                       fromBox{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
         const DepthTest<kKeep, Rules, kNormal> test(triangle.depth, triangle.rank(), visible.empty(), rules);
-        if constexpr (kLanes == 1) {  // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
+        // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
+        if constexpr (kLanes == 1) {
             if (isShownByWindows(triangle)) {
                 visible.open(box);
                 forEachPixelByWindows(box, [&](int x, int y) {
-                    fillTile(triangle, fromBox, test, test.column(x, box.x0), x, y, y + 1, false, fragments, visible, rules, probe);
+                    fillTile(triangle, fromBox, test, test.column(x, box.x0), x, y, y + 1, false, fragments, visible,
+                             rules, probe);
                 });
                 upkeep.touched(box);
                 return;
@@ -145,8 +156,9 @@ private:
         }
         const auto fillTiles = [&](const PixelBox& pixels) {
             forEachTile(pixels, [&](const PixelBox& here) {
-                const int        left = VisibilityBuffer::leftOfTile(here.x0), top = VisibilityBuffer::topOfTile(here.y0);
-                const HalfPlanes edges = triangle.wide ? HalfPlanes{wideHalfPlanesOf(triangle, left, top), left, top} : fromBox;
+                const int left = VisibilityBuffer::leftOfTile(here.x0), top = VisibilityBuffer::topOfTile(here.y0);
+                const HalfPlanes edges =
+                    triangle.wide ? HalfPlanes{wideHalfPlanesOf(triangle, left, top), left, top} : fromBox;
                 fillStoredTile(here, triangle, edges, test, fragments, upkeep, visible, rules, probe);
             });
         };
@@ -163,14 +175,15 @@ private:
         constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
         for (int top = VisibilityBuffer::topOfTile(box.y0); top < box.y1; top += kLines)
             for (int left = VisibilityBuffer::leftOfTile(box.x0); left < box.x1; left += kWidth)
-                each(PixelBox{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kWidth, box.x1), std::min(top + kLines, box.y1)});
+                each(PixelBox{std::max(left, box.x0), std::max(top, box.y0), std::min(left + kWidth, box.x1),
+                              std::min(top + kLines, box.y1)});
     }
 
     /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
     template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules, class Probe>
     static void fillStoredTile(const PixelBox& stored, const ScreenTriangle& triangle, const HalfPlanes& edges,
-                               const DepthTest<kKeep, Rules, kNormal>& test, const Fragments& fragments, const Upkeep& upkeep,
-                               VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+                               const DepthTest<kKeep, Rules, kNormal>& test, const Fragments& fragments,
+                               const Upkeep& upkeep, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
         if (edges.areOutside(stored)) return;
@@ -190,8 +203,8 @@ private:
             const int  from = sees ? left : here.x0 & -laneCount(), end = sees ? left + kTile : here.x1;
             auto       least = hn::Set(I64(), kNearestKey);
             for (int x = from; x < end; x += laneCount())
-                least = fartherOf(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0, here.y1, sees, fragments,
-                                                           visible, rules, probe));
+                least = fartherOf(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0,
+                                                  here.y1, sees, fragments, visible, rules, probe));
             if (sees)
                 upkeep.drawnTile(left, here.y0, farthestOf(least, visible));
             else
@@ -203,14 +216,16 @@ private:
     template <class Fragments, class Rules, class Probe>
     static constexpr bool takesParts()
     {
-        return kLanes > 1 && Rules::kExact && !Probe::listens && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned;
+        return kLanes > 1 && Rules::kExact && !Probe::listens && Fragments::kMoment == ShadingMoment::Never
+               && !Fragments::kPatterned;
     }
 
     /// True if planes say of such fragments all there is to say, at full speed. Whoever listens sees pixels.
     template <Keep kKeep, class Fragments, class Rules, class Probe>
     static constexpr bool keepsPlanes()
     {
-        return kKeep == Keep::Nearest && Rules::kExact && !Probe::listens && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned;
+        return kKeep == Keep::Nearest && Rules::kExact && !Probe::listens && Fragments::kMoment == ShadingMoment::Never
+               && !Fragments::kPatterned;
     }
 
     template <class Each>
@@ -230,22 +245,23 @@ private:
         return nearestOver(plane, box);
     }
 
-    /// Lines [y, end) of the column of pixels x, x + 1, ... Returns keys with the farthest depth that each of its columns holds then, in lines
-    /// that the triangle misses only if the caller `sees` all.
+    /// Lines [y, end) of the column of pixels x, x + 1, ... Returns keys with the farthest depth that each of its
+    /// columns holds then, in lines that the triangle misses only if the caller `sees` all.
     template <Keep kKeep, bool kNormal, class Fragments, class Rules, class Probe>
-    static Keys fillTile(const ScreenTriangle& triangle, const HalfPlanes& edges, const DepthTest<kKeep, Rules, kNormal>& test, Vec64 column, int x,
-                         int y, int end, bool sees, const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+    static Keys fillTile(const ScreenTriangle& triangle, const HalfPlanes& edges,
+                         const DepthTest<kKeep, Rules, kNormal>& test, Vec64 column, int x, int y, int end, bool sees,
+                         const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
     {
-        const F64  d64;
+        const F64   d64;
         const auto& planes = edges.planes;
-        const auto lane  = countFrom(d64, x - edges.x0);
-        const auto start = [&](const HalfPlane& plane) HWY_ATTR {
+        const auto  lane   = countFrom(d64, x - edges.x0);
+        const auto  start  = [&](const HalfPlane& plane) HWY_ATTR {
             return hn::Set(d64, plane.at(0, y - edges.y0)) + lane * hn::Set(d64, plane.perPixel);
         };
         auto       least = hn::Set(I64(), kNearestKey);
         auto       e0 = start(planes[0]), e1 = start(planes[1]), e2 = start(planes[2]);
         const auto down0 = hn::Set(d64, planes[0].perLine), down1 = hn::Set(d64, planes[1].perLine),
-                   down2 = hn::Set(d64, planes[2].perLine);
+                   down2            = hn::Set(d64, planes[2].perLine);
         const std::ptrdiff_t stride = visible.stride();
         PixelKey*            row    = visible.row(y) + x;
         LineDepths           lines(triangle.depth, y, rules);

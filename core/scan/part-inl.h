@@ -1,10 +1,12 @@
 // A large triangle in one tile of the pyramid: all pixels of the tile, in passes and without a branch.
 //
-// Edges      only those that cross the tile: the others have all of it on their inner side. Values divided by 256 and rounded down, which keeps
-//            their sign (core/geometry/triangle_list.h), so that int32 holds what they change within a tile; the sign is all that is looked at
-// Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is monotone, so they may
-//            be applied after it
-// Promise    the same pixels as EdgeWalk, of the whole tile: beyond a triangle's box there is nothing inside of all three edges
+// Edges      only those that cross the tile: the others have all of it on their inner side. Values divided by 256 and
+//            rounded down, which keeps their sign (core/geometry/triangle_list.h), so that int32 holds what they change
+//            within a tile; the sign is all that is looked at
+// Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is
+//            monotone, so they may be applied after it
+// Promise    the same pixels as EdgeWalk, of the whole tile: beyond a triangle's box there is nothing inside of all
+//            three edges
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #if defined(ZSCOPE_PART_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_PART_INL_H
@@ -29,15 +31,18 @@ namespace zscope::HWY_NAMESPACE {
 
 /// The passes of a tile: each is some lines of it, or a piece of one.
 struct PartPasses {
-    static constexpr int kSide = 1 << Pyramid::kTileLevel, kColumns = std::min(kPassPixels, kSide), kLines = kPassPixels / kColumns;
+    static constexpr int kSide = 1 << Pyramid::kTileLevel, kColumns = std::min(kPassPixels, kSide),
+                         kLines = kPassPixels / kColumns;
 
-    static constexpr std::size_t              kVectors = 2 * kSide / kColumns;  // of float64 side by side: two for each pass
+    // of float64 side by side: two for each pass
+    static constexpr std::size_t              kVectors = 2 * kSide / kColumns;
     static constexpr PassLanes<double, kSide> kLanesAt{};
 
     /// Pixels from the left of the tile to those of the i-th vector.
     static Vec64 right(std::size_t i)
     {
-        return hn::Load(F64(), kLanesAt.right.data() + i % 2 * kOtherHalf) + hn::Set(F64(), static_cast<double>(i / 2) * kColumns);
+        return hn::Load(F64(), kLanesAt.right.data() + i % 2 * kOtherHalf)
+               + hn::Set(F64(), static_cast<double>(i / 2) * kColumns);
     }
     /// And down from the first line of a pass: the same for both its vectors.
     static Vec64 down() { return hn::Load(F64(), kLanesAt.down.data()); }
@@ -54,13 +59,16 @@ public:
     using Values = std::array<V, kAcross>;
 
     /// `plane` is counted from the pixel (x0, y0).
-    PartEdge(const HalfPlane& plane, int x0, int y0) : m_perPixel(whole(plane.perPixel)), m_perLine(whole(plane.perLine))
+    PartEdge(const HalfPlane& plane, int x0, int y0)
+        : m_perPixel(whole(plane.perPixel)), m_perLine(whole(plane.perLine))
     {
-        m_origin = whole(plane.origin) - m_perPixel * x0 - m_perLine * y0;
-        const auto perPixel = hn::Set(D(), static_cast<std::int32_t>(m_perPixel)), perLine = hn::Set(D(), static_cast<std::int32_t>(m_perLine));
+        m_origin            = whole(plane.origin) - m_perPixel * x0 - m_perLine * y0;
+        const auto perPixel = hn::Set(D(), static_cast<std::int32_t>(m_perPixel)),
+                   perLine  = hn::Set(D(), static_cast<std::int32_t>(m_perLine));
         for (std::size_t i = 0; i < kAcross; ++i) {
-            const auto right = hn::Load(D(), kAt.right.data()) + hn::Set(D(), static_cast<int>(i) * PartPasses::kColumns);
-            m_grown[i]       = right * perPixel + hn::Load(D(), kAt.down.data()) * perLine;
+            const auto right =
+                hn::Load(D(), kAt.right.data()) + hn::Set(D(), static_cast<int>(i) * PartPasses::kColumns);
+            m_grown[i] = right * perPixel + hn::Load(D(), kAt.down.data()) * perLine;
         }
     }
 
@@ -68,8 +76,9 @@ public:
     HWY_INLINE Values at(int x, int y) const
     {
         // What is so far inside stays there all over the tile.
-        const auto first = hn::Set(D(), static_cast<std::int32_t>(std::min(m_origin + m_perPixel * x + m_perLine * y, kFarInside)));
-        Values     values;
+        const auto first =
+            hn::Set(D(), static_cast<std::int32_t>(std::min(m_origin + m_perPixel * x + m_perLine * y, kFarInside)));
+        Values values;
         for (std::size_t i = 0; i < kAcross; ++i) values[i] = first + m_grown[i];
         return values;
     }
@@ -78,8 +87,9 @@ public:
 
 private:
     // From one pixel of a tile to another: up to 7 columns and 7 lines.
-    static constexpr std::int64_t kMostPerStep = 2 * static_cast<std::int64_t>(kGuardBand), kMostInTile = 2 * (PartPasses::kSide - 1) * kMostPerStep;
-    static constexpr std::int64_t kFarInside = 2 * kMostInTile;
+    static constexpr std::int64_t kMostPerStep = 2 * static_cast<std::int64_t>(kGuardBand),
+                                  kMostInTile  = 2 * (PartPasses::kSide - 1) * kMostPerStep;
+    static constexpr std::int64_t kFarInside   = 2 * kMostInTile;
     static_assert(kFarInside + kMostInTile <= std::numeric_limits<std::int32_t>::max());
 
     static constexpr PassLanes<std::int32_t, PartPasses::kSide> kAt{};
@@ -90,10 +100,12 @@ private:
     Values       m_grown;  // from the first pixel of a tile to those of its first passes
 };
 
-/// Tests the tile that begins at (x, y), which lies in the picture, and stores what is won. `crossing` are the edges with pixels of the tile on
-/// their outer side; `kNormal` as in DepthTest. Returns keys with the farthest depths that the tile holds then, lane by lane.
+/// Tests the tile that begins at (x, y), which lies in the picture, and stores what is won. `crossing` are the edges
+/// with pixels of the tile on their outer side; `kNormal` as in DepthTest. Returns keys with the farthest depths that
+/// the tile holds then, lane by lane.
 template <Keep kKeep, bool kNormal, std::size_t kCrossing>
-Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, kCrossing>& crossing, int x, int y, VisibilityBuffer& visible)
+Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, kCrossing>& crossing, int x, int y,
+              VisibilityBuffer& visible)
 {
     using Passes = PartPasses;
     const F64         d64;
@@ -101,15 +113,16 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, 
     const DepthPlane& depth = triangle.depth;
 
     std::array<Vec64, Passes::kVectors> columns;  // a * (i + 0.5)
-    for (std::size_t i = 0; i < Passes::kVectors; ++i) columns[i] = hn::Set(d64, depth.a) * (Passes::right(i) + hn::Set(d64, x + 0.5));
+    for (std::size_t i = 0; i < Passes::kVectors; ++i)
+        columns[i] = hn::Set(d64, depth.a) * (Passes::right(i) + hn::Set(d64, x + 0.5));
     std::array<PartEdge::Values, kCrossing> edges;
     std::array<PartEdge::V, kCrossing>      perPass;
     for (std::size_t k = 0; k < kCrossing; ++k) edges[k] = crossing[k]->at(x, y), perPass[k] = crossing[k]->perPass();
 
-    const auto farthest = hn::Set(f32, depth.farthest), nearest = hn::Set(f32, depth.nearest);
-    const auto b = hn::Set(d64, depth.b), c = hn::Set(d64, depth.c);
-    const auto lowers = lowerHalves<kKeep>(~triangle.rank());
-    const float empty = visible.empty();
+    const auto  farthest = hn::Set(f32, depth.farthest), nearest = hn::Set(f32, depth.nearest);
+    const auto  b = hn::Set(d64, depth.b), c = hn::Set(d64, depth.c);
+    const auto  lowers = lowerHalves<kKeep>(~triangle.rank());
+    const float empty  = visible.empty();
 
     const std::ptrdiff_t stride = visible.stride();
     PixelKey*            row    = visible.row(y) + x;
@@ -119,8 +132,9 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, 
         const auto start = b * centre + c;
         centre           = centre + hn::Set(d64, Passes::kLines);
         for (std::size_t i = 0; i < Passes::kVectors; i += 2) {
-            const auto found  = together(hn::DemoteTo(F32(), columns[i + 1] + start), hn::DemoteTo(F32(), columns[i] + start));
-            auto       uppers = hn::Min(hn::Max(found, farthest), nearest);
+            const auto found =
+                together(hn::DemoteTo(F32(), columns[i + 1] + start), hn::DemoteTo(F32(), columns[i] + start));
+            auto uppers = hn::Min(hn::Max(found, farthest), nearest);
             if constexpr (kCrossing > 0) {
                 const auto outside = [&edges](std::size_t pass) HWY_ATTR {
                     if constexpr (kCrossing == 1)
@@ -131,9 +145,9 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, 
                 uppers = hn::OrAnd(uppers, hn::BitCast(f32, outside(i / 2)), hn::Set(f32, -0.0f));
                 for (std::size_t k = 0; k < kCrossing; ++k) edges[k][i / 2] = edges[k][i / 2] + perPass[k];
             }
-            PixelKey* const here  = row + static_cast<int>(i / 2) * Passes::kColumns;
-            PixelKey* const other = here + kLanes / Passes::kSide * stride + kLanes % Passes::kSide;
-            const auto      keys  = keysOf(uppers, lowers);
+            PixelKey* const here      = row + static_cast<int>(i / 2) * Passes::kColumns;
+            PixelKey* const other     = here + kLanes / Passes::kSide * stride + kLanes % Passes::kSide;
+            const auto      keys      = keysOf(uppers, lowers);
             const auto      kept      = keptOf<kKeep, kNormal>(keys[0], hn::LoadU(I64(), here), empty);
             const auto      otherKept = keptOf<kKeep, kNormal>(keys[1], hn::LoadU(I64(), other), empty);
             hn::StoreU(kept, I64(), here);

@@ -1,7 +1,10 @@
-// Pixels in passes: as many at once as a vector has lanes of float32, though depths are found in float64 and keys have 64 bits.
+// Pixels in passes: as many at once as a vector has lanes of float32, though depths are found in float64 and keys have
+// 64 bits.
 //
-// Lanes      are in the order in which halves of keys have to stand to be interleaved to whole ones, so that no lane moves after that
-// Used by    windows-inl.h, whose lines are kWindowSide pixels long, and part-inl.h, whose lines are those of a tile of the pyramid
+// Lanes      are in the order in which halves of keys have to stand to be interleaved to whole ones, so that no lane
+//            moves after that
+// Used by    windows-inl.h, whose lines are kWindowSide pixels long, and part-inl.h, whose lines are those of a tile of
+//            the pyramid
 #if defined(ZSCOPE_PASS_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_PASS_LANES_INL_H
 #undef ZSCOPE_PASS_LANES_INL_H
@@ -18,12 +21,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// So many: as many edges and depths in float32 as there are lanes of it, and so two vectors each of float64 and of keys.
+/// So many: as many edges and depths in float32 as there are lanes of it, and so two vectors each of float64 and of
+/// keys.
 inline constexpr int kLanes      = static_cast<int>(hn::MaxLanes(F64()));
 inline constexpr int kPassPixels = kLanes == 1 ? 1 : 2 * kLanes;
 
 #if HWY_TARGET == HWY_SCALAR
-using Pass32                    = F32;
+using Pass32 = F32;
 constexpr int pixelOfLane(int) { return 0; }
 /// One vector of float32 from two that stand for one of float64 each: the lower one, where there is room for no more.
 inline hn::Vec<Pass32> together(hn::Vec<F32>, hn::Vec<F32> lower) { return lower; }
@@ -44,18 +48,22 @@ inline hn::Vec<Pass32> together(hn::Vec<F32> upper, hn::Vec<F32> lower) { return
 #endif
 HWY_INLINE std::array<Keys, 2> keysOf(hn::Vec<Pass32> uppers, hn::Vec<Pass32> lowers)
 {
-    return {hn::BitCast(I64(), hn::InterleaveLower(Pass32(), lowers, uppers)), hn::BitCast(I64(), hn::InterleaveUpper(Pass32(), lowers, uppers))};
+    return {hn::BitCast(I64(), hn::InterleaveLower(Pass32(), lowers, uppers)),
+            hn::BitCast(I64(), hn::InterleaveUpper(Pass32(), lowers, uppers))};
 }
-/// Which pixel of its pass, line by line, a lane of float32 is. Interleaved with another vector, the first and second lane of every
-/// four go to the first vector of keys, the third and fourth to the second; those two are the upper and the lower half.
+/// Which pixel of its pass, line by line, a lane of float32 is. Interleaved with another vector, the first and second
+/// lane of every four go to the first vector of keys, the third and fourth to the second; those two are the upper and
+/// the lower half.
 constexpr int pixelOfLane(int lane) { return lane % 4 / 2 * kLanes + lane / 4 * 2 + lane % 2; }
 #endif
 
-/// The lower half of the keys of a triangle's fragments in every lane: the complement of its rank, or of nobody's if only depths are kept.
+/// The lower half of the keys of a triangle's fragments in every lane: the complement of its rank, or of nobody's if
+/// only depths are kept.
 template <Keep kKeep>
 HWY_INLINE hn::Vec<Pass32> lowerHalves(std::uint32_t notRank)
 {
-    return hn::BitCast(Pass32(), hn::Set(hn::RebindToUnsigned<Pass32>(), kKeep == Keep::DepthOnly ? ~std::uint32_t{0} : notRank));
+    return hn::BitCast(Pass32(),
+                       hn::Set(hn::RebindToUnsigned<Pass32>(), kKeep == Keep::DepthOnly ? ~std::uint32_t{0} : notRank));
 }
 
 /// First lane of the second vector of float64.

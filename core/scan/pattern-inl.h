@@ -1,4 +1,5 @@
-// Which fragments a cut-out leaves and how far back a relief moves them, several neighbouring pixels of one line side by side.
+// Which fragments a cut-out leaves and how far back a relief moves them, several neighbouring pixels of one line side
+// by side.
 #if defined(ZSCOPE_PATTERN_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_PATTERN_INL_H
 #undef ZSCOPE_PATTERN_INL_H
@@ -33,7 +34,8 @@ InCells<F64> inCells(F64 d64, const PatternPlane& plane, double cell, int x, int
     };
     const auto weight = along(plane.g);
     const auto size   = hn::Set(d64, cell);
-    return {(hn::Set(d64, plane.u0) + along(plane.hu) / weight) / size, (hn::Set(d64, plane.v0) + along(plane.hv) / weight) / size};
+    return {(hn::Set(d64, plane.u0) + along(plane.hu) / weight) / size,
+            (hn::Set(d64, plane.v0) + along(plane.hv) / weight) / size};
 }
 
 /// True where there is a hole. No comparison is true of NaN: what cannot be told stays.
@@ -43,37 +45,42 @@ hn::Mask<F64> isHole(F64 d64, CutoutPattern pattern, const InCells<F64>& at)
     const auto& [a, b] = at;
     const auto half    = hn::Set(d64, 0.5);
     switch (pattern) {
-    case CutoutPattern::Checker: {
-        const auto pairs = (hn::Floor(a) + hn::Floor(b)) * half;  // a whole number in every other cell
-        return pairs - hn::Floor(pairs) > hn::Set(d64, 0.25);
-    }
-    case CutoutPattern::Stripes: return a - hn::Floor(a) >= half;
-    case CutoutPattern::Holes: break;
+        case CutoutPattern::Checker: {
+            const auto pairs = (hn::Floor(a) + hn::Floor(b)) * half;  // a whole number in every other cell
+            return pairs - hn::Floor(pairs) > hn::Set(d64, 0.25);
+        }
+        case CutoutPattern::Stripes:
+            return a - hn::Floor(a) >= half;
+        case CutoutPattern::Holes:
+            break;
     }
     const auto p = (a - hn::Floor(a)) - half, q = (b - hn::Floor(b)) - half;
     return p * p + q * q < hn::Set(d64, 0.09375);
 }
 
-/// How deep the relief is, from 0, on the face, to 1. No comparison is true of NaN: what cannot be told lies on the face.
+/// How deep the relief is, from 0, on the face, to 1. No comparison is true of NaN: what cannot be told lies on the
+/// face.
 template <class F64>
 hn::Vec<F64> depthOfRelief(F64 d64, ReliefPattern pattern, const InCells<F64>& at)
 {
     const auto& [a, b] = at;
     const auto half = hn::Set(d64, 0.5), one = hn::Set(d64, 1.0);
     switch (pattern) {
-    case ReliefPattern::Bricks: {
-        const auto courses = b + b;
-        const auto course  = hn::Floor(courses);
-        const auto pairs   = course * half;
-        const auto along   = a + (pairs - hn::Floor(pairs));  // every other course is half a brick farther
-        const auto joint   = hn::Or(along - hn::Floor(along) < hn::Set(d64, 0.0625), courses - course < hn::Set(d64, 0.125));
-        return hn::IfThenElseZero(joint, one);
-    }
-    case ReliefPattern::Louvres: {
-        const auto across = b - hn::Floor(b);
-        return hn::IfThenElseZero(across > hn::Zero(d64), across);
-    }
-    case ReliefPattern::Bowls: break;
+        case ReliefPattern::Bricks: {
+            const auto courses = b + b;
+            const auto course  = hn::Floor(courses);
+            const auto pairs   = course * half;
+            const auto along   = a + (pairs - hn::Floor(pairs));  // every other course is half a brick farther
+            const auto joint =
+                hn::Or(along - hn::Floor(along) < hn::Set(d64, 0.0625), courses - course < hn::Set(d64, 0.125));
+            return hn::IfThenElseZero(joint, one);
+        }
+        case ReliefPattern::Louvres: {
+            const auto across = b - hn::Floor(b);
+            return hn::IfThenElseZero(across > hn::Zero(d64), across);
+        }
+        case ReliefPattern::Bowls:
+            break;
     }
     const auto p = (a - hn::Floor(a)) - half, q = (b - hn::Floor(b)) - half;
     const auto r = p * p + q * q;
@@ -98,11 +105,13 @@ public:
 
     bool moves() const { return m_plane.relief.has_value(); }
 
-    /// Depths of the face, moved away from the eye; only if moves(). Never nearer than `depth`: the divisor is at least 1.
+    /// Depths of the face, moved away from the eye; only if moves(). Never nearer than `depth`: the divisor is at least
+    /// 1.
     template <class F64>
     hn::Vec<F64> moved(F64 d64, hn::Vec<F64> depth, int x, int y) const
     {
-        const auto deep = depthOfRelief(d64, m_plane.relief->pattern, inCells(d64, m_plane, m_plane.relief->size, x, y));
+        const auto deep =
+            depthOfRelief(d64, m_plane.relief->pattern, inCells(d64, m_plane, m_plane.relief->size, x, y));
         return depth / (hn::Set(d64, 1.0) + depth * (hn::Set(d64, m_plane.reliefDepth) * deep));
     }
 

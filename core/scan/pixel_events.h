@@ -43,17 +43,19 @@ struct PixelTested {
     std::uint32_t          rivalRank;   // who held the pixel: triangle id + 1, or 0 for background
     float                  rivalDepth;  // the buffer's value; for background the one just below every kept depth
     Keep                   keep;
-    bool                   shaded;      // its colour was computed, before the test or because it passed
-    bool                   discarded = false;  // it lies in a hole of its material: before the test, or after passing it
-    bool                   moved     = false;  // its material's relief was asked: before the test, or after it passed unmoved
-    float                  unmovedDepth = 0;   // if moved: where its triangle is
+    bool                   shaded;  // its colour was computed, before the test or because it passed
+    // it lies in a hole of its material: before the test, or after passing it
+    bool discarded = false;
+    // its material's relief was asked: before the test, or after it passed unmoved
+    bool  moved        = false;
+    float unmovedDepth = 0;  // if moved: where its triangle is
 };
 
 /// A tile that the triangle may cover has been compared as a whole: the nearest that the triangle could be inside `box`
 /// against the farthest that is stored anywhere in the tile.
 struct TileTested {
     static constexpr Grain grain = Grain::Query;
-    PixelBox               box;      // the tile's pixels that the triangle may cover
+    PixelBox               box;  // the tile's pixels that the triangle may cover
     TriangleId             triangle;
     float                  nearest;
     float                  farthest;

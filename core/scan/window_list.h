@@ -44,10 +44,10 @@ struct WindowList {
         template <class T>
         using Column = std::array<T, 2 * kBatchTriangles + kBatchPadding>;
 
-        Column<std::uint32_t>        owners, corners;        // as of a window at the corner (x0, top) of its box
-        Column<std::int32_t>         width, height;          // of its box, in pixels
-        std::array<Column<std::int32_t>, 3> edges, steps;    // at that corner; core/geometry/edge_steps-inl.h
-        std::size_t                  count = 0;
+        Column<std::uint32_t>               owners, corners;  // as of a window at the corner (x0, top) of its box
+        Column<std::int32_t>                width, height;    // of its box, in pixels
+        std::array<Column<std::int32_t>, 3> edges, steps;     // at that corner; core/geometry/edge_steps-inl.h
+        std::size_t                         count = 0;
     };
     Some some;
 

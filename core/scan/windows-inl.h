@@ -1,15 +1,17 @@
-// Compact triangles to pixels by windows: a list of (triangle, window) that is worked off without asking which triangle comes next.
+// Compact triangles to pixels by windows: a list of (triangle, window) that is worked off without asking which triangle
+// comes next.
 //
-// Tiny       triangles with at most kTinySide x kTinySide pixels need no window: the same pixel of several of them is tested side by
-//            side, and what is covered is offered sample by sample
+// Tiny       triangles with at most kTinySide x kTinySide pixels need no window: the same pixel of several of them is
+//            tested side by side, and what is covered is offered sample by sample
 // Window     kWindowSide x kWindowSide pixels, as window_finder-inl.h has found them
-// Edges      int32, exact (core/geometry/triangle_list.h). The three of a triangle add up to the same at every pixel, so that two are computed
-//            and the third falls by what they rise
-// Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is monotone, so
-//            they may be applied after it
+// Edges      int32, exact (core/geometry/triangle_list.h). The three of a triangle add up to the same at every pixel,
+//            so that two are computed and the third falls by what they rise
+// Depth      as in depth_test-inl.h: float64 until it is stored. The limits are float32 values and rounding is
+//            monotone, so they may be applied after it
 // List       triangles of one batch, because a loop over one triangle's few windows is mispredicted at every triangle
-// Promise    the same pixels as HalfSpace and EdgeWalk. A window may reach beyond its triangle's box, never beyond the lines of the
-//            stripe, and to the right no farther than the picture's padding (core/depth/visibility_buffer.h)
+// Promise    the same pixels as HalfSpace and EdgeWalk. A window may reach beyond its triangle's box, never beyond the
+//            lines of the stripe, and to the right no farther than the picture's padding
+//            (core/depth/visibility_buffer.h)
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #if defined(ZSCOPE_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_WINDOWS_INL_H
@@ -42,12 +44,13 @@ inline constexpr int kPassLines   = kPassPixels / kPassColumns;
 /// The way from the first pixel of a window to those of the first pass.
 HWY_ALIGN inline constexpr auto kWays = [] {
     constexpr PassLanes<std::int32_t, kWindowSide> kAt;
-    std::array<std::int32_t, kPassPixels> all{};
+    std::array<std::int32_t, kPassPixels>          all{};
     for (std::size_t lane = 0; lane < all.size(); ++lane) all[lane] = pixelsAndLines(kAt.right[lane], kAt.down[lane]);
     return all;
 }();
 
-/// Depths are found two columns of a pass at a time, line by line, so that both vectors of float64 share their lines: how far down each lane is.
+/// Depths are found two columns of a pass at a time, line by line, so that both vectors of float64 share their lines:
+/// how far down each lane is.
 HWY_ALIGN inline constexpr auto kDownOfPairs = [] {
     std::array<double, kLanes> all{};
     for (int lane = 0; lane < kLanes; ++lane) all[static_cast<std::size_t>(lane)] = lane / 2;
@@ -71,7 +74,10 @@ inline hn::Vec<Pass32> fromColumns(hn::Vec<F32> first, hn::Vec<F32> second)
 
 /// Of two lines.
 using LineKeys = hn::Half<I64>;
-inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t stride) { return hn::Combine(I64(), hn::LoadU(LineKeys(), row + stride), hn::LoadU(LineKeys(), row)); }
+inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t stride)
+{
+    return hn::Combine(I64(), hn::LoadU(LineKeys(), row + stride), hn::LoadU(LineKeys(), row));
+}
 inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t stride)
 {
     hn::StoreU(hn::LowerHalf(LineKeys(), keys), LineKeys(), row);
@@ -80,8 +86,8 @@ inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t stride)
 #else
 static_assert(kLanes <= kWindowSide);
 inline hn::Vec<Pass32> fromColumns(hn::Vec<F32> first, hn::Vec<F32> second) { return together(second, first); }
-inline Keys loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64(), row); }
-inline void storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
+inline Keys            loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn::LoadU(I64(), row); }
+inline void            storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
 #endif
 
 /// Offers to as many pixels as there are lanes, those of one line or of two, as keptOf() says.
@@ -89,8 +95,11 @@ template <Keep kKeep, bool kNormal>
 HWY_INLINE void offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff_t stride)
 {
 #if HWY_TARGET == HWY_AVX3
-    if constexpr (kNormal && kKeep != Keep::Equal) {  // line by line: what is held need not be brought side by side first
-        const auto offer = [](auto keys, PixelKey* line) HWY_ATTR { hn::StoreU(nearerOf<kNormal>(keys, hn::LoadU(LineKeys(), line)), LineKeys(), line); };
+    // line by line: what is held need not be brought side by side first
+    if constexpr (kNormal && kKeep != Keep::Equal) {
+        const auto offer = [](auto keys, PixelKey* line) HWY_ATTR {
+            hn::StoreU(nearerOf<kNormal>(keys, hn::LoadU(LineKeys(), line)), LineKeys(), line);
+        };
         offer(hn::LowerHalf(LineKeys(), offered), row);
         offer(hn::UpperHalf(LineKeys(), offered), row + stride);
         return;
@@ -108,7 +117,8 @@ using Covered = hn::Mask<hn::RebindToSigned<Pass32>>;
 inline Covered coveredOf(PassRises first, PassRises second, const TriangleList& triangles, std::size_t t)
 {
     const hn::RebindToSigned<Pass32> i32;
-    const auto both = atMost(atMost(hn::Set(i32, triangles.leastRise[0][t]), first), hn::Set(i32, triangles.leastRise[1][t]), second);
+    const auto                       both =
+        atMost(atMost(hn::Set(i32, triangles.leastRise[0][t]), first), hn::Set(i32, triangles.leastRise[1][t]), second);
     return atMost(both, first + second, hn::Set(i32, triangles.mostRise[t]));
 }
 /// The depths of pixels that are covered; in place of the others what wins nowhere. `kNormal` as in DepthTest.
@@ -123,7 +133,8 @@ using Covered = PassRises;  // negative where they are not
 inline Covered coveredOf(PassRises first, PassRises second, const TriangleList& triangles, std::size_t t)
 {
     const hn::RebindToSigned<Pass32> i32;
-    return hn::Or3(first - hn::Set(i32, triangles.leastRise[0][t]), second - hn::Set(i32, triangles.leastRise[1][t]), hn::Set(i32, triangles.mostRise[t]) - (first + second));
+    return hn::Or3(first - hn::Set(i32, triangles.leastRise[0][t]), second - hn::Set(i32, triangles.leastRise[1][t]),
+                   hn::Set(i32, triangles.mostRise[t]) - (first + second));
 }
 /// Likewise: the sign says so.
 template <bool kNormal>
@@ -151,15 +162,20 @@ struct WindowTarget {
     float          empty;    // depth of background
     int            width;
 
-    PixelKey* at(std::uint32_t corner) const { return picture + static_cast<std::ptrdiff_t>(corner >> 16) * stride + (corner & 0xFFFF); }
+    PixelKey* at(std::uint32_t corner) const
+    {
+        return picture + static_cast<std::ptrdiff_t>(corner >> 16) * stride + (corner & 0xFFFF);
+    }
 };
 
-/// Tests the window of triangle t that has its first pixel at `corner`, and stores what it wins. `kNormal` as in DepthTest.
+/// Tests the window of triangle t that has its first pixel at `corner`, and stores what it wins. `kNormal` as in
+/// DepthTest.
 template <Keep kKeep, bool kNormal, class Probe>
-HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::uint32_t corner, const WindowTarget& to, [[maybe_unused]] const Probe& probe)
+HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::uint32_t corner, const WindowTarget& to,
+                           [[maybe_unused]] const Probe& probe)
 {
-    const F64    d64;
-    const Pass32 f32;
+    const F64                        d64;
+    const Pass32                     f32;
     const hn::RebindToSigned<Pass32> i32;
 
     const std::size_t x = corner & 0xFFFF, y = corner >> 16;
@@ -169,16 +185,17 @@ HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::ui
     const auto above = hn::Set(d64, to.centres[y]);
 
     // At the pixels of each pass. Those of the first are computed, the others reached from there.
-    const auto steps = [&](std::size_t k) HWY_ATTR { return hn::Set(i32, triangles.steps[k][t]); };
-    const auto ways  = hn::Load(i32, kWays.data()) + hn::Set(i32, static_cast<std::int32_t>(corner));
-    constexpr int kColumns = kWindowSide / kPassColumns, kPasses = kWindowSide / kPassLines * kColumns;
+    const auto                   steps = [&](std::size_t k) HWY_ATTR { return hn::Set(i32, triangles.steps[k][t]); };
+    const auto                   ways  = hn::Load(i32, kWays.data()) + hn::Set(i32, static_cast<std::int32_t>(corner));
+    constexpr int                kColumns = kWindowSide / kPassColumns, kPasses = kWindowSide / kPassLines * kColumns;
     std::array<Covered, kPasses> inside;
     std::array<PassRises, 2>     rises{growth(steps(0), ways), growth(steps(1), ways)};
     for (int pass = 0; pass < kPasses; ++pass) {
         const int column = pass % kColumns * kPassColumns;
         if (pass > 0 && column == 0)
             for (std::size_t k = 0; k < 2; ++k) rises[k] = rises[k] + growth(steps(k), 0, kPassLines);
-        const auto rise = [&](std::size_t k) HWY_ATTR { return column == 0 ? rises[k] : rises[k] + growth(steps(k), column, 0); };
+        const auto rise = [&](std::size_t k)
+                              HWY_ATTR { return column == 0 ? rises[k] : rises[k] + growth(steps(k), column, 0); };
         inside[static_cast<std::size_t>(pass)] = coveredOf(rise(0), rise(1), triangles, t);
     }
 
@@ -190,22 +207,28 @@ HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::ui
             if (hn::GetLane(covered) < 0 || static_cast<int>(x) + column >= to.width) continue;
 #endif
 
-            const auto depth = [&](int half) HWY_ATTR { return hn::DemoteTo(F32(), a * pairOf(to.centres + x + column + 2 * half) + start); };
+            const auto depth = [&](int half) HWY_ATTR {
+                return hn::DemoteTo(F32(), a * pairOf(to.centres + x + column + 2 * half) + start);
+            };
             PixelKey* const row = first + line * to.stride + column;
 #if HWY_TARGET == HWY_SCALAR
-            const auto     z       = hn::Min(hn::Max(depth(0), farthest), nearest);
-            const auto     offered = hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id(t).value + 1)));
-            const PixelKey rival   = *row;
+            const auto z = hn::Min(hn::Max(depth(0), farthest), nearest);
+            const auto offered =
+                hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id(t).value + 1)));
+            const PixelKey rival = *row;
             offerKeys<kKeep, kNormal>(offered, to.empty, row, to.stride);
-            probe(PixelTested{static_cast<int>(x) + column, static_cast<int>(y) + line, triangles.id(t), depthOf(hn::GetLane(offered)),
-                              !hn::AllFalse(I64(), winners<kKeep>(offered, hn::Set(I64(), rival), to.empty)), rankOf(rival), depthOf(rival), kKeep, false,
-                              false});
+            probe(PixelTested{static_cast<int>(x) + column, static_cast<int>(y) + line, triangles.id(t),
+                              depthOf(hn::GetLane(offered)),
+                              !hn::AllFalse(I64(), winners<kKeep>(offered, hn::Set(I64(), rival), to.empty)),
+                              rankOf(rival), depthOf(rival), kKeep, false, false});
 #else
             static_assert(!Probe::listens, "a run that is listened to uses one lane");
-            const auto z     = hn::Min(hn::Max(fromColumns(depth(0), depth(1)), farthest), nearest);
-            const auto keys  = keysOf(onlyCovered<kNormal && kKeep != Keep::Equal>(z, covered), lowerHalves<kKeep>(triangles.notRank[t]));
+            const auto z    = hn::Min(hn::Max(fromColumns(depth(0), depth(1)), farthest), nearest);
+            const auto keys = keysOf(onlyCovered < kNormal && kKeep != Keep::Equal > (z, covered),
+                                     lowerHalves<kKeep>(triangles.notRank[t]));
             offerKeys<kKeep, kNormal>(keys[0], to.empty, row, to.stride);
-            offerKeys<kKeep, kNormal>(keys[1], to.empty, row + kLanes / kWindowSide * to.stride + kLanes % kWindowSide, to.stride);
+            offerKeys<kKeep, kNormal>(keys[1], to.empty, row + kLanes / kWindowSide * to.stride + kLanes % kWindowSide,
+                                      to.stride);
 #endif
         }
     }
@@ -220,7 +243,8 @@ HWY_INLINE bool wins(PixelKey offered, PixelKey held, [[maybe_unused]] float emp
     return offered >> 32 == held >> 32 && (offered > held || isNobodys) && offered > keyOf(empty, 0);
 }
 
-/// Pixels are fetched so many samples before they are tested (windows: WindowChunk::kAhead): triangles come in any order, and memory answers late.
+/// Pixels are fetched so many samples before they are tested (windows: WindowChunk::kAhead): triangles come in any
+/// order, and memory answers late.
 inline constexpr std::size_t kSamplesAhead = 64;
 
 /// Keys from their halves, which stand lane by lane: first those of the lanes that `order` names, in that order.
@@ -234,7 +258,8 @@ HWY_INLINE void storeKeysOf(V uppers, V lowers, Order order, PixelKey* to)
     const hn::RebindToUnsigned<Pass32> u32;
     const hn::RebindToSigned<Pass32>   i32;
     // As lanes are interleaved.
-    const auto lanes = hn::IndicesFromVec(u32, hn::TableLookupLanes(order, hn::IndicesFromVec(i32, hn::Load(i32, kPassPixelsOfLanes.data()))));
+    const auto lanes = hn::IndicesFromVec(
+        u32, hn::TableLookupLanes(order, hn::IndicesFromVec(i32, hn::Load(i32, kPassPixelsOfLanes.data()))));
     const auto upper = hn::TableLookupLanes(uppers, lanes), lower = hn::TableLookupLanes(lowers, lanes);
     hn::StoreU(hn::BitCast(I64(), hn::InterleaveLower(u32, lower, upper)), I64(), to);
     hn::StoreU(hn::BitCast(I64(), hn::InterleaveUpper(u32, lower, upper)), I64(), to + kLanes);
@@ -254,12 +279,12 @@ HWY_INLINE hn::Vec<I32> halfOf(V all, [[maybe_unused]] std::size_t from)
 
 /// The tiny triangles among [first, end), from their edges to the picture.
 template <Keep kKeep, class Probe>
-void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples, VisibilityBuffer& visible,
-              [[maybe_unused]] const Probe& probe)
+void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples,
+              VisibilityBuffer& visible, [[maybe_unused]] const Probe& probe)
 {
-    const F64    d64;
-    const F32    half;
-    const Pass32 f32;
+    const F64                          d64;
+    const F32                          half;
+    const Pass32                       f32;
     const hn::RebindToSigned<Pass32>   i32;
     const hn::RebindToUnsigned<Pass32> u32;
     samples.reserve(kTinySide * kTinySide * (end - first));
@@ -269,45 +294,62 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     std::uint32_t* const places  = samples.places.data();
     std::size_t          count   = 0;
     for (std::size_t i = first; i < end; i += hn::Lanes(f32)) {
-        const auto load   = [&, i](const TriangleList::Column<std::int32_t>& column) HWY_ATTR { return hn::LoadU(i32, column.data() + i); };
-        const auto kind = load(triangles.kind), judged = hn::And(kind, hn::Set(i32, TriangleList::kPatterned | TriangleList::kCompact | TriangleList::kHidden));
-        const auto start = load(triangles.start), size = minusHalves(load(triangles.end), start), raised = hn::ShiftRight<TriangleList::kRaised>(kind);
-        const auto x = lowerHalf(start), y = upperHalf(start) - raised, width = lowerHalf(size), height = upperHalf(size) + raised;
-        const auto isTiny = hn::And(judged == hn::Set(i32, TriangleList::kCompact), hn::Not(hn::Max(width, height) > hn::Set(i32, kTinySide)));
+        const auto load = [&, i](const TriangleList::Column<std::int32_t>& column)
+                              HWY_ATTR { return hn::LoadU(i32, column.data() + i); };
+        const auto kind   = load(triangles.kind),
+                   judged = hn::And(
+                       kind, hn::Set(i32, TriangleList::kPatterned | TriangleList::kCompact | TriangleList::kHidden));
+        const auto start = load(triangles.start), size = minusHalves(load(triangles.end), start),
+                   raised = hn::ShiftRight<TriangleList::kRaised>(kind);
+        const auto x = lowerHalf(start), y = upperHalf(start) - raised, width = lowerHalf(size),
+                   height  = upperHalf(size) + raised;
+        const auto isTiny  = hn::And(judged == hn::Set(i32, TriangleList::kCompact),
+                                     hn::Not(hn::Max(width, height) > hn::Set(i32, kTinySide)));
         const auto isDrawn = hn::And(isTiny, countFrom(i32, 0) < hn::Set(i32, static_cast<std::int32_t>(end - i)));
         if (hn::AllFalse(i32, isDrawn)) continue;
 
-        const auto farthest = hn::LoadU(f32, triangles.farthest.data() + i), nearest = hn::LoadU(f32, triangles.nearest.data() + i);
-        const auto lower = kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::LoadU(u32, triangles.notRank.data() + i);
-        const auto place = hn::BitCast(u32, x) + hn::BitCast(u32, y) * hn::Set(u32, stride);
+        const auto farthest = hn::LoadU(f32, triangles.farthest.data() + i),
+                   nearest  = hn::LoadU(f32, triangles.nearest.data() + i);
+        const auto lower =
+            kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::LoadU(u32, triangles.notRank.data() + i);
+        const auto place  = hn::BitCast(u32, x) + hn::BitCast(u32, y) * hn::Set(u32, stride);
         const auto corner = start - hn::ShiftLeft<16>(raised);
         // In float64, of half of these triangles at a time.
-        const auto numbers = [&, i](const auto& column, std::size_t from) HWY_ATTR { return hn::LoadU(d64, column.data() + i + from); };
-        const auto centres = [&](auto pixels, std::size_t from) HWY_ATTR { return hn::PromoteTo(d64, halfOf(pixels, from)) + hn::Set(d64, 0.5); };
+        const auto numbers = [&, i](const auto& column, std::size_t from)
+                                 HWY_ATTR { return hn::LoadU(d64, column.data() + i + from); };
+        const auto centres = [&](auto pixels, std::size_t from)
+                                 HWY_ATTR { return hn::PromoteTo(d64, halfOf(pixels, from)) + hn::Set(d64, 0.5); };
         const auto lineOf = [&](int down, std::size_t from) HWY_ATTR {
             return numbers(triangles.b, from) * (centres(y, from) + hn::Set(d64, down)) + numbers(triangles.c, from);
         };
-        // a * (i + 0.5), of both halves: found before the first store, which could change what it is found from for all the compiler knows.
+        // a * (i + 0.5), of both halves: found before the first store, which could change what it is found from for all
+        // the compiler knows.
         std::array<std::array<Vec64, 2>, kTinySide> columns;
         for (std::size_t right = 0; right < kTinySide; ++right)
             for (const std::size_t other : {0, 1}) {
                 const std::size_t from = other * kOtherHalf;
-                columns[right][other]  = numbers(triangles.a, from) * (centres(x, from) + hn::Set(d64, static_cast<double>(right)));
+                columns[right][other] =
+                    numbers(triangles.a, from) * (centres(x, from) + hn::Set(d64, static_cast<double>(right)));
             }
         for (int down = 0; down < kTinySide; ++down) {
             const auto line = lineOf(down, 0), otherLine = lineOf(down, kOtherHalf);
             for (int right = 0; right < kTinySide; ++right) {
-                const auto here = corner + hn::Set(i32, pixelsAndLines(right, down));
-                const auto rise = [&](std::size_t k) HWY_ATTR { return growth(load(triangles.steps[k]), here); };
+                const auto here    = corner + hn::Set(i32, pixelsAndLines(right, down));
+                const auto rise    = [&](std::size_t k) HWY_ATTR { return growth(load(triangles.steps[k]), here); };
                 const auto ofFirst = rise(0), ofSecond = rise(1);
-                const auto outside = hn::Or3(ofFirst - load(triangles.leastRise[0]), ofSecond - load(triangles.leastRise[1]), load(triangles.mostRise) - (ofFirst + ofSecond)) <
-                                     hn::Zero(i32);
-                const auto exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
-                const auto covered = hn::And(hn::AndNot(outside, exists), isDrawn);
-                const auto& column = columns[static_cast<std::size_t>(right)];
-                const auto z     = hn::Min(hn::Max(together(hn::DemoteTo(half, column[1] + otherLine), hn::DemoteTo(half, column[0] + line)), farthest), nearest);
-                const auto there = place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
-                const auto kept  = keptFirst(i32, covered);
+                const auto outside =
+                    hn::Or3(ofFirst - load(triangles.leastRise[0]), ofSecond - load(triangles.leastRise[1]),
+                            load(triangles.mostRise) - (ofFirst + ofSecond))
+                    < hn::Zero(i32);
+                const auto  exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
+                const auto  covered = hn::And(hn::AndNot(outside, exists), isDrawn);
+                const auto& column  = columns[static_cast<std::size_t>(right)];
+                const auto  below   = hn::DemoteTo(half, column[1] + otherLine);
+                const auto  above   = hn::DemoteTo(half, column[0] + line);
+                const auto  z       = hn::Min(hn::Max(together(below, above), farthest), nearest);
+                const auto  there =
+                    place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
+                const auto kept = keptFirst(i32, covered);
                 hn::StoreU(hn::TableLookupLanes(there, hn::IndicesFromVec(u32, kept)), u32, places + count);
                 storeKeysOf(hn::BitCast(u32, z), lower, kept, keys + count);
                 count += hn::CountTrue(i32, covered);
@@ -325,8 +367,9 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
             assert(end - first == 1);
             const PixelKey rival = held;
             if (won) held = offered;
-            probe(PixelTested{static_cast<int>(places[i] % stride), static_cast<int>(places[i] / stride), triangles.id(first),
-                              depthOf(offered), won, rankOf(rival), depthOf(rival), kKeep, false, false});
+            probe(PixelTested{static_cast<int>(places[i] % stride), static_cast<int>(places[i] / stride),
+                              triangles.id(first), depthOf(offered), won, rankOf(rival), depthOf(rival), kKeep, false,
+                              false});
         } else {
             held = won ? offered : held;
         }
@@ -352,7 +395,8 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
         WindowChunk&      chunk = list.chunks[k];
         const std::size_t count = chunk.count;
         if (count == 0) continue;
-        std::fill_n(chunk.corners.begin() + static_cast<std::ptrdiff_t>(count), WindowChunk::kAhead, chunk.corners[count - 1]);
+        std::fill_n(chunk.corners.begin() + static_cast<std::ptrdiff_t>(count), WindowChunk::kAhead,
+                    chunk.corners[count - 1]);
         for (std::size_t i = 0; i < count; ++i) {
             fetch(to.at(chunk.corners[i + WindowChunk::kAhead]), to.stride);
             testWindow<kKeep, kNormal>(triangles, chunk.owners[i], chunk.corners[i], to, probe);

@@ -66,12 +66,13 @@ struct Triangle2 {
 
     bool misses(const Box2& box) const
     {
-        return liesRightOf(corners[0], corners[1], box) || liesRightOf(corners[1], corners[2], box) ||
-               liesRightOf(corners[2], corners[0], box);
+        return liesRightOf(corners[0], corners[1], box) || liesRightOf(corners[1], corners[2], box)
+               || liesRightOf(corners[2], corners[0], box);
     }
 };
 
-/// The places whose distance from a line through the origin of the tree, times the length of `along`, is in [low, high].
+/// The places whose distance from a line through the origin of the tree, times the length of `along`, is in [low,
+/// high].
 struct Strip {
     Point2 along;
     double low  = std::numeric_limits<double>::infinity();
@@ -111,7 +112,7 @@ public:
         for (const Point2& corner : shape.corners) around.include(corner);
         std::array<std::size_t, 64> open;  // one right child per level of a tree of fewer than 2^63 leaves
         std::size_t                 count = 0;
-        open[count++] = 1;
+        open[count++]                     = 1;
         while (count > 0) {
             const std::size_t index = open[--count];
             const Node&       node  = m_nodes[index];
@@ -156,9 +157,9 @@ private:
         }
         for (std::size_t node = m_leaves; node-- > 1;) {
             joinBoxes(node);
-            const Point2& left        = m_nodes[2 * node].strip.along;
-            const Point2& right       = m_nodes[2 * node + 1].strip.along;
-            const bool    leftIsLong  = std::fabs(left.x) + std::fabs(left.y) >= std::fabs(right.x) + std::fabs(right.y);
+            const Point2& left       = m_nodes[2 * node].strip.along;
+            const Point2& right      = m_nodes[2 * node + 1].strip.along;
+            const bool    leftIsLong = std::fabs(left.x) + std::fabs(left.y) >= std::fabs(right.x) + std::fabs(right.y);
             m_nodes[node].strip.along = leftIsLong ? left : right;
         }
         for (std::size_t i = 0; i < n; ++i)

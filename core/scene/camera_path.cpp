@@ -50,17 +50,21 @@ public:
         const JsonValue* keys = nullptr;
         for (const auto& [name, value] : *document.object()) {
             if (name == "unit") {
-                if (!value.text() || (*value.text() != "world" && *value.text() != "scene")) return wrong(value, m_file, "'unit' is \"world\" or \"scene\"");
+                if (!value.text() || (*value.text() != "world" && *value.text() != "scene"))
+                    return wrong(value, m_file, "'unit' is \"world\" or \"scene\"");
                 path.inScene = *value.text() == "scene";
             } else if (name == "near" || name == "far") {
                 const Result<double> real = realOf(value, m_file, name);
                 if (!real) return real.error();
-                if (!(*real > 0) || (name == "near" && !std::isfinite(*real))) return wrong(value, m_file, fmt::format("'{}' must be above 0", name));
+                if (!(*real > 0) || (name == "near" && !std::isfinite(*real)))
+                    return wrong(value, m_file, fmt::format("'{}' must be above 0", name));
                 (name == "near" ? path.near : path.far) = *real;
             } else if (name == "keys") {
                 keys = &value;
             } else {
-                return wrong(value, m_file, fmt::format("a camera path has no '{}': it has unit, near, far and keys", name.substr(0, 60)));
+                return wrong(
+                    value, m_file,
+                    fmt::format("a camera path has no '{}': it has unit, near, far and keys", name.substr(0, 60)));
             }
         }
         if (!keys) return wrong(document, m_file, "'keys' is missing");
@@ -100,24 +104,32 @@ private:
                 if (!truth) return truth.error();
                 key.isCut = *truth;
             } else {
-                return wrong(member, m_file, fmt::format("a key frame has no '{}': it has frame, eye, target, up, fov and cut", name.substr(0, 60)));
+                return wrong(member, m_file,
+                             fmt::format("a key frame has no '{}': it has frame, eye, target, up, fov and cut",
+                                         name.substr(0, 60)));
             }
         }
-        for (const auto& [has, name] : {std::pair{hasFrame, "frame"}, std::pair{hasEye, "eye"}, std::pair{hasTarget, "target"}})
+        for (const auto& [has, name] :
+             {std::pair{hasFrame, "frame"}, std::pair{hasEye, "eye"}, std::pair{hasTarget, "target"}})
             if (!has) return wrong(value, m_file, fmt::format("the key frame's '{}' is missing", name));
-        if (path.keys.empty() && key.frame != 0) return wrong(value, m_file, fmt::format("the first key frame is frame 0, not {}", key.frame));
-        if (path.keys.empty() && key.isCut) return wrong(value, m_file, "the first key frame has nothing before it to cut from");
+        if (path.keys.empty() && key.frame != 0)
+            return wrong(value, m_file, fmt::format("the first key frame is frame 0, not {}", key.frame));
+        if (path.keys.empty() && key.isCut)
+            return wrong(value, m_file, "the first key frame has nothing before it to cut from");
         if (!path.keys.empty() && key.frame <= path.keys.back().frame)
-            return wrong(value, m_file, fmt::format("frames must rise, and {} comes after {}", key.frame, path.keys.back().frame));
+            return wrong(value, m_file,
+                         fmt::format("frames must rise, and {} comes after {}", key.frame, path.keys.back().frame));
         // Any box will do: what is wrong with a key alone is found here, where its line is known.
         Bounds anyBox;
         anyBox.include({-1, -1, -1});
         anyBox.include({1, 1, 1});
         CameraPath depthless = path;
         depthless.near = depthless.far = std::nullopt;
-        if (const auto camera = makeCamera(requestOf(depthless, key, 1, 1), anyBox); !camera) return wrong(value, m_file, camera.error().sentence);
+        if (const auto camera = makeCamera(requestOf(depthless, key, 1, 1), anyBox); !camera)
+            return wrong(value, m_file, camera.error().sentence);
         // Frames between this key and the next aim at a target as far away.
-        if (!std::isfinite(dotAsWritten(key.target - key.eye, key.target - key.eye))) return wrong(value, m_file, "eye and target are too far apart");
+        if (!std::isfinite(dotAsWritten(key.target - key.eye, key.target - key.eye)))
+            return wrong(value, m_file, "eye and target are too far apart");
         return key;
     }
 
@@ -130,7 +142,8 @@ struct Turn {
     dvec3  v{0, 0, 0};
 };
 
-/// The rotation that takes the axes of a camera from (1,0,0), (0,1,0), (0,0,-1) to what they are. Source: Shepperd 1978.
+/// The rotation that takes the axes of a camera from (1,0,0), (0,1,0), (0,0,-1) to what they are. Source: Shepperd
+/// 1978.
 Turn turnOf(const Camera& camera)
 {
     const dvec3  x = camera.right, y = camera.up, z = -camera.forward;
@@ -174,7 +187,8 @@ CameraKey keyBetween(const CameraKey& from, const CameraKey& to, const Camera& a
     const double angle  = 2 * std::atan2(length, turn.w) * part;
     const dvec3  axis   = length > 0 ? turn.v / length : dvec3(0, 1, 0);
     const auto   mixed  = [part](const auto& x, const auto& y) { return x * (1 - part) + y * part; };
-    const double far    = mixed(std::sqrt(dotAsWritten(from.target - from.eye, from.target - from.eye)), std::sqrt(dotAsWritten(to.target - to.eye, to.target - to.eye)));
+    const double far    = mixed(std::sqrt(dotAsWritten(from.target - from.eye, from.target - from.eye)),
+                                std::sqrt(dotAsWritten(to.target - to.eye, to.target - to.eye)));
     CameraKey    key;
     key.eye         = mixed(from.eye, to.eye);
     key.target      = key.eye + turned(a.forward, axis, angle) * far;
@@ -201,7 +215,8 @@ Result<CameraPath> cameraPathFromJson(const std::string& text, const std::string
     const Result<JsonValue> document = parseJson(text, file);
     if (!document) return document.error();
     Result<CameraPath> path = PathReader(file).read(*document);
-    if (path && path->near && path->far && !(*path->near < *path->far)) return wrong(*document, file, "'near' must be less than 'far'");
+    if (path && path->near && path->far && !(*path->near < *path->far))
+        return wrong(*document, file, "'near' must be less than 'far'");
     return path;
 }
 
@@ -212,8 +227,9 @@ std::string cameraPathToJson(const CameraPath& path)
     if (path.far) text += fmt::format(" \"far\": {},\n", numberText(*path.far));
     text += " \"keys\": [";
     for (const CameraKey& key : path.keys)
-        text += fmt::format("{}\n  {{\"frame\": {}, \"eye\": {}, \"target\": {}, \"up\": {}, \"fov\": {}{}}}", &key == path.keys.data() ? "" : ",", key.frame,
-                            textOf(key.eye), textOf(key.target), textOf(key.up), key.verticalFov, key.isCut ? ", \"cut\": true" : "");
+        text += fmt::format("{}\n  {{\"frame\": {}, \"eye\": {}, \"target\": {}, \"up\": {}, \"fov\": {}{}}}",
+                            &key == path.keys.data() ? "" : ",", key.frame, textOf(key.eye), textOf(key.target),
+                            textOf(key.up), key.verticalFov, key.isCut ? ", \"cut\": true" : "");
     return text + "\n ]\n}\n";
 }
 
@@ -231,7 +247,11 @@ Result<std::vector<Camera>> camerasOf(const CameraPath& path, const Bounds& scen
     }
     const auto cameraAt = [&](const CameraKey& key) -> Result<Camera> {
         Result<Camera> camera = makeCamera(requestOf(path, key, width, height), scene);
-        if (!camera) return Error{camera.error().kind, fmt::format("frame {} of the camera path: {}", key.frame, camera.error().sentence), {}, key.line};
+        if (!camera)
+            return Error{camera.error().kind,
+                         fmt::format("frame {} of the camera path: {}", key.frame, camera.error().sentence),
+                         {},
+                         key.line};
         return camera;
     };
     std::vector<Camera> ends;

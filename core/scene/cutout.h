@@ -1,8 +1,8 @@
-// A cut-out: a pattern of holes in every face of a material, as leaves, fences and nets have. A fragment in a hole does not
-// exist: it is cut out before the depth test knows of a winner.
+// A cut-out: a pattern of holes in every face of a material, as leaves, fences and nets have. A fragment in a hole does
+// not exist: it is cut out before the depth test knows of a winner.
 //
-// Place      the pattern lies in the mesh's own space: on the two axes that the triangle faces least, so that it stays on
-//            the surface whatever the instance, the camera and the near plane do
+// Place      the pattern lies in the mesh's own space: on the two axes that the triangle faces least, so that it stays
+//            on the surface whatever the instance, the camera and the near plane do
 // Source     docs/correctness.md, Cut-outs
 #pragma once
 

@@ -53,14 +53,16 @@ Result<Scene> loadScene(const std::string& word, const LoadOptions& options)
 {
     if (word.starts_with(kBuiltin)) {
         Stopwatch     watch;
-        Result<Scene> scene = generate(std::string_view(word).substr(kBuiltin.size()), options.memoryLimit, options.progress);
+        Result<Scene> scene =
+            generate(std::string_view(word).substr(kBuiltin.size()), options.memoryLimit, options.progress);
         if (options.times) options.times->parseMs += watch.lap();
         return scene;
     }
     if (endsIn(word, ".json")) return loadSceneFile(word, options);
     if (endsIn(word, ".obj")) return loadObj(word, options);
-    return Error{Trouble::Usage,
-                 fmt::format("'{}' is no scene: give a path that ends in .obj or .json, or builtin:NAME", word.substr(0, 200))};
+    return Error{
+        Trouble::Usage,
+        fmt::format("'{}' is no scene: give a path that ends in .obj or .json, or builtin:NAME", word.substr(0, 200))};
 }
 
 std::span<const SceneEntry> builtinScenes()

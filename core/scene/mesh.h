@@ -35,11 +35,11 @@ struct Rgb {
 };
 
 struct Material {
-    std::string name;
-    Rgb         diffuse{0.66f, 0.75f, 0.88f};  // Kd
-    float       opacity = 1;                   // d; below 1 the face is outside ids and depth
-    std::optional<Cutout> cutout = {};         // holes in the face
-    std::optional<Relief> relief = {};         // fragments that lie farther than the face
+    std::string           name;
+    Rgb                   diffuse{0.66f, 0.75f, 0.88f};  // Kd
+    float                 opacity = 1;                   // d; below 1 the face is outside ids and depth
+    std::optional<Cutout> cutout  = {};                  // holes in the face
+    std::optional<Relief> relief  = {};                  // fragments that lie farther than the face
 
     /// Its fragments are looked at one by one, because of holes or a relief.
     bool isPatterned() const { return cutout || relief; }
@@ -62,15 +62,16 @@ struct Mesh {
     std::string        name;
     std::vector<dvec3> positions;
 
-    std::vector<std::uint32_t> corners;             // vertex of each corner of each polygon
-    std::vector<std::uint32_t> firstCorner{0};      // polygons + 1 entries
-    std::vector<MaterialId>    polygonMaterial;     // one per polygon
-    std::vector<GroupId>       polygonGroup;        // one per polygon
-    std::vector<std::uint32_t> firstTriangle{0};    // polygons + 1 entries
+    std::vector<std::uint32_t> corners;           // vertex of each corner of each polygon
+    std::vector<std::uint32_t> firstCorner{0};    // polygons + 1 entries
+    std::vector<MaterialId>    polygonMaterial;   // one per polygon
+    std::vector<GroupId>       polygonGroup;      // one per polygon
+    std::vector<std::uint32_t> firstTriangle{0};  // polygons + 1 entries
 
-    std::vector<std::array<std::uint32_t, 3>> triangles;       // vertices, in the polygon's sense of turning
-    std::vector<PolygonId>                    trianglePolygon; // one per triangle
-    std::vector<PolygonId>                    mendedFaces;     // ascending: degenerate or self-intersecting, so a mere fan
+    std::vector<std::array<std::uint32_t, 3>> triangles;        // vertices, in the polygon's sense of turning
+    std::vector<PolygonId>                    trianglePolygon;  // one per triangle
+    // ascending: degenerate or self-intersecting, so a mere fan
+    std::vector<PolygonId> mendedFaces;
 
     std::vector<Material>    materials{Material{}};  // [0] is what a face without usemtl has
     std::vector<std::string> groups{"default"};      // "group" or "object/group"; [0] before any statement
@@ -78,13 +79,13 @@ struct Mesh {
     std::uint64_t droppedFaces = 0;  // left out while reading
     std::uint64_t splitFaces   = 0;  // had more than three corners
 
-    std::size_t polygonCount() const { return firstCorner.size() - 1; }
+    std::size_t                    polygonCount() const { return firstCorner.size() - 1; }
     std::span<const std::uint32_t> polygon(PolygonId p) const
     {
         return std::span(corners).subspan(firstCorner[p.value], firstCorner[p.value + 1] - firstCorner[p.value]);
     }
     const Material& materialOf(PolygonId p) const { return materials[polygonMaterial[p.value].value]; }
-    bool            isPatterned(std::uint32_t triangle) const { return materialOf(trianglePolygon[triangle]).isPatterned(); }
+    bool isPatterned(std::uint32_t triangle) const { return materialOf(trianglePolygon[triangle]).isPatterned(); }
     /// Its triangles are a fan that is no triangulation of its outline.
     bool isMended(PolygonId p) const { return std::ranges::binary_search(mendedFaces, p); }
 

@@ -55,7 +55,9 @@ Outline::Shape Outline::project(std::span<const dvec3> positions, std::span<cons
     m_ring.clear();
     m_repeats.clear();
     dvec3      normal   = newellNormal(positions, outline, 1.0);
-    const auto tooSmall = [](const dvec3& n) { return std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}) < 1e-280; };
+    const auto tooSmall = [](const dvec3& n) {
+        return std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}) < 1e-280;
+    };
     if (!isFinite(normal) || tooSmall(normal))
         normal = newellNormal(positions, outline, scaleToOne(positions, outline));
     const double nx = std::fabs(normal.x), ny = std::fabs(normal.y), nz = std::fabs(normal.z);
@@ -65,15 +67,14 @@ Outline::Shape Outline::project(std::span<const dvec3> positions, std::span<cons
     const int  dropped = nx >= ny && nx >= nz ? 0 : ny >= nz ? 1 : 2;
     const int  first   = (dropped + 1) % 3;
     const int  second  = (dropped + 2) % 3;
-    const auto flat    = [&](std::uint32_t corner) {
-        return Point2{positions[corner][first], positions[corner][second]};
-    };
+    const auto flat = [&](std::uint32_t corner) { return Point2{positions[corner][first], positions[corner][second]}; };
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const RingCorner    corner{flat(outline[i]), outline[i]};
-        const std::uint32_t after      = outline[(i + 1) % outline.size()];
-        const bool          last       = i + 1 == outline.size();
-        const bool          isRepeated = !m_ring.empty() && (corner.at == m_ring.back().at ||
-                                                    (last && m_ring.size() > 1 && corner.at == m_ring.front().at));
+        const std::uint32_t after = outline[(i + 1) % outline.size()];
+        const bool          last  = i + 1 == outline.size();
+        const bool          isRepeated =
+            !m_ring.empty()
+            && (corner.at == m_ring.back().at || (last && m_ring.size() > 1 && corner.at == m_ring.front().at));
         if (isRepeated)
             m_repeats.push_back({m_ring.back().vertex, corner.vertex, after});
         else
@@ -126,8 +127,8 @@ bool Outline::findContacts()
 
     const std::size_t limit = 4 * n + 64;
     for (std::size_t i = 0; i < n; ++i) {
-        const Point2 a         = edgeAt(i)[0], b = edgeAt(i)[1];  // not bindings: clang 14 cannot capture those
-        const bool isTangled = m_edges.anyNear(Segment2{{a, b}}, [&](std::size_t j) {
+        const Point2 a = edgeAt(i)[0], b = edgeAt(i)[1];  // not bindings: clang 14 cannot capture those
+        const bool   isTangled = m_edges.anyNear(Segment2{{a, b}}, [&](std::size_t j) {
             if (j <= i) return false;  // each pair once
             const auto [c, d] = edgeAt(j);
             const int ofC = orientation(a, b, c), ofD = orientation(a, b, d);
@@ -135,7 +136,8 @@ bool Outline::findContacts()
             const int ofA = orientation(c, d, a), ofB = orientation(c, d, b);
             if (ofA * ofB > 0) return false;
             if (ofC * ofD < 0 && ofA * ofB < 0) return true;
-            const auto note = [&](int side, std::size_t edgeIndex, std::size_t corner, const Point2& from, const Point2& to) {
+            const auto note = [&](int side, std::size_t edgeIndex, std::size_t corner, const Point2& from,
+                                  const Point2& to) {
                 if (side == 0 && strictlyBetween(m_points[corner], from, to))
                     m_contacts.push_back({static_cast<std::uint32_t>(edgeIndex), static_cast<std::uint32_t>(corner)});
             };
@@ -194,9 +196,9 @@ bool Outline::placesCoincide()
 /// No crossing, no contact, no shared place: the leftmost corner, which sticks out, tells the way round.
 Outline::Turning Outline::turningOfSimpleRing() const
 {
-    const std::size_t n    = m_ring.size();
-    const std::size_t i    = m_order.front();
-    const int         turn = orientation(m_ring[i == 0 ? n - 1 : i - 1].at, m_ring[i].at, m_ring[i + 1 == n ? 0 : i + 1].at);
+    const std::size_t n = m_ring.size();
+    const std::size_t i = m_order.front();
+    const int turn = orientation(m_ring[i == 0 ? n - 1 : i - 1].at, m_ring[i].at, m_ring[i + 1 == n ? 0 : i + 1].at);
     if (turn == 0) return Turning::Tangled;
     return turn > 0 ? Turning::CounterClockwise : Turning::Clockwise;
 }
@@ -211,9 +213,10 @@ Outline::Turning Outline::windingOfPlaces()
     m_rays.resize(2 * n);
     std::vector<std::uint32_t> free(m_firstRay.begin(), m_firstRay.end() - 1);
     for (std::size_t i = 0; i < n; ++i) {
-        const std::uint32_t from = m_place[i], to = m_place[i + 1 == n ? 0 : i + 1], edge = static_cast<std::uint32_t>(i);
-        m_rays[free[from]++] = {to, edge, true};
-        m_rays[free[to]++]   = {from, edge, false};
+        const std::uint32_t from = m_place[i], to = m_place[i + 1 == n ? 0 : i + 1],
+                            edge = static_cast<std::uint32_t>(i);
+        m_rays[free[from]++]     = {to, edge, true};
+        m_rays[free[to]++]       = {from, edge, false};
     }
     m_leftOfEdge.assign(n, 0);
     m_settled.assign(places, 0);

@@ -1,8 +1,9 @@
-// A relief: fragments of every face of a material lie farther from the eye than the face itself, as the joints of a wall, the
-// slats of a blind or dents do. It is a fragment stage that changes depth.
+// A relief: fragments of every face of a material lie farther from the eye than the face itself, as the joints of a
+// wall, the slats of a blind or dents do. It is a fragment stage that changes depth.
 //
 // Place      as a cut-out's pattern (core/scene/cutout.h): in the mesh's own space, on the surface
-// Direction  only away from the eye, so that whatever is known to bound the face from the near side bounds the relief too
+// Direction  only away from the eye, so that whatever is known to bound the face from the near side bounds the relief
+//            too
 // Source     docs/correctness.md, Reliefs
 #pragma once
 

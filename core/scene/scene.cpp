@@ -191,7 +191,8 @@ Result<Scene> assemble(Scene parts)
         include(parts.bounds, boxes[instance.mesh.value], instance.toWorld);
     }
     if (!parts.bounds.isEmpty() && !(isFinite(parts.bounds.min) && isFinite(parts.bounds.max)))
-        return Error{Trouble::Input, "the scene reaches beyond the largest number: its instances are too far or too large"};
+        return Error{Trouble::Input,
+                     "the scene reaches beyond the largest number: its instances are too far or too large"};
     parts.digest = digestOf(parts);
     return parts;
 }

@@ -37,16 +37,16 @@ struct NamedView {
 };
 
 struct Scene {
-    std::string                              name;    // the word or path it was loaded by
-    std::vector<std::string>                 files;   // all that it was read from; of a generated scene none
+    std::string                              name;   // the word or path it was loaded by
+    std::vector<std::string>                 files;  // all that it was read from; of a generated scene none
     std::vector<std::shared_ptr<const Mesh>> meshes;
     std::vector<Instance>                    instances;
     std::vector<std::uint32_t>               firstTriangle{0};  // instances + 1 entries
     Light                                    light;
-    std::vector<NamedView>                   views;     // [0], if any, is the default view
+    std::vector<NamedView>                   views;  // [0], if any, is the default view
     std::vector<Warning>                     warnings;
-    Bounds                                   bounds;    // of all instances, world space
-    std::string                              digest;    // 16 hex digits of everything that decides the picture
+    Bounds                                   bounds;  // of all instances, world space
+    std::string                              digest;  // 16 hex digits of everything that decides the picture
 
     std::uint64_t triangleCount() const { return firstTriangle.back(); }
     const Mesh&   meshOf(InstanceId i) const { return *meshes[instances[i.value].mesh.value]; }

@@ -43,8 +43,7 @@ public:
     SceneFileReader(std::string path, std::string folder, const LoadOptions& options)
         : m_path(std::move(path)), m_folder(std::move(folder)), m_options(options),
           m_limit(effectiveMemoryLimit(options.memoryLimit))
-    {
-    }
+    {}
 
     Result<Scene> read(const JsonValue& document);
 
@@ -60,12 +59,13 @@ private:
     Problem readLight(const JsonValue& document);
     Problem readCameras(const JsonValue& document);
 
-    Problem      checkCount(const JsonValue& value, double count, MeshId mesh) const;
-    Problem      checkReach(const JsonValue& value, const Instance& instance) const;
-    void          add(Instance instance, bool colourEach);
-    Result<Rgb>   colourOf(const JsonValue& value) const;
+    Problem     checkCount(const JsonValue& value, double count, MeshId mesh) const;
+    Problem     checkReach(const JsonValue& value, const Instance& instance) const;
+    void        add(Instance instance, bool colourEach);
+    Result<Rgb> colourOf(const JsonValue& value) const;
     /// Which of `words` the member 'pattern' of a cut-out or relief is.
-    Result<std::size_t> patternOf(const JsonValue& value, std::string_view what, std::span<const std::string_view> words) const;
+    Result<std::size_t> patternOf(const JsonValue& value, std::string_view what,
+                                  std::span<const std::string_view> words) const;
     /// A member that is a length.
     Result<double> lengthOf(const JsonValue& value, std::string_view what, std::string_view key) const;
     Result<Cutout> cutoutOf(const JsonValue& value) const;
@@ -78,7 +78,7 @@ private:
     /// The members of an object whose keys are all in `known`.
     Result<const JsonValue::Object*> membersOf(const JsonValue& value, std::string_view what,
                                                std::initializer_list<std::string_view> known) const;
-    static const JsonValue* find(const JsonValue& object, std::string_view key)
+    static const JsonValue*          find(const JsonValue& object, std::string_view key)
     {
         for (const auto& [name, value] : *object.object())
             if (name == key) return &value;
@@ -90,9 +90,10 @@ private:
     const LoadOptions& m_options;
     std::uint64_t      m_limit;
 
-    Scene                               m_scene;
-    std::map<std::string, MeshId>       m_meshes;
-    std::vector<dvec3>                  m_reach;  // of each mesh: how far its vertices are from 0 at most, along each axis
+    Scene                         m_scene;
+    std::map<std::string, MeshId> m_meshes;
+    // of each mesh: how far its vertices are from 0 at most, along each axis
+    std::vector<dvec3>                  m_reach;
     std::map<std::string, FileMaterial> m_materials;
     std::vector<int>                    m_cameraLines;
 };
@@ -113,12 +114,14 @@ Result<Scene> SceneFileReader::read(const JsonValue& document)
     const auto members = membersOf(document, "a scene", {"meshes", "instances", "materials", "light", "cameras"});
     if (!members) return members.error();
     using Step = Problem (SceneFileReader::*)(const JsonValue&);
-    for (const Step step : {&SceneFileReader::readMaterials, &SceneFileReader::readMeshes, &SceneFileReader::readInstances,
-                            &SceneFileReader::readLight, &SceneFileReader::readCameras})
+    for (const Step step :
+         {&SceneFileReader::readMaterials, &SceneFileReader::readMeshes, &SceneFileReader::readInstances,
+          &SceneFileReader::readLight, &SceneFileReader::readCameras})
         if (auto trouble = (this->*step)(document)) return *std::move(trouble);
     for (const auto& [name, material] : m_materials)
         if (!material.used)
-            m_scene.warnings.push_back({m_path, material.line, fmt::format("the material '{}' is used by nothing", name)});
+            m_scene.warnings.push_back(
+                {m_path, material.line, fmt::format("the material '{}' is used by nothing", name)});
 
     m_scene.name = m_path;
     m_scene.files.push_back(m_path);
@@ -128,8 +131,10 @@ Result<Scene> SceneFileReader::read(const JsonValue& document)
     if (!scene) return Error{scene.error().kind, scene.error().sentence, m_path};
     for (std::size_t i = 0; i < scene->views.size(); ++i) {
         const Result<Camera> camera = makeCamera(scene->views[i].view, scene->bounds);
-        if (!camera) return Error{Trouble::Input, fmt::format("the camera '{}': {}", shown(scene->views[i].name),
-                                                              camera.error().sentence), m_path, m_cameraLines[i]};
+        if (!camera)
+            return Error{Trouble::Input,
+                         fmt::format("the camera '{}': {}", shown(scene->views[i].name), camera.error().sentence),
+                         m_path, m_cameraLines[i]};
     }
     return scene;
 }
@@ -192,14 +197,16 @@ Result<Relief> SceneFileReader::reliefOf(const JsonValue& value) const
     return Relief{static_cast<ReliefPattern>(*pattern), *size, *depth};
 }
 
-Result<std::size_t> SceneFileReader::patternOf(const JsonValue& value, std::string_view what, std::span<const std::string_view> words) const
+Result<std::size_t> SceneFileReader::patternOf(const JsonValue& value, std::string_view what,
+                                               std::span<const std::string_view> words) const
 {
     const JsonValue* pattern = find(value, "pattern");
     if (!pattern) return wrong(value, fmt::format("{} needs a 'pattern'", what));
     if (!pattern->text()) return wrong(*pattern, fmt::format("'pattern' must be one of {}", fmt::join(words, ", ")));
     const auto word = std::ranges::find(words, *pattern->text());
     if (word == words.end())
-        return wrong(*pattern, fmt::format("'{}' is no pattern: choose one of {}", shown(*pattern->text()), fmt::join(words, ", ")));
+        return wrong(*pattern, fmt::format("'{}' is no pattern: choose one of {}", shown(*pattern->text()),
+                                           fmt::join(words, ", ")));
     return static_cast<std::size_t>(word - words.begin());
 }
 
@@ -209,7 +216,8 @@ Result<double> SceneFileReader::lengthOf(const JsonValue& value, std::string_vie
     if (!length) return wrong(value, fmt::format("{} needs a '{}'", what, key));
     const Result<double> real = realOf(*length, m_path, key);
     if (!real) return real.error();
-    if (!(*real > 0) || !std::isfinite(*real)) return wrong(*length, fmt::format("'{}' must be more than 0, and finite", key));
+    if (!(*real > 0) || !std::isfinite(*real))
+        return wrong(*length, fmt::format("'{}' must be more than 0, and finite", key));
     return *real;
 }
 
@@ -217,10 +225,12 @@ Problem SceneFileReader::readMeshes(const JsonValue& document)
 {
     const JsonValue* value = find(document, "meshes");
     if (!value) return wrong(document, "the scene has no 'meshes'");
-    if (!value->object() || value->object()->empty()) return wrong(*value, "'meshes' must be an object of meshes by name");
+    if (!value->object() || value->object()->empty())
+        return wrong(*value, "'meshes' must be an object of meshes by name");
     double done = 0;
     for (const auto& [name, description] : *value->object()) {
-        if (m_options.progress.cancelled()) return Error{Trouble::Cancelled, "the scene was not wanted any more", m_path};
+        if (m_options.progress.cancelled())
+            return Error{Trouble::Cancelled, "the scene was not wanted any more", m_path};
         m_options.progress.at(done / static_cast<double>(value->object()->size()), "meshes");
         if (auto trouble = readMesh(name, description)) return trouble;
         done += 1;
@@ -232,11 +242,13 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
 {
     const auto members = membersOf(value, "a mesh", {"obj", "builtin"});
     if (!members) return members.error();
-    if ((*members)->size() != 1) return wrong(value, fmt::format("the mesh '{}' must have either 'obj' or 'builtin'", shown(name)));
+    if ((*members)->size() != 1)
+        return wrong(value, fmt::format("the mesh '{}' must have either 'obj' or 'builtin'", shown(name)));
     const auto& [kind, source] = (*members)->front();
     if (!source.text()) return wrong(source, fmt::format("'{}' must be a text", kind));
 
-    LoadOptions options{.memoryLimit = m_limit, .progress = {.cancel = m_options.progress.cancel}, .times = m_options.times};
+    LoadOptions options{
+        .memoryLimit = m_limit, .progress = {.cancel = m_options.progress.cancel}, .times = m_options.times};
     std::string word;
     if (kind == "obj") {
         if (!source.text()->ends_with(".obj") && !source.text()->ends_with(".OBJ"))
@@ -251,28 +263,30 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
     if (!part) {
         Error error = part.error();
         // Trouble inside an OBJ has its own file and line; anything else is about this line.
-        if (error.file.empty()) error = {error.kind, fmt::format("the mesh '{}': {}", shown(name), error.sentence), m_path, source.line};
+        if (error.file.empty())
+            error = {error.kind, fmt::format("the mesh '{}': {}", shown(name), error.sentence), m_path, source.line};
         if (error.kind == Trouble::Usage) error.kind = Trouble::Input;
         return error;
     }
-    const bool isOneMesh = part->meshes.size() == 1 && part->instances.size() == 1 &&
-                           part->instances[0].toWorld.isIdentity() && !part->instances[0].colour;
+    const bool isOneMesh = part->meshes.size() == 1 && part->instances.size() == 1
+                           && part->instances[0].toWorld.isIdentity() && !part->instances[0].colour;
     if (!isOneMesh)
         return wrong(source, fmt::format("{} is a scene of {} instances, not one mesh; meshes are for example "
-                                         "builtin cube, teapot and soccer-ball", shown(word), part->instances.size()));
+                                         "builtin cube, teapot and soccer-ball",
+                                         shown(word), part->instances.size()));
     std::ranges::move(part->warnings, std::back_inserter(m_scene.warnings));
     std::ranges::move(part->files, std::back_inserter(m_scene.files));
 
-    const auto dressed = [this](const Material& material) { return m_materials.contains(material.name); };
+    const auto dressed               = [this](const Material& material) { return m_materials.contains(material.name); };
     std::shared_ptr<const Mesh> mesh = part->meshes[0];
     if (std::ranges::any_of(mesh->materials, dressed)) {
         auto changed = std::make_shared<Mesh>(*mesh);
         for (Material& material : changed->materials)
             if (const auto own = m_materials.find(material.name); own != m_materials.end()) {
-                material.diffuse  = own->second.colour;
-                material.opacity  = own->second.opacity;
-                material.cutout   = own->second.cutout;
-                material.relief   = own->second.relief;
+                material.diffuse = own->second.colour;
+                material.opacity = own->second.opacity;
+                material.cutout  = own->second.cutout;
+                material.relief  = own->second.relief;
                 own->second.used = true;
             }
         mesh = std::move(changed);
@@ -290,7 +304,8 @@ Problem SceneFileReader::readInstances(const JsonValue& document)
     if (!value) return wrong(document, "the scene has no 'instances', so nothing would be seen");
     if (!value->array()) return wrong(*value, "'instances' must be a list");
     for (const JsonValue& instance : *value->array()) {
-        if (m_options.progress.cancelled()) return Error{Trouble::Cancelled, "the scene was not wanted any more", m_path};
+        if (m_options.progress.cancelled())
+            return Error{Trouble::Cancelled, "the scene was not wanted any more", m_path};
         if (auto trouble = readInstance(instance)) return trouble;
     }
     return {};
@@ -303,7 +318,8 @@ Problem SceneFileReader::readInstance(const JsonValue& value)
     const JsonValue* name = find(value, "mesh");
     if (!name || !name->text()) return wrong(name ? *name : value, "an instance needs the name of its 'mesh'");
     const auto mesh = m_meshes.find(*name->text());
-    if (mesh == m_meshes.end()) return wrong(*name, fmt::format("there is no mesh '{}' in 'meshes'", shown(*name->text())));
+    if (mesh == m_meshes.end())
+        return wrong(*name, fmt::format("there is no mesh '{}' in 'meshes'", shown(*name->text())));
     Instance instance{mesh->second, Affine{}};
 
     bool             colourEach = false;
@@ -352,7 +368,8 @@ Problem SceneFileReader::readInstance(const JsonValue& value)
 Problem SceneFileReader::placeByMatrix(const JsonValue& value, Instance instance)
 {
     const JsonValue::Array* entries = value.array();
-    if (!entries || entries->size() != 12) return wrong(value, "'matrix' must be a list of twelve numbers: three rows of four");
+    if (!entries || entries->size() != 12)
+        return wrong(value, "'matrix' must be a list of twelve numbers: three rows of four");
     for (std::size_t i = 0; i < 12; ++i) {
         const Result<double> entry = realOf((*entries)[i], m_path, "matrix");
         if (!entry) return entry.error();
@@ -371,7 +388,8 @@ Problem SceneFileReader::placeInGrid(const JsonValue& value, Instance instance, 
     const JsonValue* count = find(value, "count");
     const JsonValue* step  = find(value, "step");
     if (!count || !step) return wrong(value, "a grid needs 'count' and 'step', three numbers each");
-    if (!count->array() || count->array()->size() != 3) return wrong(*count, "'count' must be a list of three whole numbers");
+    if (!count->array() || count->array()->size() != 3)
+        return wrong(*count, "'count' must be a list of three whole numbers");
     std::array<std::int64_t, 3> copies{};
     for (std::size_t k = 0; k < 3; ++k) {
         const auto n = wholeOf((*count->array())[k], m_path, "count", 1, std::int64_t{1} << 32);
@@ -380,10 +398,12 @@ Problem SceneFileReader::placeInGrid(const JsonValue& value, Instance instance, 
     }
     const Result<dvec3> apart = vectorOf(*step, m_path, "step");
     if (!apart) return apart.error();
-    const double total = static_cast<double>(copies[0]) * static_cast<double>(copies[1]) * static_cast<double>(copies[2]);
+    const double total =
+        static_cast<double>(copies[0]) * static_cast<double>(copies[1]) * static_cast<double>(copies[2]);
     if (auto trouble = checkCount(*count, total, instance.mesh)) return trouble;
     const auto copyAt = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
-        return Affine::translation({static_cast<double>(x) * apart->x, static_cast<double>(y) * apart->y, static_cast<double>(z) * apart->z});
+        return Affine::translation(
+            {static_cast<double>(x) * apart->x, static_cast<double>(y) * apart->y, static_cast<double>(z) * apart->z});
     };
     instance.toWorld = copyAt(copies[0] - 1, copies[1] - 1, copies[2] - 1);
     if (auto trouble = checkReach(*step, instance)) return trouble;  // the others are nearer
@@ -439,16 +459,20 @@ Problem SceneFileReader::placeAtRandom(const JsonValue& value, Instance instance
 /// Whether so many more copies can be held, and told apart, before the first of them is made.
 Problem SceneFileReader::checkCount(const JsonValue& value, double count, MeshId mesh) const
 {
-    const double instances = static_cast<double>(m_scene.instances.size()) + count;
-    const double bytes     = instances * (sizeof(Instance) + sizeof(std::uint32_t)) * 2;  // a growing list holds twice
-    const double triangles = count * static_cast<double>(m_scene.meshes[mesh.value]->triangles.size());
-    constexpr double kMiB  = 1024.0 * 1024.0;
+    const double     instances = static_cast<double>(m_scene.instances.size()) + count;
+    const double     bytes = instances * (sizeof(Instance) + sizeof(std::uint32_t)) * 2;  // a growing list holds twice
+    const double     triangles = count * static_cast<double>(m_scene.meshes[mesh.value]->triangles.size());
+    constexpr double kMiB      = 1024.0 * 1024.0;
     if (triangles > static_cast<double>(kMaxTriangles) || instances > static_cast<double>(kMaxTriangles))
-        return Error{Trouble::Limit, fmt::format("{:.0f} copies make {:.0f} triangles, and at most {} can be told apart", count,
-                                                 triangles, kMaxTriangles), m_path, value.line};
+        return Error{Trouble::Limit,
+                     fmt::format("{:.0f} copies make {:.0f} triangles, and at most {} can be told apart", count,
+                                 triangles, kMaxTriangles),
+                     m_path, value.line};
     if (bytes > static_cast<double>(m_limit))
-        return Error{Trouble::Limit, fmt::format("{:.0f} copies would take {:.0f} MiB, and the memory limit is {:.0f} MiB", count,
-                                                 bytes / kMiB, static_cast<double>(m_limit) / kMiB), m_path, value.line};
+        return Error{Trouble::Limit,
+                     fmt::format("{:.0f} copies would take {:.0f} MiB, and the memory limit is {:.0f} MiB", count,
+                                 bytes / kMiB, static_cast<double>(m_limit) / kMiB),
+                     m_path, value.line};
     return {};
 }
 
@@ -457,8 +481,10 @@ Problem SceneFileReader::checkReach(const JsonValue& value, const Instance& inst
 {
     const dvec3& reach = m_reach[instance.mesh.value];
     for (const auto& row : instance.toWorld.rows) {
-        const double farthest = std::abs(row[0]) * reach.x + std::abs(row[1]) * reach.y + std::abs(row[2]) * reach.z + std::abs(row[3]);
-        if (!std::isfinite(farthest)) return wrong(value, "an instance reaches beyond the largest number: it is too far or too large");
+        const double farthest =
+            std::abs(row[0]) * reach.x + std::abs(row[1]) * reach.y + std::abs(row[2]) * reach.z + std::abs(row[3]);
+        if (!std::isfinite(farthest))
+            return wrong(value, "an instance reaches beyond the largest number: it is too far or too large");
     }
     return {};
 }
@@ -516,7 +542,8 @@ Problem SceneFileReader::readCameras(const JsonValue& document)
 
 Result<Scene> loadSceneFile(const std::string& path, const LoadOptions& options)
 {
-    const Result<std::string> text = readRegularFile(path, std::min(kMaxSceneFileBytes, effectiveMemoryLimit(options.memoryLimit)));
+    const Result<std::string> text =
+        readRegularFile(path, std::min(kMaxSceneFileBytes, effectiveMemoryLimit(options.memoryLimit)));
     if (!text) return text.error();
     const Result<std::string> folder = folderOf(path);
     if (!folder) return folder.error();

@@ -95,7 +95,7 @@ bool PolygonSplitter::cutEars(std::vector<Triangle>& triangles)
     std::uint32_t remaining  = n;
     std::uint32_t survivor   = 0;      // some corner that is still in the ring
     bool          cutInRound = false;  // since the queue last held every corner
-    const auto look = [&](std::uint32_t v) {
+    const auto    look       = [&](std::uint32_t v) {
         if (m_waiting[v]) return;
         m_waiting[v] = 1;
         m_queue.push_back(v);

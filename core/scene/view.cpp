@@ -32,8 +32,8 @@ double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), 
 /// v / |v|. The power of two taken out first changes no bit of the answer and keeps the squares from vanishing.
 dvec3 normalised(dvec3 v)
 {
-    const int exponent = std::ilogb(largest(v));
-    v                  = {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+    const int exponent  = std::ilogb(largest(v));
+    v                   = {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
     const double length = std::sqrt((v.x * v.x + v.y * v.y) + v.z * v.z);
     return {v.x / length, v.y / length, v.z / length};
 }
@@ -81,7 +81,7 @@ struct Axes {
 Result<Axes> axesOf(const dvec3& direction, const dvec3& up)
 {
     if (!isFinite(up) || largest(up) == 0) return usage("up must be three finite numbers that are not all 0");
-    Axes        axes;
+    Axes axes;
     axes.forward     = normalised(direction);
     const dvec3 side = crossAsWritten(axes.forward, normalised(up));
     if (!(largest(side) > kParallel))
@@ -94,17 +94,19 @@ Result<Axes> axesOf(const dvec3& direction, const dvec3& up)
 
 /// The eye from which the corners of the subject, seen along the axes, fill kFilled of the tighter side and are in the
 /// middle of the picture. `slope`s: tangents of half the angles of view.
-dvec3 framingEye(const Subject& subject, const Axes& axes, const dvec3& middle, bool centred, double slopeX, double slopeY)
+dvec3 framingEye(const Subject& subject, const Axes& axes, const dvec3& middle, bool centred, double slopeX,
+                 double slopeY)
 {
-    // With the eye at distance d behind the middle and shifted by s, a corner (x, z) fits if |x - s| <= (d + z) * slope.
+    // With the eye at distance d behind the middle and shifted by s, a corner (x, z) fits if |x - s| <= (d + z) *
+    // slope.
     const auto fit = [&](const dvec3& axis, double slope) {
-        double most = -std::numeric_limits<double>::infinity();
+        double most  = -std::numeric_limits<double>::infinity();
         double least = most;
         for (const dvec3& corner : subject.corners()) {
             const double x = dotAsWritten(axis, corner);
             const double z = dotAsWritten(axes.forward, corner);
-            most           = std::max(most, x - z * slope);   // s + d * slope must reach this
-            least          = std::max(least, -x - z * slope); // d * slope - s must reach this
+            most           = std::max(most, x - z * slope);    // s + d * slope must reach this
+            least          = std::max(least, -x - z * slope);  // d * slope - s must reach this
         }
         const double shift    = centred ? (most - least) * 0.5 : 0;
         const double distance = std::max(most - shift, least + shift) / slope;
@@ -132,14 +134,17 @@ void chooseDepths(Camera& camera, const ViewRequest& view, const Subject& subjec
     if (view.near) camera.near = *view.near;
     if (view.far) camera.far = *view.far;
     if (camera.near < camera.far) return;
-    if (!view.far) camera.far = camera.near * 2;          // the scene lies before the near plane that was asked for
-    else if (!view.near) camera.near = camera.far * 1e-3; // it lies behind the far plane that was asked for
+    if (!view.far)
+        camera.far = camera.near * 2;  // the scene lies before the near plane that was asked for
+    else if (!view.near)
+        camera.near = camera.far * 1e-3;  // it lies behind the far plane that was asked for
 }
 
 std::optional<std::string> sizeTrouble(int width, int height)
 {
     if (width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide) return std::nullopt;
-    return fmt::format("the picture's size must be from 1x1 to {0}x{0} pixels, not {1}x{2}", kMaxPictureSide, width, height);
+    return fmt::format("the picture's size must be from 1x1 to {0}x{0} pixels, not {1}x{2}", kMaxPictureSide, width,
+                       height);
 }
 
 }  // namespace
@@ -168,7 +173,8 @@ Result<Camera> makeCamera(const ViewRequest& view, const Bounds& scene)
         return usage(fmt::format("the field of view must be between 0 and 180 degrees, not {}", view.verticalFov));
     if (view.eye && !isFinite(*view.eye)) return usage("the eye must be three finite numbers");
     if (view.target && !isFinite(*view.target)) return usage("the target must be three finite numbers");
-    if (view.near && !(std::isfinite(*view.near) && *view.near > 0)) return usage("near must be a finite number above 0");
+    if (view.near && !(std::isfinite(*view.near) && *view.near > 0))
+        return usage("near must be a finite number above 0");
     if (view.far && !(*view.far > 0)) return usage("far must be above near, and may be inf");
     if (view.near && view.far && !(*view.near < *view.far))
         return usage(fmt::format("far must be above near, and {} is not above {}", *view.far, *view.near));
@@ -197,7 +203,7 @@ Result<Camera> makeCamera(const ViewRequest& view, const Bounds& scene)
     camera.forward = axes->forward;
 
     const double slopeX = slopeY * view.width / view.height;
-    camera.eye = view.eye ? *view.eye : framingEye(subject, *axes, middle, !view.target, slopeX, slopeY);
+    camera.eye          = view.eye ? *view.eye : framingEye(subject, *axes, middle, !view.target, slopeX, slopeY);
     chooseDepths(camera, view, subject);
     if (!view.eye && !(isFinite(camera.eye) && std::isfinite(camera.near) && !std::isnan(camera.far)))
         return usage("the scene is too large to be framed: give an eye and a target");

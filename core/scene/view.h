@@ -24,10 +24,10 @@ struct Camera {
     dvec3  right{1, 0, 0};
     dvec3  up{0, 1, 0};
     dvec3  forward{0, 0, -1};
-    double focal  = 1;    // 1 / tan(vertical field of view / 2)
-    double near   = 0.1;  // > 0
-    double far    = 1e6;  // > near, may be infinite
-    int    width  = 1280; // pixels
+    double focal  = 1;     // 1 / tan(vertical field of view / 2)
+    double near   = 0.1;   // > 0
+    double far    = 1e6;   // > near, may be infinite
+    int    width  = 1280;  // pixels
     int    height = 720;
 
     friend bool operator==(const Camera&, const Camera&) = default;
@@ -35,13 +35,13 @@ struct Camera {
 
 /// The view options of the command line and of scene files; what is absent is chosen from the scene's bounds.
 struct ViewRequest {
-    std::optional<dvec3>  eye, target;
-    dvec3                 up{0, 1, 0};
-    double                verticalFov = 45;  // degrees, in (0, 180)
-    std::optional<double> near, far;
-    int                   width = 1280, height = 720;
+    std::optional<dvec3>       eye, target;
+    dvec3                      up{0, 1, 0};
+    double                     verticalFov = 45;  // degrees, in (0, 180)
+    std::optional<double>      near, far;
+    int                        width = 1280, height = 720;
     std::optional<FaceCulling> faceCulling;  // absent: whoever draws decides
-    std::optional<Camera> exact;  // all ten numbers given; everything above but faceCulling is ignored
+    std::optional<Camera>      exact;        // all ten numbers given; everything above but faceCulling is ignored
 };
 
 /// Longest side of a picture: 16384 pixels.

@@ -20,8 +20,9 @@ Error wrong(const JsonValue& value, const std::string& file, std::string sentenc
 Result<std::array<int, 2>> sizeOf(const JsonValue& value, const std::string& file)
 {
     const auto refused = [&] {
-        return wrong(value, file, fmt::format("'size' must be [width, height] or \"WIDTHxHEIGHT\", each from 1 to {}",
-                                              kMaxPictureSide));
+        return wrong(
+            value, file,
+            fmt::format("'size' must be [width, height] or \"WIDTHxHEIGHT\", each from 1 to {}", kMaxPictureSide));
     };
     std::array<int, 2> size{};
     if (const JsonValue::Array* pair = value.array()) {
@@ -48,9 +49,8 @@ Result<std::array<int, 2>> sizeOf(const JsonValue& value, const std::string& fil
 bool isExactForm(const JsonValue::Object& members)
 {
     constexpr std::array<std::string_view, 5> kOnlyExact{"right", "forward", "focal", "width", "height"};
-    return std::ranges::any_of(members, [&](const auto& member) {
-        return std::ranges::find(kOnlyExact, member.first) != kOnlyExact.end();
-    });
+    return std::ranges::any_of(
+        members, [&](const auto& member) { return std::ranges::find(kOnlyExact, member.first) != kOnlyExact.end(); });
 }
 
 }  // namespace
@@ -77,9 +77,18 @@ Result<Camera> cameraOf(const JsonValue& document, const std::string& file)
     if (!members) return wrong(document, file, "a camera must be an object with its ten numbers");
 
     Camera camera;
-    struct Vector { std::string_view key; dvec3* to; };
-    struct Real { std::string_view key; double* to; };
-    struct Whole { std::string_view key; int* to; };
+    struct Vector {
+        std::string_view key;
+        dvec3*           to;
+    };
+    struct Real {
+        std::string_view key;
+        double*          to;
+    };
+    struct Whole {
+        std::string_view key;
+        int*             to;
+    };
     const std::array vectors{Vector{"eye", &camera.eye}, Vector{"right", &camera.right}, Vector{"up", &camera.up},
                              Vector{"forward", &camera.forward}};
     const std::array reals{Real{"focal", &camera.focal}, Real{"near", &camera.near}, Real{"far", &camera.far}};
@@ -101,8 +110,10 @@ Result<Camera> cameraOf(const JsonValue& document, const std::string& file)
             if (!whole) return whole.error();
             *w->to = static_cast<int>(*whole);
         } else {
-            return wrong(value, file, fmt::format("a camera has no '{}'; it has eye, right, up, forward, focal, near, far, "
-                                            "width and height", key.substr(0, 60)));
+            return wrong(value, file,
+                         fmt::format("a camera has no '{}'; it has eye, right, up, forward, focal, near, far, "
+                                     "width and height",
+                                     key.substr(0, 60)));
         }
     }
     if (met < vectors.size() + reals.size() + wholes.size()) {
@@ -137,15 +148,21 @@ Result<ViewRequest> viewOf(const JsonValue& document, const std::string& file)
         if (key == "eye" || key == "target" || key == "up") {
             const Result<dvec3> vector = vectorOf(value, file, key);
             if (!vector) return vector.error();
-            if (key == "eye") view.eye = *vector;
-            else if (key == "target") view.target = *vector;
-            else view.up = *vector;
+            if (key == "eye")
+                view.eye = *vector;
+            else if (key == "target")
+                view.target = *vector;
+            else
+                view.up = *vector;
         } else if (key == "fov" || key == "near" || key == "far") {
             const Result<double> real = realOf(value, file, key);
             if (!real) return real.error();
-            if (key == "fov") view.verticalFov = *real;
-            else if (key == "near") view.near = *real;
-            else view.far = *real;
+            if (key == "fov")
+                view.verticalFov = *real;
+            else if (key == "near")
+                view.near = *real;
+            else
+                view.far = *real;
         } else if (key == "size") {
             const auto size = sizeOf(value, file);
             if (!size) return size.error();
@@ -156,8 +173,10 @@ Result<ViewRequest> viewOf(const JsonValue& document, const std::string& file)
                 return wrong(value, file, "'cull' must be \"none\" or \"back\"");
             view.faceCulling = *value.text() == "back" ? FaceCulling::Back : FaceCulling::None;
         } else {
-            return wrong(value, file, fmt::format("a view has no '{}'; it has size, eye, target, up, fov, near, far and "
-                                                  "cull, or the ten numbers of a camera", key.substr(0, 60)));
+            return wrong(value, file,
+                         fmt::format("a view has no '{}'; it has size, eye, target, up, fov, near, far and "
+                                     "cull, or the ten numbers of a camera",
+                                     key.substr(0, 60)));
         }
     }
     return view;
@@ -172,12 +191,17 @@ Result<Camera> cameraFromJson(const std::string& text, const std::string& file)
 
 std::string cameraToJson(const Camera& camera)
 {
-    const auto real = [](double x) { return std::isinf(x) ? fmt::format("\"{}inf\"", x < 0 ? "-" : "") : fmt::format("\"{:a}\"", x); };
-    const auto vector = [&real](const dvec3& v) { return fmt::format("[{}, {}, {}]", real(v.x), real(v.y), real(v.z)); };
-    return fmt::format("{{\"eye\": {},\n \"right\": {},\n \"up\": {},\n \"forward\": {},\n"
-                       " \"focal\": {}, \"near\": {}, \"far\": {},\n \"width\": {}, \"height\": {}}}\n",
-                       vector(camera.eye), vector(camera.right), vector(camera.up), vector(camera.forward),
-                       real(camera.focal), real(camera.near), real(camera.far), camera.width, camera.height);
+    const auto real = [](double x) {
+        return std::isinf(x) ? fmt::format("\"{}inf\"", x < 0 ? "-" : "") : fmt::format("\"{:a}\"", x);
+    };
+    const auto vector = [&real](const dvec3& v) {
+        return fmt::format("[{}, {}, {}]", real(v.x), real(v.y), real(v.z));
+    };
+    return fmt::format(
+        "{{\"eye\": {},\n \"right\": {},\n \"up\": {},\n \"forward\": {},\n"
+        " \"focal\": {}, \"near\": {}, \"far\": {},\n \"width\": {}, \"height\": {}}}\n",
+        vector(camera.eye), vector(camera.right), vector(camera.up), vector(camera.forward), real(camera.focal),
+        real(camera.near), real(camera.far), camera.width, camera.height);
 }
 
 }  // namespace zscope

@@ -20,17 +20,14 @@ std::uint32_t pack(Rgb colour, double brightness)
 }
 
 /// Of length 1, whatever the length was (but 0): scaled first, so that no square runs over or vanishes.
-dvec3 unit(const dvec3& v)
-{
-    return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
-}
+dvec3 unit(const dvec3& v) { return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); }
 
 /// In [0.25, 1]; 0.515 for a triangle without a normal.
 double brightnessOf(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& towardsLight)
 {
-    const dvec3  normal = glm::cross(b - a, c - a);
-    const double length = glm::length(normal);
-    const double cosine = length > 0 && std::isfinite(length) ? glm::dot(normal, towardsLight) / length : 0;
+    const dvec3  normal  = glm::cross(b - a, c - a);
+    const double length  = glm::length(normal);
+    const double cosine  = length > 0 && std::isfinite(length) ? glm::dot(normal, towardsLight) / length : 0;
     const double towards = 0.5 + 0.5 * cosine;
     return 0.25 + 0.75 * towards * std::sqrt(towards);
 }
@@ -38,15 +35,16 @@ double brightnessOf(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3&
 dvec3 towardsLightOf(const Scene& scene) { return -unit(scene.light.direction); }
 
 /// `a`, `b` and `c`: the triangle's corners in the world.
-std::uint32_t shaded(const Instance& placed, const Mesh& mesh, std::uint32_t triangle, const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& towardsLight)
+std::uint32_t shaded(const Instance& placed, const Mesh& mesh, std::uint32_t triangle, const dvec3& a, const dvec3& b,
+                     const dvec3& c, const dvec3& towardsLight)
 {
     const Rgb colour = placed.colour ? *placed.colour : mesh.materialOf(mesh.trianglePolygon[triangle]).diffuse;
     return pack(colour, brightnessOf(a, b, c, towardsLight));
 }
 
 /// Fills the table of one instance, a run of triangles after another; `world` holds the mesh's corners in the world.
-void shadeTriangles(const Instance& placed, const Mesh& mesh, std::uint32_t from, std::uint32_t end, const dvec3* world, const dvec3& towardsLight,
-                    std::uint32_t* colours)
+void shadeTriangles(const Instance& placed, const Mesh& mesh, std::uint32_t from, std::uint32_t end, const dvec3* world,
+                    const dvec3& towardsLight, std::uint32_t* colours)
 {
     for (std::uint32_t t = from; t < end; ++t) {
         const auto& corners = mesh.triangles[t];
@@ -73,19 +71,22 @@ ColourTable::ColourTable(const Scene& scene)
 {
     if (scene.triangleCount() > kMaxEntries) return;
     m_colours.resize(scene.triangleCount() + 1);
-    m_colours[0]            = kBackgroundColour;
+    m_colours[0]             = kBackgroundColour;
     const dvec3 towardsLight = towardsLightOf(scene);
     const auto  instances    = static_cast<std::int64_t>(scene.instances.size());
-    // Where triangles name few of the mesh's corners, to bring all of them into the world would cost more than it saves.
-    const auto  isSparse     = [](const Mesh& mesh) { return mesh.positions.size() > 3 * mesh.triangles.size(); };
-    const auto  isLarge      = [&](InstanceId instance) { return scene.meshOf(instance).triangles.size() >= kLargeMesh && !isSparse(scene.meshOf(instance)); };
+    // Where triangles name few of the mesh's corners, to bring all of them into the world would cost more than it
+    // saves.
+    const auto isSparse = [](const Mesh& mesh) { return mesh.positions.size() > 3 * mesh.triangles.size(); };
+    const auto isLarge  = [&](InstanceId instance) {
+        return scene.meshOf(instance).triangles.size() >= kLargeMesh && !isSparse(scene.meshOf(instance));
+    };
 
     // A corner belongs to some six triangles: each is brought into the world once. Memory first, where it may throw.
     const auto  threads = static_cast<std::size_t>(omp_get_max_threads());
     std::size_t most = 0, mostOfLarge = 0;
     for (std::int64_t i = 0; i < instances; ++i) {
-        const InstanceId  instance{static_cast<std::uint32_t>(i)};
-        std::size_t&      of = isLarge(instance) ? mostOfLarge : most;
+        const InstanceId instance{static_cast<std::uint32_t>(i)};
+        std::size_t&     of = isLarge(instance) ? mostOfLarge : most;
         if (isSparse(scene.meshOf(instance))) continue;
         of = std::max(of, scene.meshOf(instance).positions.size());
     }
@@ -95,8 +96,8 @@ ColourTable::ColourTable(const Scene& scene)
     for (std::int64_t i = 0; i < instances; ++i) {
         const InstanceId instance{static_cast<std::uint32_t>(i)};
         if (isLarge(instance)) continue;
-        const Instance& placed = scene.instances[instance.value];
-        const Mesh&     mesh   = scene.meshOf(instance);
+        const Instance& placed  = scene.instances[instance.value];
+        const Mesh&     mesh    = scene.meshOf(instance);
         std::uint32_t*  colours = m_colours.data() + scene.firstTriangle[instance.value] + 1;
         if (isSparse(mesh)) {
             for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) colours[t] = colourOf(scene, instance, t);
@@ -120,8 +121,9 @@ ColourTable::ColourTable(const Scene& scene)
                 world[static_cast<std::size_t>(v)] = placed.toWorld(mesh.positions[static_cast<std::size_t>(v)]);
 #pragma omp parallel for schedule(dynamic, 4)
         for (std::int64_t run = 0; run < (triangles + kRun - 1) / kRun; ++run)
-            shadeTriangles(placed, mesh, static_cast<std::uint32_t>(run * kRun), static_cast<std::uint32_t>(std::min(triangles, (run + 1) * kRun)),
-                           world.data(), towardsLight, colours);
+            shadeTriangles(placed, mesh, static_cast<std::uint32_t>(run * kRun),
+                           static_cast<std::uint32_t>(std::min(triangles, (run + 1) * kRun)), world.data(),
+                           towardsLight, colours);
     }
 }
 

@@ -1,7 +1,7 @@
 // The colour of every triangle: flat shading by one directional light, the same from every eye.
 //
-// Shading    material (or instance) colour times 0.25 + 0.75 * w^1.5, w = 0.5 + 0.5 * cosine of normal and light, so that
-//            the far side of an open surface is darker, not black, and no colour depends on the camera
+// Shading    material (or instance) colour times 0.25 + 0.75 * w^1.5, w = 0.5 + 0.5 * cosine of normal and light, so
+//            that the far side of an open surface is darker, not black, and no colour depends on the camera
 // Colours    0xAARRGGBB, opaque, index = rank: [0] is the background
 // Size       four bytes per triangle of the scene, made once and shared; above kMaxEntries triangles there is no
 //            table and colours are computed run by run

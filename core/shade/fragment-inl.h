@@ -1,8 +1,8 @@
-// The fragment shader, several neighbouring pixels of one line side by side. Whoever shades calls this text: once per pixel
-// of the finished picture, or with each fragment.
+// The fragment shader, several neighbouring pixels of one line side by side. Whoever shades calls this text: once per
+// pixel of the finished picture, or with each fragment.
 //
-// Chain      one round is five dependent operations on 32-bit integers (shift, add, shift, exclusive or, add); the lanes
-//            run side by side, so that a vector of fragments costs what one does
+// Chain      one round is five dependent operations on 32-bit integers (shift, add, shift, exclusive or, add); the
+//            lanes run side by side, so that a vector of fragments costs what one does
 // Source     the mixing step is Bob Jenkins' one-at-a-time hash, Dr. Dobb's Journal, 1997
 #if defined(ZSCOPE_FRAGMENT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_FRAGMENT_INL_H
@@ -31,8 +31,9 @@ template <class U32>
 hn::Vec<U32> shaded(U32 u32, hn::Vec<U32> base, hn::Vec<U32> rank, int x, int y, int operations)
 {
     if (operations == 0) return base;
-    const auto pixel = countFrom(u32, static_cast<std::uint32_t>(x)) + hn::Set(u32, static_cast<std::uint32_t>(y) << 16);
-    auto       chain = pixel ^ (rank * hn::Set(u32, 0x9E3779B1u));
+    const auto pixel =
+        countFrom(u32, static_cast<std::uint32_t>(x)) + hn::Set(u32, static_cast<std::uint32_t>(y) << 16);
+    auto chain = pixel ^ (rank * hn::Set(u32, 0x9E3779B1u));
     for (int done = 0; done < operations; done += kOperationsPerRound) {
         chain = chain + hn::ShiftLeft<10>(chain);
         chain = chain ^ hn::ShiftRight<6>(chain);
@@ -41,7 +42,8 @@ hn::Vec<U32> shaded(U32 u32, hn::Vec<U32> base, hn::Vec<U32> rank, int x, int y,
     return base ^ hn::ShiftRight<31>(chain);
 }
 
-/// What a stream method does with the fragments of one triangle if they are shaded as they come (core/scan/fragments.h).
+/// What a stream method does with the fragments of one triangle if they are shaded as they come
+/// (core/scan/fragments.h).
 template <ShadingMoment kWhen>
 class ShadedFragments {
 public:
@@ -50,8 +52,7 @@ public:
 
     ShadedFragments(const Painter& painter, std::uint32_t rank)
         : m_painter(painter), m_rank(rank), m_base(painter.baseColour(rank))
-    {
-    }
+    {}
 
     template <class U32>
     hn::Vec<U32> colours(U32 u32, int x, int y) const

@@ -35,14 +35,16 @@ hn::Vec<U32> ranksAt(U32 u32, const PixelKey* keys, PixelKey background)
         const hn::RebindToSigned<U32> i32;
         const auto* halves = reinterpret_cast<const std::uint32_t*>(keys);  // lower, upper, lower, upper, ...
         const auto  first = hn::LoadU(u32, halves), second = hn::LoadU(u32, halves + hn::Lanes(u32));
-        const auto  isShown = hn::BitCast(i32, hn::ConcatOdd(u32, second, first)) > hn::Set(i32, static_cast<std::int32_t>(background >> 32));
+        const auto  isShown = hn::BitCast(i32, hn::ConcatOdd(u32, second, first))
+                             > hn::Set(i32, static_cast<std::int32_t>(background >> 32));
         return hn::IfThenElseZero(hn::RebindMask(u32, isShown), hn::Not(hn::ConcatEven(u32, second, first)));
     }
 #endif
     return hn::Set(u32, rankAt(keys, background));
 }
 
-inline void baseColoursFromTable(const PixelKey* keys, PixelKey background, int width, const std::uint32_t* table, std::uint32_t* colour)
+inline void baseColoursFromTable(const PixelKey* keys, PixelKey background, int width, const std::uint32_t* table,
+                                 std::uint32_t* colour)
 {
     const hn::ScalableTag<std::uint32_t> u32;
     const int                            lanes = static_cast<int>(hn::Lanes(u32));
@@ -62,7 +64,8 @@ inline void baseColoursFromTable(const PixelKey* keys, PixelKey background, int 
 }
 
 /// Without a table: one computation per run of pixels that show the same triangle.
-inline void baseColoursByRuns(const Painter& painter, const PixelKey* keys, PixelKey background, int width, std::uint32_t* colour)
+inline void baseColoursByRuns(const Painter& painter, const PixelKey* keys, PixelKey background, int width,
+                              std::uint32_t* colour)
 {
     std::uint32_t lastRank = 0, lastColour = kBackgroundColour;
     for (int x = 0; x < width; ++x) {
@@ -74,9 +77,11 @@ inline void baseColoursByRuns(const Painter& painter, const PixelKey* keys, Pixe
     }
 }
 
-/// The fragment shader over the base colours of the pixels [x, width) of line y, those of the background left as they are.
+/// The fragment shader over the base colours of the pixels [x, width) of line y, those of the background left as they
+/// are.
 template <class U32>
-int shadeRow(U32 u32, const PixelKey* keys, PixelKey background, int x, int width, int y, int operations, std::uint32_t* colour)
+int shadeRow(U32 u32, const PixelKey* keys, PixelKey background, int x, int width, int y, int operations,
+             std::uint32_t* colour)
 {
     const int lanes = static_cast<int>(hn::Lanes(u32));
     for (; x + lanes <= width; x += lanes) {
@@ -89,14 +94,15 @@ int shadeRow(U32 u32, const PixelKey* keys, PixelKey background, int x, int widt
     return x;
 }
 
-/// One colour for `width` pixels. Whole vectors are written past the caches: nobody reads them in this frame, and to fetch what they
-/// overwrite would cost as much as to write them.
+/// One colour for `width` pixels. Whole vectors are written past the caches: nobody reads them in this frame, and to
+/// fetch what they overwrite would cost as much as to write them.
 inline void fillColours(std::uint32_t* colour, int width, std::uint32_t value)
 {
     const hn::ScalableTag<std::uint32_t> u32;
     const int                            lanes = static_cast<int>(hn::Lanes(u32));
     int                                  x     = 0;
-    for (; x < width && reinterpret_cast<std::uintptr_t>(colour + x) % (hn::Lanes(u32) * sizeof(value)) != 0; ++x) colour[x] = value;
+    for (; x < width && reinterpret_cast<std::uintptr_t>(colour + x) % (hn::Lanes(u32) * sizeof(value)) != 0; ++x)
+        colour[x] = value;
     for (; x + lanes <= width; x += lanes) hn::Stream(hn::Set(u32, value), u32, colour + x);
     for (; x < width; ++x) colour[x] = value;
 }
@@ -106,24 +112,25 @@ inline void shadeSpan(const Painter& painter, const VisibilityBuffer& visible, i
 {
     const PixelKey* keys       = visible.row(y);
     const PixelKey  background = visible.background();
-    std::uint32_t*  colour = painter.colour.row(y).data();
+    std::uint32_t*  colour     = painter.colour.row(y).data();
     if (painter.table.isComplete())
         baseColoursFromTable(keys + x0, background, x1 - x0, painter.table.data(), colour + x0);
     else
         baseColoursByRuns(painter, keys + x0, background, x1 - x0, colour + x0);
     if (painter.operations == 0) return;
-    const int rest = shadeRow(hn::ScalableTag<std::uint32_t>(), keys, background, x0, x1, y, painter.operations, colour);
+    const int rest =
+        shadeRow(hn::ScalableTag<std::uint32_t>(), keys, background, x0, x1, y, painter.operations, colour);
     shadeRow(hn::CappedTag<std::uint32_t, 1>(), keys, background, rest, x1, y, painter.operations, colour);
 }
 
-/// Lines [first, end), which are whole lines of tiles or end with the picture. Tiles that nothing was drawn to are background,
-/// and need no colours if they had those before; tiles that show one triangle need no look at their pixels.
+/// Lines [first, end), which are whole lines of tiles or end with the picture. Tiles that nothing was drawn to are
+/// background, and need no colours if they had those before; tiles that show one triangle need no look at their pixels.
 inline void shadeRows(const Painter& painter, const VisibilityBuffer& visible, int first, int end)
 {
     constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
-    const int     tiles  = (visible.width() + kWidth - 1) / kWidth;
+    const int     tiles = (visible.width() + kWidth - 1) / kWidth;
     for (int top = first; top < end; top += kLines) {
-        const int  bottom = std::min(top + kLines, end);
+        const int  bottom   = std::min(top + kLines, end);
         const auto isOpen   = [&](int tile) { return visible.isOpen(tile * kWidth, top); };
         const auto soleRank = [&](int tile) {
             const TilePlane* plane = visible.planeAt(tile * kWidth, top);
@@ -140,10 +147,10 @@ inline void shadeRows(const Painter& painter, const VisibilityBuffer& visible, i
                     continue;
                 }
                 std::uint8_t& painted = painter.painted.at(tile, top / kLines);
-                old     = old || painted != 0;
-                painted = open;
+                old                   = old || painted != 0;
+                painted               = open;
             }
-            const int x0 = from * kWidth, x1 = std::min(tile * kWidth, visible.width());
+            const int           x0 = from * kWidth, x1 = std::min(tile * kWidth, visible.width());
             const std::uint32_t colour = sole != 0 ? painter.baseColour(sole) : kBackgroundColour;
             for (int y = top; y < bottom && (open || old); ++y) {
                 if (open && sole == 0)

@@ -2,9 +2,9 @@
 //
 // Order      by the crossing with the line's centre, as finely as LineCrossing holds it, so that crossings less than a
 //            hundred-thousandth of a subpixel apart may stand either way, which moves no pixel
-// Cost       per line one pass that drops, steps and merges with the newcomers, from one list to another: what is read was not
-//            just written. Sorting is by insertion, as neighbours rarely change places, until that has moved more edges than
-//            sorting the line outright would: never worse than n log n
+// Cost       per line one pass that drops, steps and merges with the newcomers, from one list to another: what is read
+//            was not just written. Sorting is by insertion, as neighbours rarely change places, until that has moved
+//            more edges than sorting the line outright would: never worse than n log n
 #pragma once
 
 #include <algorithm>
@@ -25,16 +25,16 @@ class ActiveEdges {
 public:
     void clear() { m_edges.count = 0; }
 
-    /// Moves on to line y: edges whose last line lies above it leave, the others step, those of the table's bucket for the line
-    /// enter, and all stand from left to right.
+    /// Moves on to line y: edges whose last line lies above it leave, the others step, those of the table's bucket for
+    /// the line enter, and all stand from left to right.
     template <class Rules, class Probe>
     void advanceTo(int y, const EdgeTable& table, const Rules& rules, const Probe& probe)
     {
         const bool                        sorts    = rules.sortsActiveEdges();
         const std::span<const ActiveEdge> entering = inOrder(table, y, sorts);
-        NearlySorted order(m_next, m_edges.count + entering.size(), sorts);
-        std::size_t  entered = 0;
-        const auto   enter   = [&] {
+        NearlySorted                      order(m_next, m_edges.count + entering.size(), sorts);
+        std::size_t                       entered = 0;
+        const auto                        enter   = [&] {
             probe(EdgeEntered{entering[entered], entering[entered].polygon()});
             order.append(entering[entered], entering[entered].crossing());
             ++entered;
@@ -44,7 +44,8 @@ public:
                 probe(EdgeLeft{edge, edge.polygon()});
                 continue;
             }
-            const LineCrossing now = edge.isWide() ? ActiveEdge::placed(table.sideOf(edge), y) : edge.crossing().onNextLine();
+            const LineCrossing now =
+                edge.isWide() ? ActiveEdge::placed(table.sideOf(edge), y) : edge.crossing().onNextLine();
             while (sorts && entered < entering.size() && entering[entered].crossing().isLeftOf(now)) enter();
             order.append(edge, now);
         }
@@ -71,11 +72,15 @@ private:
         std::size_t                 bytes() const { return edges.capacity() * sizeof(ActiveEdge); }
     };
 
-    /// Insertion sort that gives up, and sorts outright at the end, once it has moved four times as many edges as there are.
+    /// Insertion sort that gives up, and sorts outright at the end, once it has moved four times as many edges as there
+    /// are.
     class NearlySorted {
     public:
         /// Fills `list` anew with at most `most` edges.
-        NearlySorted(List& list, std::size_t most, bool sorts) : m_list(list), m_movesLeft(4 * most + 1), m_sorts(sorts) { list.begin(most); }
+        NearlySorted(List& list, std::size_t most, bool sorts) : m_list(list), m_movesLeft(4 * most + 1), m_sorts(sorts)
+        {
+            list.begin(most);
+        }
 
         void append(const ActiveEdge& edge, LineCrossing crossing)
         {
@@ -96,7 +101,8 @@ private:
         {
             std::vector<ActiveEdge>& edges = m_list.edges;
             const ActiveEdge         edge  = edges[place];
-            for (; place > 0 && edge.isLeftOf(edges[place - 1]) && m_movesLeft > 0; --place, --m_movesLeft) edges[place] = edges[place - 1];
+            for (; place > 0 && edge.isLeftOf(edges[place - 1]) && m_movesLeft > 0; --place, --m_movesLeft)
+                edges[place] = edges[place - 1];
             edges[place] = edge;
         }
 

@@ -1,7 +1,7 @@
 // The polygons of a sweep, and how far the line at hand has come in each of them.
 //
-// Active     a polygon is active on the lines that its edges cross. They name it by its place in the edge table, and it stays there:
-//            nothing is entered or removed
+// Active     a polygon is active on the lines that its edges cross. They name it by its place in the edge table, and it
+//            stays there: nothing is entered or removed
 // Cost       per line nothing; 8 bytes per polygon beside what the edge table holds
 #pragma once
 

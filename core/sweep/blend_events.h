@@ -11,8 +11,8 @@ namespace zscope {
 struct PixelBlended {
     static constexpr Grain grain = Grain::Pixel;
     int                    x, y;
-    std::uint32_t          surfaces;        // blended, farthest first
-    std::uint32_t          before, after;   // its colour, 0xAARRGGBB
+    std::uint32_t          surfaces;       // blended, farthest first
+    std::uint32_t          before, after;  // its colour, 0xAARRGGBB
 };
 
 /// Fragments of one line that were found, and how many of them the opaque surface hides.

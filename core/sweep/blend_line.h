@@ -1,12 +1,12 @@
-// Resolves a line of the sweep by blending: all transparent fragments of the line that are nearer than the opaque depth are
-// listed pixel by pixel, put in order, and laid "over" the colour that is there.
+// Resolves a line of the sweep by blending: all transparent fragments of the line that are nearer than the opaque depth
+// are listed pixel by pixel, put in order, and laid "over" the colour that is there.
 //
-// Order      Sorted: from far to near by (depth, -id), which is right wherever surfaces cross.
-//            BackThenFront: back faces first, then front faces, each as submitted; right for one convex body, wrong where
-//            bodies overlap or are hollow: what renderers do that keep no list
+// Order      Sorted: from far to near by (depth, -id), which is right wherever surfaces cross. BackThenFront: back
+//            faces first, then front faces, each as submitted; right for one convex body, wrong where bodies overlap or
+//            are hollow: what renderers do that keep no list
 // Over       per channel c += (source - c) * opacity, float32, from the opaque colour; rounded once at the end
-// Memory     of the fragments of a part of one line: a line with more than kMostFragments is cut into halves until each has
-//            fewer, or is one pixel
+// Memory     of the fragments of a part of one line: a line with more than kMostFragments is cut into halves until each
+//            has fewer, or is one pixel
 // Source     Porter, Duff: Compositing Digital Images, SIGGRAPH 1984; Carpenter: The A-buffer, SIGGRAPH 1984
 #pragma once
 
@@ -30,15 +30,15 @@ public:
     BlendLine(const VisibilityBuffer& visible, GridView<std::uint32_t> colour, BlendOrder order, BlendScratch& scratch,
               const Rules& rules, const Teller& tell)
         : m_visible(visible), m_colour(colour), m_order(order), m_scratch(scratch), m_rules(rules), m_tell(tell)
-    {
-    }
+    {}
 
     template <class Probe>
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe&)
     {
         m_scratch.spans.clear();
-        forEachSpan(active, polygons, m_visible.width(), m_rules,
-                    [this](std::uint32_t part, int x0, int x1) { m_scratch.spans.push_back({part, x0, x1}); });
+        forEachSpan(active, polygons, m_visible.width(), m_rules, [this](std::uint32_t part, int x0, int x1) {
+            m_scratch.spans.push_back({part, x0, x1});
+        });
         if (!m_scratch.spans.empty()) blendBetween(y, 0, m_visible.width(), polygons);
     }
 
@@ -48,7 +48,8 @@ private:
     void blendBetween(int y, int x0, int x1, const ActivePolygons& polygons)
     {
         std::int64_t count = 0;
-        for (const BlendScratch::Span& span : m_scratch.spans) count += std::max(0, std::min(span.x1, x1) - std::max(span.x0, x0));
+        for (const BlendScratch::Span& span : m_scratch.spans)
+            count += std::max(0, std::min(span.x1, x1) - std::max(span.x0, x0));
         if (count > kMostFragments && x1 - x0 > 1) {
             const int middle = x0 + (x1 - x0) / 2;
             blendBetween(y, x0, middle, polygons);
@@ -56,7 +57,8 @@ private:
             return;
         }
         collect(y, x0, x1, polygons);
-        m_tell(FragmentsJudged{static_cast<std::uint64_t>(count), static_cast<std::uint64_t>(count) - m_scratch.fragments.size()});
+        m_tell(FragmentsJudged{static_cast<std::uint64_t>(count),
+                               static_cast<std::uint64_t>(count) - m_scratch.fragments.size()});
         for (std::size_t column = 0; column + 1 < m_scratch.columns.size(); ++column) {
             const std::size_t first = m_scratch.columns[column], end = m_scratch.columns[column + 1];
             if (first == end) continue;
@@ -74,22 +76,24 @@ private:
         m_scratch.columns.assign(static_cast<std::size_t>(x1 - x0) + 1, 0);
         for (const BlendScratch::Span& span : m_scratch.spans) {
             const SweepPolygon& polygon = polygons[span.part];
-            const DepthPlane&    plane   = polygon.depth;
-            const double         line    = plane.b * (y + 0.5) + plane.c;
+            const DepthPlane&   plane   = polygon.depth;
+            const double        line    = plane.b * (y + 0.5) + plane.c;
             for (int x = std::max(span.x0, x0); x < std::min(span.x1, x1); ++x) {
-                const double z     = std::min(std::max(plane.a * (x + 0.5) + line, double{plane.farthest}), double{plane.nearest});
-                const float  depth = m_rules.stored(z);
+                const double z =
+                    std::min(std::max(plane.a * (x + 0.5) + line, double{plane.farthest}), double{plane.nearest});
+                const float depth = m_rules.stored(z);
                 if (!(depth > depthOf(opaque[x]))) continue;
                 m_scratch.found.push_back({x, depth, span.part, polygon.rank()});
                 ++m_scratch.columns[static_cast<std::size_t>(x - x0)];
             }
         }
-        // Counts become the ends of the columns, and from the back each fragment goes to the last free place of its own:
-        // what is left are the columns' beginnings.
+        // Counts become the ends of the columns, and from the back each fragment goes to the last free place of its
+        // own: what is left are the columns' beginnings.
         for (std::size_t i = 1; i < m_scratch.columns.size(); ++i) m_scratch.columns[i] += m_scratch.columns[i - 1];
         m_scratch.fragments.resize(m_scratch.found.size());
         for (std::size_t i = m_scratch.found.size(); i-- > 0;)
-            m_scratch.fragments[--m_scratch.columns[static_cast<std::size_t>(m_scratch.found[i].x - x0)]] = m_scratch.found[i];
+            m_scratch.fragments[--m_scratch.columns[static_cast<std::size_t>(m_scratch.found[i].x - x0)]] =
+                m_scratch.found[i];
     }
 
     bool comesBefore(const BlendScratch::Fragment& a, const BlendScratch::Fragment& b) const
@@ -111,11 +115,11 @@ private:
             blue += (channel(paint.colour, 0) - blue) * paint.opacity;
         }
         const std::uint32_t after = 0xFF000000u | rounded(red) << 16 | rounded(green) << 8 | rounded(blue);
-        m_colour.at(x, y) = after;
+        m_colour.at(x, y)         = after;
         m_tell(PixelBlended{x, y, static_cast<std::uint32_t>(fragments.size()), before, after});
     }
 
-    static float         channel(std::uint32_t colour, int shift) { return static_cast<float>(colour >> shift & 0xFFu); }
+    static float channel(std::uint32_t colour, int shift) { return static_cast<float>(colour >> shift & 0xFFu); }
     static std::uint32_t rounded(float channel) { return static_cast<std::uint32_t>(channel + 0.5f); }
 
     const VisibilityBuffer& m_visible;

@@ -30,20 +30,20 @@ struct BlendScratch {
         std::uint32_t rank;  // triangle id + 1
     };
 
-    EdgeTable             edges;
-    ActiveEdges           active;
-    ActivePolygons        polygons;
-    std::vector<Paint>    paints;     // one per part
-    std::vector<Span>     spans;      // of the line at hand
-    std::vector<Fragment> found;      // of a part of it, as they were found
-    std::vector<Fragment> fragments;  // the same, column by column
-    std::vector<std::uint32_t> columns;  // where each column's begin in `fragments`
+    EdgeTable                  edges;
+    ActiveEdges                active;
+    ActivePolygons             polygons;
+    std::vector<Paint>         paints;     // one per part
+    std::vector<Span>          spans;      // of the line at hand
+    std::vector<Fragment>      found;      // of a part of it, as they were found
+    std::vector<Fragment>      fragments;  // the same, column by column
+    std::vector<std::uint32_t> columns;    // where each column's begin in `fragments`
 
     std::size_t bytes() const
     {
-        return edges.bytes() + active.bytes() + polygons.bytes() + paints.capacity() * sizeof(Paint) +
-               spans.capacity() * sizeof(Span) + (found.capacity() + fragments.capacity()) * sizeof(Fragment) +
-               columns.capacity() * sizeof(std::uint32_t);
+        return edges.bytes() + active.bytes() + polygons.bytes() + paints.capacity() * sizeof(Paint)
+               + spans.capacity() * sizeof(Span) + (found.capacity() + fragments.capacity()) * sizeof(Fragment)
+               + columns.capacity() * sizeof(std::uint32_t);
     }
 };
 

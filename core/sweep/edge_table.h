@@ -4,7 +4,8 @@
 // Edges      only those that cross the centre of a line; horizontal edges never do. Inside a bucket they are ordered by
 //            the quarter of a pixel they enter at, so that the active edge table only has to merge them
 // Sides      of wide edges, which are placed from them on every line; of the others only if somebody looks on
-// Polygons   triangles after set-up (one that the near plane cut in two is two parts with one id), or faces as they were read
+// Polygons   triangles after set-up (one that the near plane cut in two is two parts with one id), or faces as they
+//            were read
 // Cost       two counting sorts of places: linear in edges, lines and columns
 // Errors     std::bad_alloc where it would take more bytes than it may
 #pragma once
@@ -28,8 +29,8 @@ class EdgeTable {
 public:
     enum class Sides { OfWide, All };  // whose are kept
 
-    /// Where an edge enters, counted from the band's first line and, in quarters of a pixel, from one left of the picture; the
-    /// right end of the widest pictures is one column.
+    /// Where an edge enters, counted from the band's first line and, in quarters of a pixel, from one left of the
+    /// picture; the right end of the widest pictures is one column.
     struct Start {
         std::uint16_t line, column;
     };
@@ -51,7 +52,8 @@ public:
     /// Room for so many more polygons and edges; add() needs it.
     void reserve(std::size_t polygons, std::size_t edges)
     {
-        const std::size_t parts = m_partCount + polygons, all = m_edgeCount + edges + 1;  // behind the last there is room for what is not kept
+        // behind the last there is room for what is not kept
+        const std::size_t parts = m_partCount + polygons, all = m_edgeCount + edges + 1;
         if (parts > kMost || all > kMost) throw std::bad_alloc();  // some 100 GiB of edges
         if (parts > m_parts.size()) {
             mayHold(2 * parts, m_edges.size());
@@ -71,8 +73,11 @@ public:
     /// An edge as it stands on its first line.
     void add(const ActiveEdge& edge, int line)
     {
-        add(edge, Start{static_cast<std::uint16_t>(line - m_firstLine),
-                        static_cast<std::uint16_t>(std::clamp<std::int64_t>(edge.crossing().column(kColumnBits), -1, columns()) + 1)}, true);
+        add(edge,
+            Start{static_cast<std::uint16_t>(line - m_firstLine),
+                  static_cast<std::uint16_t>(
+                      std::clamp<std::int64_t>(edge.crossing().column(kColumnBits), -1, columns()) + 1)},
+            true);
     }
     /// The same if it is `kept`: no branch.
     void add(const ActiveEdge& edge, Start start, bool kept)
@@ -132,9 +137,9 @@ public:
 
     std::size_t bytes() const
     {
-        return m_parts.capacity() * sizeof(SweepPolygon) + m_edges.capacity() * sizeof(ActiveEdge) +
-               m_sides.capacity() * sizeof(ScreenSide) + m_starts.capacity() * sizeof(Start) +
-               (m_byColumn.capacity() + m_byLine.capacity() + m_bounds.capacity()) * sizeof(std::uint32_t);
+        return m_parts.capacity() * sizeof(SweepPolygon) + m_edges.capacity() * sizeof(ActiveEdge)
+               + m_sides.capacity() * sizeof(ScreenSide) + m_starts.capacity() * sizeof(Start)
+               + (m_byColumn.capacity() + m_byLine.capacity() + m_bounds.capacity()) * sizeof(std::uint32_t);
     }
 
     struct Lines {
@@ -155,7 +160,8 @@ private:
     void mayHold(std::size_t parts, std::size_t edges) const
     {
         constexpr std::size_t kPerEdge = sizeof(ActiveEdge) + sizeof(Start) + 2 * sizeof(std::uint32_t);
-        if (parts * sizeof(SweepPolygon) + edges * kPerEdge + m_sides.size() * sizeof(ScreenSide) > m_memory) throw std::bad_alloc();
+        if (parts * sizeof(SweepPolygon) + edges * kPerEdge + m_sides.size() * sizeof(ScreenSide) > m_memory)
+            throw std::bad_alloc();
     }
 
     static constexpr std::size_t kMost = ActiveEdge::kMaxPlace;
@@ -170,13 +176,13 @@ private:
         for (std::uint32_t& bound : bounds) before += std::exchange(bound, before);
     }
 
-    int                        m_firstLine  = 0;
-    int                        m_endLine    = 0;
-    int                        m_columns    = 0;  // of the picture
-    bool                       m_keepsSides = false;
-    std::uint64_t              m_memory     = 0;
-    std::size_t                m_partCount  = 0;
-    std::size_t                m_edgeCount  = 0;
+    int           m_firstLine  = 0;
+    int           m_endLine    = 0;
+    int           m_columns    = 0;  // of the picture
+    bool          m_keepsSides = false;
+    std::uint64_t m_memory     = 0;
+    std::size_t   m_partCount  = 0;
+    std::size_t   m_edgeCount  = 0;
     // Each may have more entries than are in use, so that entering an edge is storing it.
     std::vector<SweepPolygon>  m_parts;
     std::vector<ActiveEdge>    m_edges;     // in the order they were added, each on its first line

@@ -1,15 +1,15 @@
 // Resolves a line of the sweep by intervals: between two neighbouring active edges the same polygons are open, so the
 // nearest of them is found once for the whole interval, without a z-buffer.
 //
-// Nearest    judged at both end pixels. Depth is affine along the line, so a polygon that leads every rival by more than
-//            kLead float32 steps at both ends, with no depth limited there, leads everywhere between
-// Patterns   a polygon that has holes or a relief covers no interval whole, and does not lead: its plane is only the nearest that
-//            it can be. As a rival that is what counts
-// Crossing   an interval that nobody leads like that (polygons that cross, touch or are equally near) is compared pixel by
-//            pixel, which is where the textbook's one test per interval goes wrong
+// Nearest    judged at both end pixels. Depth is affine along the line, so a polygon that leads every rival by more
+//            than kLead float32 steps at both ends, with no depth limited there, leads everywhere between
+// Patterns   a polygon that has holes or a relief covers no interval whole, and does not lead: its plane is only the
+//            nearest that it can be. As a rival that is what counts
+// Crossing   an interval that nobody leads like that (polygons that cross, touch or are equally near) is compared pixel
+//            by pixel, which is where the textbook's one test per interval goes wrong
 // Promise    the same pixels as LineZBuffer
-// Cost       per interval one evaluation per open polygon and end; lines with more than kCrowd polygons open at once are
-//            resolved like LineZBuffer, whose cost does not grow with the number of intervals
+// Cost       per interval one evaluation per open polygon and end; lines with more than kCrowd polygons open at once
+//            are resolved like LineZBuffer, whose cost does not grow with the number of intervals
 // Source     Watkins: A Real Time Visible Surface Algorithm, 1970; docs/correctness.md, Rules that make methods exact
 #if defined(ZSCOPE_INTERVALS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_INTERVALS_INL_H
@@ -35,14 +35,14 @@ class Intervals {
 public:
     Intervals(VisibilityBuffer& visible, const PatternFinder& patterns, const Rules& rules)
         : m_visible(visible), m_patterns(patterns), m_rules(rules)
-    {
-    }
+    {}
 
     template <class Probe>
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
     {
         LineZBuffer byPixels(m_visible, m_patterns, m_rules);
-        // Who listens sees such a line resolved in one way from end to end, and what wrong rules store may win over what is right.
+        // Who listens sees such a line resolved in one way from end to end, and what wrong rules store may win over
+        // what is right.
         constexpr bool kLooksFirst = Probe::listens || !Rules::kExact;
         if (kLooksFirst && isCrowded(active, polygons)) return byPixels.line(y, active, polygons, probe);
         Open open;
@@ -63,7 +63,8 @@ public:
                 return byPixels.line(y, active, polygons, probe);
             }
         }
-        for (const std::uint32_t polygon : open.view()) polygons.spanOf(polygon) = {};  // a fault has lost the edge that closes it
+        // a fault has lost the edge that closes it
+        for (const std::uint32_t polygon : open.view()) polygons.spanOf(polygon) = {};
     }
 
 private:
@@ -139,12 +140,13 @@ private:
             return;
         }
         closes.pass(edge), opens.pass(edge);
-        opens.openAt                                          = closes.openAt;
+        opens.openAt                                         = closes.openAt;
         open.polygon[static_cast<std::size_t>(opens.openAt)] = edge.opens();
     }
 
     template <class Probe>
-    void resolve(int y, int x0, int x1, std::span<const std::uint32_t> open, const ActivePolygons& polygons, const Probe& probe)
+    void resolve(int y, int x0, int x1, std::span<const std::uint32_t> open, const ActivePolygons& polygons,
+                 const Probe& probe)
     {
         const Leader leader = leaderOf(y, x0, x1, open, polygons);
         if (const SweepPolygon* nearest = leader.polygon) {
@@ -160,7 +162,7 @@ private:
 
     struct Leader {
         const SweepPolygon* polygon;  // nullptr: none leads for certain
-        IntervalReason       reason;
+        IntervalReason      reason;
     };
 
     /// The polygon that leads all other open ones all over [x0, x1), if one does for certain.
@@ -168,7 +170,8 @@ private:
     {
         if (!m_rules.comparesByEnds()) return {nullptr, IntervalReason::NotByEnds};
         const SweepPolygon* best = &polygons[open[0]];
-        if (open.size() == 1 && !best->patterned && best->depth.farthest > m_visible.empty()) return {best, IntervalReason::Alone};
+        if (open.size() == 1 && !best->patterned && best->depth.farthest > m_visible.empty())
+            return {best, IntervalReason::Alone};
         EndDepth bestLeft = depthAt(best->depth, x0, y);
         if (open.size() == 1) {
             if (best->patterned) return {nullptr, IntervalReason::HasPattern};
@@ -185,7 +188,8 @@ private:
         if (m_rules.testsIntervalOnce()) return {best, IntervalReason::TestedOnce};
         const EndDepth bestRight = depthAt(best->depth, x1 - 1, y);
         if (bestLeft.limited || bestRight.limited) return {nullptr, IntervalReason::DepthLimited};
-        if (bestLeft.depth <= m_visible.empty() || bestRight.depth <= m_visible.empty()) return {nullptr, IntervalReason::BeyondFar};
+        if (bestLeft.depth <= m_visible.empty() || bestRight.depth <= m_visible.empty())
+            return {nullptr, IntervalReason::BeyondFar};
         for (const std::uint32_t polygon : open) {
             const SweepPolygon& rival = polygons[polygon];
             if (&rival == best) continue;

@@ -1,11 +1,12 @@
-// Where an edge meets the centres of successive lines, in fixed point: one addition takes it to the next line, one shift tells the
-// pixel, one comparison the order of two edges.
+// Where an edge meets the centres of successive lines, in fixed point: one addition takes it to the next line, one
+// shift tells the pixel, one comparison the order of two edges.
 //
-// Position   in 1/2^31 subpixel, rounded up; kDrift such units are never reached by what rounding adds up to. A crossing that is no
-//            whole subpixel lies at least 1/dy from the next one, which is more as long as dy < kTallest. So subpixel and pixel
-//            are those of the exact crossing, on every line
-// Order      by position; of two equal ones the edge that closes its triangle comes before one that opens the next, which is what
-//            neighbours do at the edge they share. Crossings closer than kDrift units may stand either way
+// Position   in 1/2^31 subpixel, rounded up; kDrift such units are never reached by what rounding adds up to. A
+//            crossing that is no whole subpixel lies at least 1/dy from the next one, which is more as long as dy <
+//            kTallest. So subpixel and pixel are those of the exact crossing, on every line
+// Order      by position; of two equal ones the edge that closes its triangle comes before one that opens the next,
+//            which is what neighbours do at the edge they share. Crossings closer than kDrift units may stand either
+//            way
 // Range      corners inside the guard band; edges of fewer than kTallest subpixels, or placed anew on every line
 // Source     docs/correctness.md, Coverage; core/scan/edge_stepper.h is the same with the remainder carried along
 #pragma once
@@ -31,7 +32,8 @@ public:
         constexpr auto kOne = std::int64_t{1} << kShift;
         LineCrossing   crossing;
         crossing.m_x = (x << kShift) - kToPixel + opens;
-        if (fraction > 0) crossing.m_x += std::clamp(static_cast<std::int64_t>(fraction * 0x1p31) << 1, kDrift, kOne - 2);
+        if (fraction > 0)
+            crossing.m_x += std::clamp(static_cast<std::int64_t>(fraction * 0x1p31) << 1, kDrift, kOne - 2);
         return crossing;
     }
 
@@ -45,7 +47,7 @@ public:
     std::int64_t x() const { return (m_x + kToPixel) >> kShift; }
     bool         isLeftOf(const LineCrossing& other) const { return m_x < other.m_x; }
 
-    static constexpr int          kShift = 32;                     // the lowest bit tells who closes and who opens
+    static constexpr int          kShift    = 32;                  // the lowest bit tells who closes and who opens
     static constexpr int          kToColumn = kShift + 8;          // from a position to its pixel
     static constexpr std::int64_t kDrift = std::int64_t{1} << 13;  // twice 4096: an edge of kTallest crosses 2048 lines
     static_assert(kDrift * kTallest <= std::int64_t{1} << kShift);

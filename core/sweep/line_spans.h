@@ -1,5 +1,5 @@
-// The spans of a line of the sweep: each active polygon covers the pixels between the edges on this line that open it and those
-// that close it.
+// The spans of a line of the sweep: each active polygon covers the pixels between the edges on this line that open it
+// and those that close it.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,15 @@
 
 namespace zscope {
 
-/// Calls visit(polygon, x0, x1) for each run of pixels [x0, x1) that a polygon covers, from left to right by where they end, inside
-/// the `width` pixels of a line; never an empty one. Always inlined, so that each instruction set gets it in its own instructions.
+/// Calls visit(polygon, x0, x1) for each run of pixels [x0, x1) that a polygon covers, from left to right by where they
+/// end, inside the `width` pixels of a line; never an empty one. Always inlined, so that each instruction set gets it
+/// in its own instructions.
 template <class Rules, class Visit>
-[[gnu::always_inline]] inline void forEachSpan(std::span<const ActiveEdge> active, ActivePolygons& polygons, int width, const Rules& rules,
-                                               const Visit& visit)
+[[gnu::always_inline]] inline void forEachSpan(std::span<const ActiveEdge> active, ActivePolygons& polygons, int width,
+                                               const Rules& rules, const Visit& visit)
 {
-    const auto pass = [&](const ActiveEdge& edge, std::uint32_t polygon) __attribute__((always_inline)) {
+    const auto pass = [&](const ActiveEdge& edge, std::uint32_t polygon) __attribute__((always_inline))
+    {
         ActivePolygons::Span& span    = polygons.spanOf(polygon);
         const int             pixel   = edge.firstPixel(rules);
         const bool            wasOpen = span.isOpen();

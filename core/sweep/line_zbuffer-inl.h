@@ -1,7 +1,7 @@
 // Resolves a line of the sweep with a one-line z-buffer: the line of the visibility buffer that is being drawn.
 //
-// Idea       each active polygon covers the pixels between the edges on this line that open it and those that close it; offer
-//            them to the depth test
+// Idea       each active polygon covers the pixels between the edges on this line that open it and those that close it;
+//            offer them to the depth test
 // Cost       the pixels of all active polygons on the line, hidden ones included
 #if defined(ZSCOPE_LINE_ZBUFFER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_LINE_ZBUFFER_INL_H
@@ -33,8 +33,8 @@ struct PatternFinder {
 
 /// Tests the pixels [x0, x1) of line y, by the patterns of the polygon, if it has any.
 template <class Rules, class Probe>
-void testPolygonSpan(const SweepPolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible, const PatternFinder& patterns,
-                     const Rules& rules, const Probe& probe)
+void testPolygonSpan(const SweepPolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible,
+                     const PatternFinder& patterns, const Rules& rules, const Probe& probe)
 {
     if (polygon.patterned)
         testSpan(polygon.depth, polygon.rank(), y, x0, x1, visible, rules, probe, patterns.fragmentsOf(polygon));
@@ -47,8 +47,7 @@ class LineZBuffer {
 public:
     LineZBuffer(VisibilityBuffer& visible, const PatternFinder& patterns, const Rules& rules)
         : m_visible(visible), m_patterns(patterns), m_rules(rules)
-    {
-    }
+    {}
 
     template <class Probe>
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)

@@ -1,8 +1,8 @@
-// Which sides two screen triangles of a batch have in common. Such a side is one edge of the sweep, where the one closes and the other opens, so that nearly half of the
-// edges of a surface need not be entered, sorted and stepped.
+// Which sides two screen triangles of a batch have in common. Such a side is one edge of the sweep, where the one
+// closes and the other opens, so that nearly half of the edges of a surface need not be entered, sorted and stepped.
 //
-// Which      MeshBatches::beyond, where both triangles are in the list, are compact and show the same face: then they lie on either side of it, and their corners are the
-//            same snapped ones. Any other side is one triangle's
+// Which      MeshBatches::beyond, where both triangles are in the list, are compact and show the same face: then they
+//            lie on either side of it, and their corners are the same snapped ones. Any other side is one triangle's
 // Cost       per batch two tables of its triangles, per side three loads
 // Source     Baumgart: Winged Edge Polyhedron Representation, Stanford 1972, of which this is what a sweep needs
 #pragma once
@@ -20,7 +20,8 @@ class SharedSides {
 public:
     static constexpr std::int32_t kNone = -1;
 
-    explicit SharedSides(const TriangleList& triangles) : m_triangles(triangles), m_areKnown(triangles.batch && !triangles.mesh->beyond[0].empty())
+    explicit SharedSides(const TriangleList& triangles)
+        : m_triangles(triangles), m_areKnown(triangles.batch && !triangles.mesh->beyond[0].empty())
     {
         if (!m_areKnown) return;
         for (auto& places : m_places) {
@@ -28,10 +29,12 @@ public:
             places[MeshBatches::kNobody] = kNone;
         }
         for (std::size_t i = 0; i < triangles.count; ++i)
-            if (triangles.is(TriangleList::kCompact, i)) m_places[isFront(i)][triangles.placeInBatch(i)] = static_cast<std::int32_t>(i);
+            if (triangles.is(TriangleList::kCompact, i))
+                m_places[isFront(i)][triangles.placeInBatch(i)] = static_cast<std::int32_t>(i);
     }
 
-    /// out[k][lane]: the triangle of the list beyond side k of triangle `at` + lane, or kNone. `count` lanes have triangles.
+    /// out[k][lane]: the triangle of the list beyond side k of triangle `at` + lane, or kNone. `count` lanes have
+    /// triangles.
     template <std::size_t lanes>
     void beyond(std::size_t at, std::size_t count, std::array<std::array<std::int32_t, lanes>, 3>& out) const
     {
@@ -44,9 +47,9 @@ public:
             const std::size_t t      = m_triangles.batch->firstTriangle + m_triangles.placeInBatch(i);
             const bool        front  = isFront(i);  // whose corners are turned in the list
             const auto&       places = m_places[front];
-            out[0][lane] = places[columns[front ? 2 : 0][t]];
-            out[1][lane] = places[columns[1][t]];
-            out[2][lane] = places[columns[front ? 0 : 2][t]];
+            out[0][lane]             = places[columns[front ? 2 : 0][t]];
+            out[1][lane]             = places[columns[1][t]];
+            out[2][lane]             = places[columns[front ? 0 : 2][t]];
         }
     }
 
@@ -55,7 +58,8 @@ private:
 
     const TriangleList& m_triangles;
     bool                m_areKnown;
-    // Where the batch's triangles stand in the list, and nobody: those that show their back, then those that show their front.
+    // Where the batch's triangles stand in the list, and nobody: those that show their back, then those that show their
+    // front.
     std::array<std::array<std::int32_t, kBatchTriangles + 1>, 2> m_places;
 };
 

@@ -1,22 +1,26 @@
-// Order front to back: the two-level hierarchy is descended from the near side to the far side, so that what is drawn first
-// hides what comes later.
+// Order front to back: the two-level hierarchy is descended from the near side to the far side, so that what is drawn
+// first hides what comes later.
 //
-// Node       outside the frustum: skipped. Hidden by the pyramid: skipped. Else entered: its own items are drawn, or its
-//            children visited, nearer ones first
-// Order      octree: the eye's octant first, then across one splitting plane, two, three. An affine placement keeps planes
-//            planes, so the eye is taken into the tree's own space. What straddles the planes has no exact place between
-//            the octants: it comes before the first octant whose box is farther from the eye. BVH: the nearer box first.
-//            Instances and batches of one node: the nearer box first. Triangles of one batch, where they are large: the nearer first
-// Inside     at full speed a tree whose box holds the eye is not descended branch by branch: of all nodes that wait the nearest is next. From within,
-//            much of a branch lies behind what is near in the next one
-// Pixels     at full speed a batch's patches that face away are left out, and those patches and small triangles all of whose pixels hold
-//            something nearer than the batch comes (core/geometry/patches.h, core/depth/hidden_squares.h); of large triangles, patches that
-//            the pyramid hides
+// Node       outside the frustum: skipped. Hidden by the pyramid: skipped. Else entered: its own items are drawn, or
+//            its children visited, nearer ones first
+// Order      octree: the eye's octant first, then across one splitting plane, two, three. An affine placement keeps
+//            planes planes, so the eye is taken into the tree's own space. What straddles the planes has no exact place
+//            between the octants: it comes before the first octant whose box is farther from the eye. BVH: the nearer
+//            box first. Instances and batches of one node: the nearer box first. Triangles of one batch, where they are
+//            large: the nearer first
+// Inside     at full speed a tree whose box holds the eye is not descended branch by branch: of all nodes that wait the
+//            nearest is next. From within, much of a branch lies behind what is near in the next one
+// Pixels     at full speed a batch's patches that face away are left out, and those patches and small triangles all of
+//            whose pixels hold something nearer than the batch comes (core/geometry/patches.h,
+//            core/depth/hidden_squares.h); of large triangles, patches that the pyramid hides
 // Balls      there, too, a node reaches no farther than a ball around it does: whoever listens sees boxes
-// Dense      where that is so, questions about nodes below one whose triangles are that small may be left out (core/cull/sampled_questions.h)
-// Whole      there, too, a small node is drawn with everything below it, and not divided: the squares tell its parts apart
-// Recall     with a memory of the last frame: what it saw is drawn first, unasked, in the order in which it came then; the
-//            visit that follows judges it again, to learn whether it stays remembered, but does not draw it twice (NodeMemory)
+// Dense      where that is so, questions about nodes below one whose triangles are that small may be left out
+//            (core/cull/sampled_questions.h)
+// Whole      there, too, a small node is drawn with everything below it, and not divided: the squares tell its parts
+//            apart
+// Recall     with a memory of the last frame: what it saw is drawn first, unasked, in the order in which it came then;
+//            the visit that follows judges it again, to learn whether it stays remembered, but does not draw it twice
+//            (NodeMemory)
 // Promise    skips only what cannot win a pixel (StripeVolume, NodeReach, Pyramid); a node that reaches before the near
 //            plane, as one that holds the eye does, is always entered
 // Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993
@@ -64,25 +68,17 @@ struct PlacedTree {
 
 template <class Consume, class Rules, class Probe>
 class FrontToBack {
-    using Planes = StripeVolume::Planes;
+    using Planes                       = StripeVolume::Planes;
     static constexpr bool kAtFullSpeed = Rules::kExact && !Probe::listens;
 
 public:
     FrontToBack(const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees, const Occlusion& occlusion,
-                StageClock& clock, const Consume& consume, const Rules& rules, const Probe& probe, NodeMemory* memory = nullptr)
-        : m_stripe(stripe),
-          m_scene(stripe.scene.scene()),
-          m_scratch(scratch),
-          m_trees(trees),
-          m_occlusion(occlusion),
-          m_clock(clock),
-          m_consume(consume),
-          m_rules(rules),
-          m_probe(probe),
-          m_memory(memory),
+                StageClock& clock, const Consume& consume, const Rules& rules, const Probe& probe,
+                NodeMemory* memory = nullptr)
+        : m_stripe(stripe), m_scene(stripe.scene.scene()), m_scratch(scratch), m_trees(trees), m_occlusion(occlusion),
+          m_clock(clock), m_consume(consume), m_rules(rules), m_probe(probe), m_memory(memory),
           m_volume(stripe.projection, stripe.visible.width(), stripe.firstRow, stripe.endRow)
-    {
-    }
+    {}
 
     void visitScene()
     {
@@ -155,7 +151,8 @@ private:
         const Affine*      toWorld = placed.toWorld.isIdentity() ? nullptr : &placed.toWorld;
         DrawnTriangles     all;
         if (!isWhole)
-            m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size() - batches.triangleCount())});
+            m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size()
+                                                                                   - batches.triangleCount())});
         for (const WaitingBatch& next : inOrder(placed, batches)) {
             const Batch& batch = batches.batches[next.batch];
             if (m_stripe.progress.cancelled()) break;
@@ -179,7 +176,8 @@ private:
                 place.patches = patchesTowardsEye(place, placed.backs, placed.view, m_stripe);
                 m_clock.lap(Stage::Cull);
                 if (place.patches == 0) return false;
-                const LeftOut leftOut = setUpSeen(place, placed.view, m_stripe, m_scratch, m_patchQuestions, m_clock, m_rules, m_probe);
+                const LeftOut leftOut =
+                    setUpSeen(place, placed.view, m_stripe, m_scratch, m_patchQuestions, m_clock, m_rules, m_probe);
                 all.add({.hidden = leftOut.triangles, .hiddenPixels = leftOut.pixels});
                 return true;
             }
@@ -217,8 +215,8 @@ private:
     template <class DrawItems>
     void visitNearestFirst(const PlacedTree& placed, const WaitingNode& root, const DrawItems& drawItems)
     {
-        std::vector<WaitingNode>& waiting   = m_scratch.nodes;
-        const auto                isFarther = [](const WaitingNode& a, const WaitingNode& b) { return a.distance > b.distance; };
+        std::vector<WaitingNode>& waiting = m_scratch.nodes;
+        const auto isFarther = [](const WaitingNode& a, const WaitingNode& b) { return a.distance > b.distance; };
         waiting.assign(1, root);
         while (!waiting.empty() && !m_stripe.progress.cancelled()) {
             std::ranges::pop_heap(waiting, isFarther);
@@ -241,7 +239,8 @@ private:
 
     /// `open`: planes of the stripe that the node above crosses, and so this one may.
     template <class DrawItems>
-    void visit(const PlacedTree& placed, const TreeNode& node, Planes open, const DrawItems& drawItems, AskedNode above = {})
+    void visit(const PlacedTree& placed, const TreeNode& node, Planes open, const DrawItems& drawItems,
+               AskedNode above = {})
     {
         if (m_stripe.progress.cancelled() || judge(placed, node, open, above) != Verdict::Entered) return;
         if (isDrawnWhole(placed, node)) return drawItems(node, open);
@@ -254,42 +253,49 @@ private:
         for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], open, drawItems, above);
     }
 
-    /// Triangles of a node that is drawn at once, with everything below it, where pixels are asked (measured, docs/performance.md).
+    /// Triangles of a node that is drawn at once, with everything below it, where pixels are asked (measured,
+    /// docs/performance.md).
     static constexpr std::uint32_t kDrawnWhole = 768;
-    bool isDrawnWhole(const PlacedTree& placed, const TreeNode& node) const
+    bool                           isDrawnWhole(const PlacedTree& placed, const TreeNode& node) const
     {
-        return kAtFullSpeed && m_occlusion.asksPixels && (!m_memory || m_memory->holdsWholeNodes()) && !placed.isInstanceTree && node.size() <= kDrawnWhole;
+        return kAtFullSpeed && m_occlusion.asksPixels && (!m_memory || m_memory->holdsWholeNodes())
+               && !placed.isInstanceTree && node.size() <= kDrawnWhole;
     }
 
-    /// A dense node that is much smaller than the last one asked about is asked in any case, unless it is drawn whole: its batch looks for itself.
+    /// A dense node that is much smaller than the last one asked about is asked in any case, unless it is drawn whole:
+    /// its batch looks for itself.
     static constexpr std::uint32_t kMuchSmaller = 8;
-    bool isAsked(const PlacedTree& placed, const TreeNode& node, const AskedNode& above)
+    bool                           isAsked(const PlacedTree& placed, const TreeNode& node, const AskedNode& above)
     {
         if (!above.isDense) return true;
         if (node.size() <= above.size / kMuchSmaller && !isDrawnWhole(placed, node)) return true;
         return m_denseQuestions.isWorthIt();
     }
 
-    /// Strikes out of `open` the planes that the node lies wholly inside of; `above` becomes the node itself if it is asked about.
+    /// Strikes out of `open` the planes that the node lies wholly inside of; `above` becomes the node itself if it is
+    /// asked about.
     Verdict judge(const PlacedTree& placed, const TreeNode& node, Planes& open, AskedNode& above)
     {
         if (const std::optional<Verdict> before = m_probe.template decided<Verdict>()) return *before;
         const ViewBox box = placed.view(node.bounds);
         if (m_volume.misses(box, open)) return tell(placed, node, Verdict::Outside, nullptr);
         const double smallest = m_rules.smallestNode();
-        if (smallest == 0 && !(m_occlusion.asksNodes && isAsked(placed, node, above))) return tell(placed, node, Verdict::Entered, nullptr);
+        if (smallest == 0 && !(m_occlusion.asksNodes && isAsked(placed, node, above)))
+            return tell(placed, node, Verdict::Entered, nullptr);
         NodeReach reach = reachOf(box, m_stripe.projection, m_stripe.region());
         if (reach.crossesNear) return tell(placed, node, Verdict::Entered, nullptr);
         if (reach.area < smallest) return tell(placed, node, Verdict::Small, nullptr);
         if (!m_occlusion.asksNodes) return tell(placed, node, Verdict::Entered, nullptr);
-        if constexpr (kAtFullSpeed) reach = narrowedToBall(reach, box, node.radius * placed.view.longest(), m_stripe.projection);
+        if constexpr (kAtFullSpeed)
+            reach = narrowedToBall(reach, box, node.radius * placed.view.longest(), m_stripe.projection);
         if (m_rules.truncatesNodeBoxes()) --reach.pixels.x1, --reach.pixels.y1;
         if (reach.pixels.isEmpty()) return tell(placed, node, Verdict::Outside, nullptr);
         const PyramidQuery query =
             askPyramid(*m_occlusion.pyramid, reach.pixels, reach.nearest, WholeBox{}, m_rules, m_probe);
         if constexpr (kAtFullSpeed) {
             if (above.isDense) m_denseQuestions.answered(query.hidden);
-            if (m_occlusion.asksPixels && !placed.isInstanceTree) above = {node.size(), reach.pixels.area() <= kWorthLooking * node.size()};
+            if (m_occlusion.asksPixels && !placed.isInstanceTree)
+                above = {node.size(), reach.pixels.area() <= kWorthLooking * node.size()};
         }
         if constexpr (Probe::listens) {
             const NodePlace asked = placed.place(node);
@@ -340,11 +346,14 @@ private:
             return a.distance != b.distance ? a.distance < b.distance : a.node->slot < b.node->slot;
         });
         const dvec3    centre = 0.5 * node.cell.min + 0.5 * node.cell.max;
-        const unsigned eyes = (placed.eye.x > centre.x ? 1u : 0u) | (placed.eye.y > centre.y ? 2u : 0u) | (placed.eye.z > centre.z ? 4u : 0u);
-        for (const unsigned across : {0u, 1u, 2u, 4u, 3u, 5u, 6u, 7u}) {  // planes between the eye's octant and this one
+        const unsigned eyes   = (placed.eye.x > centre.x ? 1u : 0u) | (placed.eye.y > centre.y ? 2u : 0u)
+                              | (placed.eye.z > centre.z ? 4u : 0u);
+        // planes between the eye's octant and this one
+        for (const unsigned across : {0u, 1u, 2u, 4u, 3u, 5u, 6u, 7u}) {
             const TreeNode* child = octant[eyes ^ across];
             if (!child) continue;
-            while (next < waiting && straddling[next].distance < distance(placed.eye, child->bounds)) ordered.add(straddling[next++].node);
+            while (next < waiting && straddling[next].distance < distance(placed.eye, child->bounds))
+                ordered.add(straddling[next++].node);
             ordered.add(child);
         }
         while (next < waiting) ordered.add(straddling[next++].node);

@@ -1,13 +1,15 @@
-// What one stripe remembers from frame to frame: the nodes whose triangles were drawn, mostly seen and not found hidden.
-// Whatever was visible a frame ago is a good guess at what hides the rest now.
+// What one stripe remembers from frame to frame: the nodes whose triangles were drawn, mostly seen and not found
+// hidden. Whatever was visible a frame ago is a good guess at what hides the rest now.
 //
-// Worth      to draw a node unasked saves a question per triangle and costs the pixels of those that are hidden after all.
-//            A node is remembered as long as that pays; every kTurns-th in turn is left to the visit, whose questions tell
-// A guess    nothing here decides a pixel: a node too many costs its triangles, a node too few is found by the visit that
-//            follows. That is why cuts, half-turns, other sizes and other stripes need no care
+// Worth      to draw a node unasked saves a question per triangle and costs the pixels of those that are hidden after
+//            all. A node is remembered as long as that pays; every kTurns-th in turn is left to the visit, whose
+//            questions tell
+// A guess    nothing here decides a pixel: a node too many costs its triangles, a node too few is found by the visit
+//            that follows. That is why cuts, half-turns, other sizes and other stripes need no care
 // Identity   nodes are remembered by address, so the trees they belong to are remembered too: by a token that no other
 //            trees can have, not even later ones at the same address. Other trees: everything is forgotten
-// Whole      a frame that draws small nodes undivided remembers them so. One that divides them forgets these, and the other way round
+// Whole      a frame that draws small nodes undivided remembers them so. One that divides them forgets these, and the
+//            other way round
 // Order      front to back as the last frame's visit found it, which is nearly right for this one
 // Cost       per remembered node 24 bytes and a place in a hash table; a look-up per node that has triangles of its own
 #pragma once
@@ -85,7 +87,8 @@ public:
     }
     static bool isWorthIt(const DrawnTriangles& triangles)
     {
-        return triangles.drawn > 0 && triangles.hiddenPixels <= kPixelsPerQuestion * (triangles.drawn + triangles.hidden);
+        return triangles.drawn > 0
+               && triangles.hiddenPixels <= kPixelsPerQuestion * (triangles.drawn + triangles.hidden);
     }
 
     /// The node, one of lastFrame(), has been drawn before the visit.
@@ -111,22 +114,24 @@ public:
 
     std::size_t bytes() const
     {
-        return (m_last.capacity() + m_next.capacity()) * sizeof(RememberedNode) + m_slots.capacity() * sizeof(std::uint32_t);
+        return (m_last.capacity() + m_next.capacity()) * sizeof(RememberedNode)
+               + m_slots.capacity() * sizeof(std::uint32_t);
     }
 
 private:
     std::size_t next(std::size_t slot) const { return (slot + 1) & (m_slots.size() - 1); }
     std::size_t slotOf(InstanceId instance, const TreeNode* node) const
     {
-        const std::uint64_t key = (reinterpret_cast<std::uintptr_t>(node) / alignof(TreeNode)) ^ (std::uint64_t{instance.value} << 40);
+        const std::uint64_t key =
+            (reinterpret_cast<std::uintptr_t>(node) / alignof(TreeNode)) ^ (std::uint64_t{instance.value} << 40);
         return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 32) & (m_slots.size() - 1);
     }
 
     std::weak_ptr<const void>   m_owner;         // token of the trees that m_last belongs to
     std::vector<RememberedNode> m_last, m_next;  // of the last frame, of this one
-    std::size_t                 m_frame = 0;
+    std::size_t                 m_frame        = 0;
     bool                        m_mayHoldWhole = false, m_holdsWhole = false;
-    std::vector<std::uint32_t>  m_slots;         // nodes drawn ahead: position in m_last + 1, 0 is free; a power of two
+    std::vector<std::uint32_t>  m_slots;  // nodes drawn ahead: position in m_last + 1, 0 is free; a power of two
 };
 
 }  // namespace zscope

@@ -35,8 +35,8 @@ struct Stripe {
     VisibilityBuffer&    visible;
     int                  firstRow;
     int                  endRow;
-    Progress             progress;  // only its cancel flag is read
-    const Painter*       painter = nullptr;  // of fragments that are shaded as they come; nullptr: none are
+    Progress             progress;                     // only its cancel flag is read
+    const Painter*       painter = nullptr;            // of fragments that are shaded as they come; nullptr: none are
     std::uint64_t        memory  = ~std::uint64_t{0};  // bytes that its edge table may take
 
     PixelBox region() const { return {0, firstRow, visible.width(), endRow}; }
@@ -70,18 +70,18 @@ struct WaitingNode {
 
 /// Scratch memory of one thread, reused frame after frame.
 struct StripeScratch {
-    ScreenVertices   vertices;
-    TriangleList     triangles;                           // of the batch at hand
-    WindowList       windows;                             // likewise, of compact triangles
-    SampleList       samples;                             // likewise, of tiny ones
-    EdgeTable        edges;                               // sweep methods only, like the next two
-    ActiveEdges      active;
-    ActivePolygons   polygons;
-    FaceScratch      faces;    // methods that draw whole faces only
-    Pyramid          pyramid;  // hierarchical methods only
-    HiddenSquares    hidden;   // likewise, of the batch at hand
-    BlendScratch     blend;    // scenes with transparent surfaces only
-    NodeMemory       memory;   // methods with coherence only
+    ScreenVertices vertices;
+    TriangleList   triangles;  // of the batch at hand
+    WindowList     windows;    // likewise, of compact triangles
+    SampleList     samples;    // likewise, of tiny ones
+    EdgeTable      edges;      // sweep methods only, like the next two
+    ActiveEdges    active;
+    ActivePolygons polygons;
+    FaceScratch    faces;    // methods that draw whole faces only
+    Pyramid        pyramid;  // hierarchical methods only
+    HiddenSquares  hidden;   // likewise, of the batch at hand
+    BlendScratch   blend;    // scenes with transparent surfaces only
+    NodeMemory     memory;   // methods with coherence only
 
     std::vector<WaitingInstance> instances;  // hierarchical methods only, like the next
     std::vector<WaitingBatch>    batches;
@@ -89,9 +89,10 @@ struct StripeScratch {
 
     std::size_t bytes() const
     {
-        return sizeof(*this) + windows.bytes() + samples.bytes() + edges.bytes() + active.bytes() + polygons.bytes() + faces.bytes() +
-               instances.capacity() * sizeof(WaitingInstance) + batches.capacity() * sizeof(WaitingBatch) + nodes.capacity() * sizeof(WaitingNode) + pyramid.bytes() +
-               blend.bytes() + memory.bytes();
+        return sizeof(*this) + windows.bytes() + samples.bytes() + edges.bytes() + active.bytes() + polygons.bytes()
+               + faces.bytes() + instances.capacity() * sizeof(WaitingInstance)
+               + batches.capacity() * sizeof(WaitingBatch) + nodes.capacity() * sizeof(WaitingNode) + pyramid.bytes()
+               + blend.bytes() + memory.bytes();
     }
 };
 

@@ -2,8 +2,9 @@
 // (core/geometry/batches.h says in which order the triangles of a large mesh stand).
 //
 // Promise    skips only what cannot touch a pixel centre of the stripe (StripeVolume)
-// Cost       five planes per instance, per batch those that the instance crosses and a cone of normals, at full speed those of its patches, too,
-//            and their places on the screen where the batch crosses the stripe's border; transform and set-up of what is left
+// Cost       five planes per instance, per batch those that the instance crosses and a cone of normals, at full speed
+//            those of its patches, too, and their places on the screen where the batch crosses the stripe's border;
+//            transform and set-up of what is left
 #if defined(ZSCOPE_SUBMITTED_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_SUBMITTED_INL_H
 #undef ZSCOPE_SUBMITTED_INL_H
@@ -35,12 +36,14 @@ inline constexpr std::uint64_t kWorthLooking = 16;
 inline constexpr std::size_t kWorthChoosing = 8;
 
 /// Of vertices that may lie anywhere.
-inline constexpr ScreenVertices::Reach kAnyReach{-ScreenVertices::kNowhere / 2, -ScreenVertices::kNowhere / 2, ScreenVertices::kNowhere / 2, ScreenVertices::kNowhere / 2};
+inline constexpr ScreenVertices::Reach kAnyReach{-ScreenVertices::kNowhere / 2, -ScreenVertices::kNowhere / 2,
+                                                 ScreenVertices::kNowhere / 2, ScreenVertices::kNowhere / 2};
 
 /// Where the vertices of patches lie whose pixels lie in the box, as PatchReach finds it in the region.
 inline ScreenVertices::Reach reachAround(const PixelBox& box, const PixelBox& region)
 {
-    // A box that may have been cut at the region's edge says nothing of what lies beyond. Else they lie between the centres before its first pixels and behind its last.
+    // A box that may have been cut at the region's edge says nothing of what lies beyond. Else they lie between the
+    // centres before its first pixels and behind its last.
     if (box.x0 <= region.x0 || box.y0 <= region.y0 || box.x1 >= region.x1 || box.y1 >= region.y1) return kAnyReach;
     return {256 * box.x0 - 128, 256 * box.y0 - 128, 256 * box.x1 + 128, 256 * box.y1 + 128};
 }
@@ -53,10 +56,11 @@ struct BatchSeen {
     ScreenVertices::Reach reach = kAnyReach;  // of the patches' vertices
 };
 
-/// The same of patches with so many pixels that the pyramid is asked about them, one by one if that is often answered with "hidden".
+/// The same of patches with so many pixels that the pyramid is asked about them, one by one if that is often answered
+/// with "hidden".
 inline BatchSeen seenOfLarge(const PatchReach& reach, const WidePyramid& pyramid, SampledQuestions& questions)
 {
-    BatchSeen seen{reach.patches(), HiddenPart::Nothing, {}};
+    BatchSeen  seen{reach.patches(), HiddenPart::Nothing, {}};
     const auto leaveOut = [&seen](PatchBits patches, const PixelBox& pixels) {
         seen.patches &= ~patches;
         seen.leftOut.triangles += static_cast<std::uint32_t>(std::popcount(patches)) * kPatchTriangles;
@@ -78,45 +82,54 @@ inline BatchSeen seenOfLarge(const PatchReach& reach, const WidePyramid& pyramid
 }
 
 /// Leaves the squares that are hidden of the batch in `scratch.hidden`.
-inline BatchSeen seenOf(const BatchPlace& place, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch, SampledQuestions& patchQuestions)
+inline BatchSeen seenOf(const BatchPlace& place, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch,
+                        SampledQuestions& patchQuestions)
 {
     const PatchReach reach(place.mesh, place.batch, place.patches, view, stripe.projection, stripe.region());
-    const auto       triangles = [](PatchBits patches) { return static_cast<std::uint32_t>(std::popcount(patches)) * kPatchTriangles; };
+    const auto       triangles = [](PatchBits patches) {
+        return static_cast<std::uint32_t>(std::popcount(patches)) * kPatchTriangles;
+    };
     if (reach.patches() == 0) return {0, HiddenPart::Nothing, {}};
     const std::uint64_t pixels = reach.pixels().area();
-    if (pixels > kWorthLooking * triangles(reach.patches())) return seenOfLarge(reach, WidePyramid(scratch.pyramid), patchQuestions);
+    if (pixels > kWorthLooking * triangles(reach.patches()))
+        return seenOfLarge(reach, WidePyramid(scratch.pyramid), patchQuestions);
     const HiddenPart part = HiddenSquaresFinder::find(stripe.visible, reach.pixels(), reach.nearest(), scratch.hidden);
     if (part == HiddenPart::Everything) return {0, part, {triangles(reach.patches()), pixels}};
     const ScreenVertices::Reach around = reachAround(reach.pixels(), stripe.region());
     if (part == HiddenPart::Nothing) return {reach.patches(), part, {}, around};
     const PatchBits hidden = reach.hiddenAmong(HiddenBoxes(scratch.hidden));
     LeftOut         leftOut{triangles(hidden), 0};
-    for (PatchBits left = hidden; left != 0; left &= left - 1) leftOut.pixels += reach.pixelsOf(static_cast<std::size_t>(std::countr_zero(left))).area();
+    for (PatchBits left = hidden; left != 0; left &= left - 1)
+        leftOut.pixels += reach.pixelsOf(static_cast<std::size_t>(std::countr_zero(left))).area();
     return {reach.patches() & ~hidden, part, leftOut, around};
 }
 
 /// Transforms one batch and leaves its screen triangles in `scratch.triangles`.
 template <class Rules, class Probe>
-void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Rules& rules,
-                const Probe& probe)
+void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch,
+                StageClock& clock, const Rules& rules, const Probe& probe)
 {
-    const std::uint64_t groups = place.patches == kAllPatches ? ~std::uint64_t{0} : vertexGroupsOf(place.mesh, place.batch, place.patches);
-    if (kWorthChoosing * kVertexGroup * static_cast<std::size_t>(std::popcount(groups)) > (kWorthChoosing - 1) * place.batch.vertexCount)
+    const std::uint64_t groups =
+        place.patches == kAllPatches ? ~std::uint64_t{0} : vertexGroupsOf(place.mesh, place.batch, place.patches);
+    if (kWorthChoosing * kVertexGroup * static_cast<std::size_t>(std::popcount(groups))
+        > (kWorthChoosing - 1) * place.batch.vertexCount)
         transformBatch(place.mesh, place.batch, place.toWorld, stripe.projection, rules, scratch.vertices);
     else
         transformGroups(place.mesh, place.batch, groups, place.toWorld, stripe.projection, rules, scratch.vertices);
     probe(BatchTransformed{instance, place.batch.vertexCount});
     clock.lap(Stage::Transform);
     scratch.triangles.clear();
-    BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, stripe.region(), rules, scratch.triangles, probe).run();
+    BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, stripe.region(), rules, scratch.triangles,
+               probe)
+        .run();
     clock.lap(Stage::Setup);
 }
 
-/// The same at full speed, but for what can win no pixel any more, because all of its pixels hold something nearer than the batch comes, or its patch.
-/// The pyramid is a wide one.
+/// The same at full speed, but for what can win no pixel any more, because all of its pixels hold something nearer than
+/// the batch comes, or its patch. The pyramid is a wide one.
 template <class Rules, class Probe>
-LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch, SampledQuestions& patchQuestions,
-                  StageClock& clock, const Rules& rules, const Probe& probe)
+LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch,
+                  SampledQuestions& patchQuestions, StageClock& clock, const Rules& rules, const Probe& probe)
 {
     static_assert(Rules::kExact && !Probe::listens);
     scratch.triangles.clear();
@@ -126,23 +139,28 @@ LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe&
 
     BatchPlace place = whole;
     place.patches    = seen.patches;
-    transformGroups(place.mesh, place.batch, vertexGroupsOf(place.mesh, place.batch, place.patches), place.toWorld, stripe.projection, rules, scratch.vertices,
-                    KnownReach{seen.reach});
+    transformGroups(place.mesh, place.batch, vertexGroupsOf(place.mesh, place.batch, place.patches), place.toWorld,
+                    stripe.projection, rules, scratch.vertices, KnownReach{seen.reach});
     clock.lap(Stage::Transform);
     const PixelBox region = stripe.region();
     if (seen.hidden == HiddenPart::Squares) {
-        const LeftOut more = BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe, HiddenBoxes(scratch.hidden)).run();
+        const LeftOut more = BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, region, rules,
+                                        scratch.triangles, probe, HiddenBoxes(scratch.hidden))
+                                 .run();
         seen.leftOut.triangles += more.triangles, seen.leftOut.pixels += more.pixels;
     } else {
-        BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe).run();
+        BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe)
+            .run();
     }
     clock.lap(Stage::Setup);
     return seen.leftOut;
 }
 
-/// True if the batch need not be set up, because all of its triangles are culled as back faces; their fates are told then.
+/// True if the batch need not be set up, because all of its triangles are culled as back faces; their fates are told
+/// then.
 template <class Rules, class Probe>
-bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe, const Rules&, const Probe& probe)
+bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe,
+                    const Rules&, const Probe& probe)
 {
     if (!Rules::kExact || stripe.culling != FaceCulling::Back || !backs.mayHold(place.batch.cone)) return false;
     if (!backs.hold(place.batch.cone, view(place.batch.bounds))) return false;
@@ -152,8 +170,10 @@ bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const Place
     return true;
 }
 
-/// The patches of the batch that may show a front, if back faces are culled; none of a batch that is seen from behind as a whole.
-inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe)
+/// The patches of the batch that may show a front, if back faces are culled; none of a batch that is seen from behind
+/// as a whole.
+inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& backs, const PlacedView& view,
+                                   const Stripe& stripe)
 {
     const bool hasPatches = !place.mesh.patches.empty();
     if (stripe.culling != FaceCulling::Back || !(hasPatches || backs.mayHold(place.batch.cone))) return kAllPatches;
@@ -163,11 +183,11 @@ inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& bac
     return hasPatches ? towardsEye(place.mesh, place.batch, *asked) : kAllPatches;
 }
 
-/// Those that are to be set up, of a batch that crosses the stripe's border or does not. Who listens is told of each triangle of a batch that is seen from
-/// behind, and sees all others set up.
+/// Those that are to be set up, of a batch that crosses the stripe's border or does not. Who listens is told of each
+/// triangle of a batch that is seen from behind, and sees all others set up.
 template <class Rules, class Probe>
-PatchBits patchesWanted(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe, [[maybe_unused]] bool crossesBorder,
-                        const Rules& rules, const Probe& probe)
+PatchBits patchesWanted(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe,
+                        [[maybe_unused]] bool crossesBorder, const Rules& rules, const Probe& probe)
 {
     if constexpr (Rules::kExact && !Probe::listens) {
         const PatchBits wanted = patchesTowardsEye(place, backs, view, stripe);
@@ -177,10 +197,11 @@ PatchBits patchesWanted(const BatchPlace& place, const BackFaces& backs, const P
     return isCulledAsBack(place, backs, view, stripe, rules, probe) ? 0 : kAllPatches;
 }
 
-/// Calls visit(instance, batch, toWorld, patches) for every batch of which `patches` may reach the stripe; the batches of a mesh are
-/// `batchesOf(mesh)`, `batch` is an index into them, `toWorld` nullptr for the identity.
+/// Calls visit(instance, batch, toWorld, patches) for every batch of which `patches` may reach the stripe; the batches
+/// of a mesh are `batchesOf(mesh)`, `batch` is an index into them, `toWorld` nullptr for the identity.
 template <class BatchesOf, class Visit, class Rules, class Probe>
-void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batchesOf, const Visit& visit, const Rules& rules, const Probe& probe)
+void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batchesOf, const Visit& visit,
+                  const Rules& rules, const Probe& probe)
 {
     const Scene&       scene = stripe.scene.scene();
     const StripeVolume volume(stripe.projection, stripe.visible.width(), stripe.firstRow, stripe.endRow);
@@ -190,7 +211,8 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
         const MeshBatches& mesh     = batchesOf(instance.mesh);
         const PlacedView   placed(stripe.projection, instance.toWorld);
         const auto         all = static_cast<std::uint32_t>(mesh.triangleCount());
-        probe(TransparentLeftOut{InstanceId{i}, static_cast<std::uint32_t>(scene.meshOf(InstanceId{i}).triangles.size()) - all});
+        probe(TransparentLeftOut{InstanceId{i},
+                                 static_cast<std::uint32_t>(scene.meshOf(InstanceId{i}).triangles.size()) - all});
         StripeVolume::Planes open = StripeVolume::kAll;
         if (volume.misses(placed(mesh.bounds), open)) {
             probe(BatchOutside{InstanceId{i}, all});
@@ -215,8 +237,8 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
     clock.lap(Stage::Cull);
 }
 
-/// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`; the batches of a mesh are
-/// `batchesOf(mesh)`.
+/// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`; the batches of a mesh
+/// are `batchesOf(mesh)`.
 template <class BatchesOf, class Consume, class Rules, class Probe>
 void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
                     const Consume& consume, const Rules& rules, const Probe& probe)
@@ -224,7 +246,8 @@ void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScra
     const Scene& scene = stripe.scene.scene();
     const auto   visit = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld, PatchBits patches) {
         const MeshBatches& mesh = batchesOf(scene.instances[instance.value].mesh);
-        setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value], patches}, instance, stripe, scratch, clock, rules, probe);
+        setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value], patches}, instance,
+                     stripe, scratch, clock, rules, probe);
         consume(scratch.triangles);
     };
     visitBatches(stripe, clock, batchesOf, visit, rules, probe);
@@ -245,12 +268,15 @@ void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& 
                       const Rules& rules, const Probe& probe)
 {
     const PatchedBatches* patched   = patchedFor<Rules, Probe>(stripe);
-    const auto            batchesOf = [&](MeshId mesh) -> const MeshBatches& { return patched ? patched->of(mesh) : stripe.scene.batchesOf(mesh); };
+    const auto            batchesOf = [&](MeshId mesh) -> const MeshBatches& {
+        return patched ? patched->of(mesh) : stripe.scene.batchesOf(mesh);
+    };
     visitTriangles(batchesOf, stripe, scratch, clock, consume, rules, probe);
 }
 
-/// Hands the faces that may reach the stripe, as they were read, to `consume(face, sides)`, and those that are triangles or
-/// drawn as such to `consume(triangle)`; at full speed, of a mesh whose faces are triangles all, to `consume(triangles)`, batch by batch.
+/// Hands the faces that may reach the stripe, as they were read, to `consume(face, sides)`, and those that are
+/// triangles or drawn as such to `consume(triangle)`; at full speed, of a mesh whose faces are triangles all, to
+/// `consume(triangles)`, batch by batch.
 template <class Consume, class Rules, class Probe>
 void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
                            const Rules& rules, const Probe& probe)
@@ -268,16 +294,20 @@ void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageCl
         const MeshId mesh = scene.instances[instance.value].mesh;
         if (areTriangles(mesh)) {
             const MeshBatches& triangles = batchesOf(mesh);
-            setUpBatch(BatchPlace{triangles, triangles.batches[b], toWorld, scene.firstTriangle[instance.value], patches}, instance, stripe, scratch, clock, rules, probe);
+            setUpBatch(
+                BatchPlace{triangles, triangles.batches[b], toWorld, scene.firstTriangle[instance.value], patches},
+                instance, stripe, scratch, clock, rules, probe);
             consume(scratch.triangles);
             return;
         }
         const FacePlace place{faces.of(mesh), b, toWorld, scene.firstTriangle[instance.value]};
         const bool      fits = place.points().vertexCount <= kBatchVertices;  // a single face may have more
-        if (fits) transformBatch(place.mesh.points, place.points(), toWorld, stripe.projection, rules, scratch.vertices);
+        if (fits)
+            transformBatch(place.mesh.points, place.points(), toWorld, stripe.projection, rules, scratch.vertices);
         probe(BatchTransformed{instance, place.points().vertexCount});
         clock.lap(Stage::Transform);
-        FaceSetUp faceSetUp(place, stripe.projection, stripe.culling, stripe.region(), scratch.faces, consume, rules, probe);
+        FaceSetUp faceSetUp(place, stripe.projection, stripe.culling, stripe.region(), scratch.faces, consume, rules,
+                            probe);
         if (fits && scratch.vertices.plain)
             faceSetUp.plainly(scratch.vertices);
         else

@@ -36,8 +36,8 @@ std::vector<Preset> exactPresets()
     return exact;
 }
 
-std::uint64_t expectAgreement(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera, FaceCulling culling,
-                              const std::string& what, const Agreement& with)
+std::uint64_t expectAgreement(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera,
+                              FaceCulling culling, const std::string& what, const Agreement& with)
 {
     const auto rows = verify({.scene       = scene,
                               .camera      = camera,
@@ -49,13 +49,14 @@ std::uint64_t expectAgreement(const std::shared_ptr<const PreparedScene>& scene,
         ADD_FAILURE() << what << ": " << rows.error().text();
         return 0;
     }
-    const bool isOfTriangles = std::ranges::all_of(scene->scene().meshes, [](const auto& mesh) { return mesh->triangles.size() == mesh->polygonCount(); });
+    const bool isOfTriangles = std::ranges::all_of(
+        scene->scene().meshes, [](const auto& mesh) { return mesh->triangles.size() == mesh->polygonCount(); });
     for (const VerifyRow& row : *rows) {
-        EXPECT_TRUE(row.passed() && (!isOfTriangles || row.figures.isExact())) << what << ", culling " << (culling == FaceCulling::Back ? "back" : "none") << ", "
-                                  << row.algorithm << ", " << row.threads << " threads, " << wordOf(row.simd) << ": "
-                                  << row.figures.holes << " holes, " << row.figures.spills << " spills, "
-                                  << row.figures.wrongSurface() << " wrong surfaces, " << row.figures.depthBitsDiffer
-                                  << " depths differ by up to " << row.figures.maxDepthSteps << " steps";
+        EXPECT_TRUE(row.passed() && (!isOfTriangles || row.figures.isExact()))
+            << what << ", culling " << (culling == FaceCulling::Back ? "back" : "none") << ", " << row.algorithm << ", "
+            << row.threads << " threads, " << wordOf(row.simd) << ": " << row.figures.holes << " holes, "
+            << row.figures.spills << " spills, " << row.figures.wrongSurface() << " wrong surfaces, "
+            << row.figures.depthBitsDiffer << " depths differ by up to " << row.figures.maxDepthSteps << " steps";
         EXPECT_EQ(row.falseCulls, 0u) << what << ", " << row.algorithm;
     }
     return rows->empty() ? 0 : rows->front().figures.covered;

@@ -1,9 +1,9 @@
-// What the agreement tests share: the presets that promise exact pictures, held against the reference on one scene after
-// another.
+// What the agreement tests share: the presets that promise exact pictures, held against the reference on one scene
+// after another.
 //
-// Share      ZSCOPE_SANITIZED_TESTS says that a sanitizer makes every draw ten to twenty times as long. What it looks for
-//            is in the text, not in the product of targets and threads nor in the number of scenes, so under one a test
-//            draws with one lane and with the widest, with two threads, and shareOf() its scenes
+// Share      ZSCOPE_SANITIZED_TESTS says that a sanitizer makes every draw ten to twenty times as long. What it looks
+//            for is in the text, not in the product of targets and threads nor in the number of scenes, so under one a
+//            test draws with one lane and with the widest, with two threads, and shareOf() its scenes
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ struct Agreement {
 };
 /// Draws by every exact preset and expects the reference's picture and no false cull. Gives back how many pixels show a
 /// triangle: a test whose scenes are all empty would prove nothing.
-std::uint64_t expectAgreement(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera, FaceCulling culling,
-                              const std::string& what, const Agreement& with = {});
+std::uint64_t expectAgreement(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera,
+                              FaceCulling culling, const std::string& what, const Agreement& with = {});
 
 /// The scene's first view in this size; one that insists on its own camera keeps its own size.
 Camera cameraFor(const Scene& scene, int width, int height);

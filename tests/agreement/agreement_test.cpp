@@ -36,11 +36,11 @@ TEST_P(AgreementOnSoups, EveryPresetDrawsWhatTheReferenceDraws)
         {{1, 1}, {1, 67}, {83, 1}, {2, 3}, {33, 17}, {64, 64}, {127, 95}, {257, 193}, {15, 16}, {17, 130}}};
     std::uint64_t covered = 0;
     for (std::uint64_t seed = GetParam(); seed < GetParam() + shareOf(kSoupsPerTest); ++seed) {
-        const SoupKind kind       = soupKinds()[seed % soupKinds().size()];
-        const bool     large      = seed % 125 == 99;  // four of the soups are as large as a window
+        const SoupKind kind        = soupKinds()[seed % soupKinds().size()];
+        const bool     large       = seed % 125 == 99;  // four of the soups are as large as a window
         const auto [width, height] = large ? std::array{1023, 769} : kSizes[seed % kSizes.size()];
-        const Soup     soup       = makeSoup(kind, seed, width, height, large ? 16 : 60);
-        const auto     scene      = prepared(soup.scene);
+        const Soup soup            = makeSoup(kind, seed, width, height, large ? 16 : 60);
+        const auto scene           = prepared(soup.scene);
         for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
             covered += expectAgreement(scene, soup.camera, culling, soup.what);
         }
@@ -51,20 +51,23 @@ TEST_P(AgreementOnSoups, EveryPresetDrawsWhatTheReferenceDraws)
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, AgreementOnSoups, testing::Range(std::uint64_t{0}, kSoups, kSoupsPerTest));
 
-/// Triangles whose planes the eye looks along, a few pixels long and through a pixel's centre: without area before they snap, so that their depths come from
-/// where they snap to.
+/// Triangles whose planes the eye looks along, a few pixels long and through a pixel's centre: without area before they
+/// snap, so that their depths come from where they snap to.
 TEST(Agreement, OfTrianglesWithoutAreaBeforeTheySnapTheSnappedPlaneCounts)
 {
     const Camera         camera = plainCamera(128, 96);
     Random               random(21);
     std::vector<Corners> triangles(shareOf(5000));
     for (Corners& corners : triangles) {
-        const double x = 0.5 + static_cast<double>(4 + random.below(120)), y = 0.5 + static_cast<double>(4 + random.below(88));
+        const double x  = 0.5 + static_cast<double>(4 + random.below(120)),
+                     y  = 0.5 + static_cast<double>(4 + random.below(88));
         const double dx = random.between(-4, 4), dy = random.between(-4, 4);
         const double along[] = {random.between(-1, -0.2), random.between(0.2, 1), random.between(-1, 1)};
-        for (std::size_t i = 0; i < 3; ++i) corners[i] = pointAt(camera, x + along[i] * dx, y + along[i] * dy, random.between(2, 40));
+        for (std::size_t i = 0; i < 3; ++i)
+            corners[i] = pointAt(camera, x + along[i] * dx, y + along[i] * dy, random.between(2, 40));
     }
-    const std::uint64_t covered = expectAgreement(prepared(sceneOf(triangles)), camera, FaceCulling::None, "seen edge on");
+    const std::uint64_t covered =
+        expectAgreement(prepared(sceneOf(triangles)), camera, FaceCulling::None, "seen edge on");
     EXPECT_GT(covered, triangles.size() / 20);
 }
 
@@ -75,8 +78,10 @@ class AgreementOnGenerated : public testing::TestWithParam<std::string> {};
 std::string smallWordOf(const std::string& name)
 {
     static const std::map<std::string, std::string> kSmaller{
-        {"soccer-field", "?count=15"}, {"city", "?blocks=3"},    {"wall-and-city", "?blocks=3"},      {"rows", "?nx=3&ny=2&nz=4&model=teapot"},
-        {"office-tower", "?n=2"},      {"million", "?faces=50000"}, {"hard/A6", "?triangles=60000"}, {"hard/F9", "?polygons=8000"}};
+        {"soccer-field", "?count=15"},   {"city", "?blocks=3"},
+        {"wall-and-city", "?blocks=3"},  {"rows", "?nx=3&ny=2&nz=4&model=teapot"},
+        {"office-tower", "?n=2"},        {"million", "?faces=50000"},
+        {"hard/A6", "?triangles=60000"}, {"hard/F9", "?polygons=8000"}};
     const auto smaller = kSmaller.find(name);
     return "builtin:" + name + (smaller == kSmaller.end() ? "" : smaller->second);
 }
@@ -105,7 +110,8 @@ std::vector<std::string> namesOfGenerated()
 }
 INSTANTIATE_TEST_SUITE_P(Builtin, AgreementOnGenerated, testing::ValuesIn(namesOfGenerated()), [](const auto& test) {
     std::string name = test.param;
-    std::ranges::replace_if(name, [](char c) { return c == '/' || c == '-'; }, '_');
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == '-'; }, '_');
     return name;
 });
 
@@ -123,7 +129,8 @@ TEST(Agreement, EveryPresetDrawsWhatTheReferenceDrawsOnTheSharedModels)
         const bool   isBunny = file.path().stem() == "stanford-bunny";
         const Camera camera  = isBunny ? cameraFor(*shared, 1600, 900) : cameraFor(*shared, 321, 243);
         for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
-            EXPECT_GT(expectAgreement(ready, camera, culling, file.path().filename().string(), {.threads = {1, 2}}), 0u);
+            EXPECT_GT(expectAgreement(ready, camera, culling, file.path().filename().string(), {.threads = {1, 2}}),
+                      0u);
         }
         ++models;
     }

@@ -1,5 +1,5 @@
-// What a frame takes over from the one before changes its work and never its picture: one renderer draws frame after frame
-// while camera, size, threads, algorithm and scene change under it, and every frame is the z-buffer's.
+// What a frame takes over from the one before changes its work and never its picture: one renderer draws frame after
+// frame while camera, size, threads, algorithm and scene change under it, and every frame is the z-buffer's.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,12 +28,13 @@ std::shared_ptr<const PreparedScene> load(const std::string& word)
 Camera onTheWay(const Bounds& bounds, int frame, int width, int height)
 {
     const dvec3  centre = 0.5 * (bounds.min + bounds.max), size = bounds.max - bounds.min;
-    const double turn   = 0.02 * frame + 2.1 * (frame / 10);
+    const double turn = 0.02 * frame + 2.1 * (frame / 10);
     ViewRequest  view;
-    view.eye    = dvec3{centre.x + 0.3 * size.x * std::cos(turn), bounds.min.y + 0.03 * size.y * (1 + frame % 4), centre.z + 0.3 * size.z * std::sin(turn)};
-    view.target = *view.eye + dvec3{-std::sin(turn), 0.05, std::cos(turn)};
-    view.width  = width;
-    view.height = height;
+    view.eye          = dvec3{centre.x + 0.3 * size.x * std::cos(turn), bounds.min.y + 0.03 * size.y * (1 + frame % 4),
+                     centre.z + 0.3 * size.z * std::sin(turn)};
+    view.target       = *view.eye + dvec3{-std::sin(turn), 0.05, std::cos(turn)};
+    view.width        = width;
+    view.height       = height;
     const auto camera = makeCamera(view, bounds);
     EXPECT_TRUE(camera.ok()) << (camera.ok() ? "" : camera.error().text());
     return *camera;
@@ -105,7 +106,9 @@ std::vector<Preset> coherentPresets()
 {
     std::vector<Preset> coherent;
     for (const Preset& preset : presets())
-        if (preset.isExact() && (preset.pipeline.coherence != Coherence::None || preset.pipeline.chooser == Chooser::Measured)) coherent.push_back(preset);
+        if (preset.isExact()
+            && (preset.pipeline.coherence != Coherence::None || preset.pipeline.chooser == Chooser::Measured))
+            coherent.push_back(preset);
     return coherent;
 }
 
@@ -130,18 +133,20 @@ TEST(Coherence, SizeThreadsTreeAndAlgorithmMayChangeBetweenFrames)
     const auto scene = load("builtin:city?blocks=2");
     Pair       pair;
     for (int frame = 0; frame < 24; ++frame) {
-        const Pipeline pipelines[] = {findPreset("two-pass")->pipeline, *withChoice(findPreset("two-pass")->pipeline, "order", "bvh"),
+        const Pipeline pipelines[] = {findPreset("two-pass")->pipeline,
+                                      *withChoice(findPreset("two-pass")->pipeline, "order", "bvh"),
                                       findPreset("hzb-octree")->pipeline, findPreset("two-pass")->pipeline};
         const int      sizes[][2]  = {{96, 64}, {96, 64}, {33, 129}, {1, 1}, {160, 31}};
         const auto&    size        = sizes[frame % 5];
-        pair.request         = requestFor(scene, onTheWay(scene->scene().bounds, frame, size[0], size[1]), pipelines[frame / 2 % 4]);
+        pair.request =
+            requestFor(scene, onTheWay(scene->scene().bounds, frame, size[0], size[1]), pipelines[frame / 2 % 4]);
         pair.request.threads = 1 + frame % 3;
         pair.expectSame("frame " + std::to_string(frame));
     }
 }
 
-/// By every preset in turn, whatever it promises, so that those whose depths have one scale come between; with far planes that leave room for
-/// a hundred pictures, and for one.
+/// By every preset in turn, whatever it promises, so that those whose depths have one scale come between; with far
+/// planes that leave room for a hundred pictures, and for one.
 TEST(Coherence, PicturesThatLieAboveTheLastOneAreThoseOfANewBuffer)
 {
     for (const SoupKind kind : soupKinds()) {
@@ -149,8 +154,9 @@ TEST(Coherence, PicturesThatLieAboveTheLastOneAreThoseOfANewBuffer)
         int   picture = 0;
         for (const Preset& preset : presets())
             for (const double far : {1.5, 300.0, 3e5, 1e20}) {
-                const Soup soup = makeSoup(kind, static_cast<std::uint64_t>(picture % 5), 150, 90, 40);
-                DrawRequest request = requestFor(std::make_shared<const PreparedScene>(soup.scene), soup.camera, preset.pipeline);
+                const Soup  soup = makeSoup(kind, static_cast<std::uint64_t>(picture % 5), 150, 90, 40);
+                DrawRequest request =
+                    requestFor(std::make_shared<const PreparedScene>(soup.scene), soup.camera, preset.pipeline);
                 request.camera.far  = far * request.camera.near;
                 request.threads     = 1 + picture % 2;
                 request.shade       = picture % 3 != 0;
@@ -167,12 +173,14 @@ TEST(Coherence, PicturesThatLieAboveTheLastOneAreThoseOfANewBuffer)
 TEST(Coherence, PicturesOfAWalkLieAboveEachOther)
 {
     const auto scene = load("builtin:city?blocks=2");
-    for (const std::string_view preset : {"zbuffer", "hzb-bvh", "two-pass", "hzb-octree", "scanline", "interval", "auto"}) {
+    for (const std::string_view preset :
+         {"zbuffer", "hzb-bvh", "two-pass", "hzb-octree", "scanline", "interval", "auto"}) {
         Stack stack;
         for (int frame = 0; frame < static_cast<int>(shareOf(40)); ++frame) {
-            DrawRequest request = requestFor(scene, onTheWay(scene->scene().bounds, frame, 160, 100), findPreset(preset)->pipeline);
-            request.threads     = 2;
-            request.shade       = frame % 2 == 0;
+            DrawRequest request =
+                requestFor(scene, onTheWay(scene->scene().bounds, frame, 160, 100), findPreset(preset)->pipeline);
+            request.threads = 2;
+            request.shade   = frame % 2 == 0;
             stack.expectSame(request, std::string(preset) + ", frame " + std::to_string(frame));
         }
         EXPECT_GT(stack.covered, 10000u);
@@ -180,21 +188,24 @@ TEST(Coherence, PicturesOfAWalkLieAboveEachOther)
     }
 }
 
-/// What is shaded where it wins must not win over what was left far below the background, though the scale of the picture between is its own: whatever the
-/// number of pictures before, the picture of a wall beyond the far plane shows nothing.
+/// What is shaded where it wins must not win over what was left far below the background, though the scale of the
+/// picture between is its own: whatever the number of pictures before, the picture of a wall beyond the far plane shows
+/// nothing.
 TEST(Coherence, APictureThatIsShadedWhereItWinsFindsItsTilesEmptied)
 {
-    Camera camera = plainCamera(64, 48);
-    camera.far    = 200;
+    Camera camera     = plainCamera(64, 48);
+    camera.far        = 200;
     const auto wallAt = [&camera](double z, double size) {
-        const Corners wall[] = {{pointAt(camera, -9, -9, z), pointAt(camera, size, -9, z), pointAt(camera, -9, size, z)}};
+        const Corners wall[] = {
+            {pointAt(camera, -9, -9, z), pointAt(camera, size, -9, z), pointAt(camera, -9, size, z)}};
         return std::make_shared<const PreparedScene>(sceneOf(wall));
     };
     const auto before = wallAt(190, 200), aside = wallAt(190, 12), beyond = wallAt(300, 200);
     for (int pictures = 1; pictures < 60; ++pictures) {
         Stack stack;
         for (int i = 0; i < pictures; ++i) stack.draw(requestFor(before, camera, findPreset("zbuffer")->pipeline));
-        stack.expectSame(requestFor(aside, camera, findPreset("zbuffer")->pipeline), std::to_string(pictures) + " pictures");
+        stack.expectSame(requestFor(aside, camera, findPreset("zbuffer")->pipeline),
+                         std::to_string(pictures) + " pictures");
         DrawRequest shaded = requestFor(beyond, camera, findPreset("zbuffer-late")->pipeline);
         shaded.shade       = true;
         stack.expectSame(shaded, std::to_string(pictures) + " pictures, then shaded");
@@ -204,13 +215,14 @@ TEST(Coherence, APictureThatIsShadedWhereItWinsFindsItsTilesEmptied)
 /// At full speed small nodes are drawn and remembered undivided; an approximation divides them.
 TEST(Coherence, FramesOfAnApproximationMayComeBetween)
 {
-    const auto     scene = load("builtin:soccer-field?ball=icosphere&count=60");
-    const Pipeline exact = findPreset("two-pass")->pipeline;
-    Pipeline       rough = exact;
+    const auto     scene       = load("builtin:soccer-field?ball=icosphere&count=60");
+    const Pipeline exact       = findPreset("two-pass")->pipeline;
+    Pipeline       rough       = exact;
     rough.approximation.vertex = VertexNumbers::Float32;
     Pair pair;
     for (int frame = 0; frame < 12; ++frame) {
-        pair.request         = requestFor(scene, onTheWay(scene->scene().bounds, frame, 200, 120), frame % 4 == 2 ? rough : exact);
+        pair.request =
+            requestFor(scene, onTheWay(scene->scene().bounds, frame, 200, 120), frame % 4 == 2 ? rough : exact);
         pair.request.threads = 1 + frame % 2;
         if (frame % 4 != 2)
             pair.expectSame("frame " + std::to_string(frame));
@@ -219,15 +231,16 @@ TEST(Coherence, FramesOfAnApproximationMayComeBetween)
     }
 }
 
-/// The scene of the frame before is gone when the next is made: nodes of the new one may stand where those of the old one
-/// stood, and a memory that trusted addresses would draw them, or worse.
+/// The scene of the frame before is gone when the next is made: nodes of the new one may stand where those of the old
+/// one stood, and a memory that trusted addresses would draw them, or worse.
 TEST(Coherence, AnotherSceneIsNotTakenForTheLastOne)
 {
     Pair          pair;
     std::uint64_t covered = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         const Soup soup      = makeSoup(soupKinds()[seed % 5], seed, 61, 43, 900);
-        pair.request         = requestFor(std::make_shared<const PreparedScene>(soup.scene), soup.camera, findPreset("two-pass")->pipeline);
+        pair.request         = requestFor(std::make_shared<const PreparedScene>(soup.scene), soup.camera,
+                                          findPreset("two-pass")->pipeline);
         pair.request.threads = 1;
         covered += pair.expectSame(soup.what);
         covered += pair.expectSame(soup.what + " again");
@@ -262,7 +275,9 @@ TEST(Coherence, AMeasuredChoiceSaysWhatDrewTheFrameAndWhy)
         ASSERT_TRUE(report.ok());
         ASSERT_NE(findPreset(report->chosen), nullptr) << report->chosen;
         EXPECT_NE(report->why.find(report->chosen), std::string::npos) << report->why;
-        if (i == 0) { EXPECT_EQ(report->chosen, "zbuffer"); }
+        if (i == 0) {
+            EXPECT_EQ(report->chosen, "zbuffer");
+        }
         if (!report->isTrial) last = report->why;
         trials += report->isTrial;
     }
@@ -284,7 +299,8 @@ TEST(Coherence, WhatWasSeenIsDrawnWithoutAQuestionAndTheRestIsHiddenByIt)
     EXPECT_EQ(plain["nodes_recalled"], 0u);
     EXPECT_GT(twice["nodes_recalled"], 0u);
     EXPECT_LE(twice["nodes_entered"], plain["nodes_entered"]) << "the second visit asks a pyramid that is finished";
-    EXPECT_LT(twice["pyramid_queries"], plain["pyramid_queries"]) << "nobody asks about the triangles of the first pass";
+    EXPECT_LT(twice["pyramid_queries"], plain["pyramid_queries"])
+        << "nobody asks about the triangles of the first pass";
     EXPECT_EQ(twice["triangles_in"], plain["triangles_in"]);
 }
 

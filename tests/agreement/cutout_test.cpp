@@ -1,5 +1,5 @@
-// Cut-outs: a fragment in a hole does not exist, for every method, at every moment of testing and shading, and where the
-// holes are is the definition's to say.
+// Cut-outs: a fragment in a hole does not exist, for every method, at every moment of testing and shading, and where
+// the holes are is the definition's to say.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,10 @@ Scene builtin(const std::string& word)
     return *std::move(scene);
 }
 
-Prepared prepared(Scene scene) { return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(std::move(scene))); }
+Prepared prepared(Scene scene)
+{
+    return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(std::move(scene)));
+}
 
 /// The same scene with this cut-out on every material.
 Scene cutBy(const Scene& scene, std::optional<Cutout> cutout)
@@ -42,8 +45,8 @@ Scene cutBy(const Scene& scene, std::optional<Cutout> cutout)
     return cut;
 }
 
-/// Two sheets across a view of 64 x 64 pixels: at z = 1, where a pixel is 1/32 wide, one with cells of 8 pixels; behind it a
-/// solid one.
+/// Two sheets across a view of 64 x 64 pixels: at z = 1, where a pixel is 1/32 wide, one with cells of 8 pixels; behind
+/// it a solid one.
 struct Sheets {
     Camera   camera = plainCamera(64, 64);
     Prepared scene;
@@ -85,18 +88,21 @@ TEST(Cutout, HolesLieWhereIntegersSayTheyDo)
 {
     for (const CutoutPattern pattern : {CutoutPattern::Checker, CutoutPattern::Stripes, CutoutPattern::Holes}) {
         const Sheets sheets(Cutout{pattern, 0.25});  // 8 pixels, and pixel centres at odd multiples of 1/16 of a cell
-        const bool   mirrored = pointAt(sheets.camera, 64, 32, 1).x < 0, upsideDown = pointAt(sheets.camera, 32, 64, 1).y < 0;
-        const auto   picture = referencePicture(sheets.scene->scene(), sheets.camera, FaceCulling::None, {});
+        const bool   mirrored = pointAt(sheets.camera, 64, 32, 1).x < 0,
+                   upsideDown = pointAt(sheets.camera, 32, 64, 1).y < 0;
+        const auto picture    = referencePicture(sheets.scene->scene(), sheets.camera, FaceCulling::None, {});
         ASSERT_TRUE(picture.ok());
         int holes = 0;
         for (int y = 0; y < 64; ++y) {
             for (int x = 0; x < 64; ++x) {
-                const int  i = mirrored ? 63 - x : x, j = upsideDown ? 63 - y : y;  // as the mesh counts
-                const int  across = (2 * i + 1) % 16 - 8, down = (2 * j + 1) % 16 - 8;  // from the centre of the cell, sixteenths
+                const int i = mirrored ? 63 - x : x, j = upsideDown ? 63 - y : y;  // as the mesh counts
+                // from the centre of the cell, sixteenths
+                const int  across = (2 * i + 1) % 16 - 8, down = (2 * j + 1) % 16 - 8;
                 const bool isHole = pattern == CutoutPattern::Checker   ? (i / 8 + j / 8) % 2 != 0
                                     : pattern == CutoutPattern::Stripes ? i % 8 >= 4
                                                                         : across * across + down * down < 24;
-                EXPECT_EQ(picture->ids.at(x, y) >= 2, isHole) << x << ", " << y << ", " << kCutoutWords[static_cast<std::size_t>(pattern)];
+                EXPECT_EQ(picture->ids.at(x, y) >= 2, isHole)
+                    << x << ", " << y << ", " << kCutoutWords[static_cast<std::size_t>(pattern)];
                 holes += isHole;
             }
         }
@@ -107,7 +113,7 @@ TEST(Cutout, HolesLieWhereIntegersSayTheyDo)
 TEST(Cutout, EveryPresetDrawsWhatTheReferenceDraws)
 {
     for (const char* word : {"cutouts", "cutouts?size=0.07", "cutouts?size=3"}) {
-        const Scene   scene = builtin(word);
+        const Scene    scene = builtin(word);
         const Prepared ready = prepared(scene);
         for (const auto& [width, height] : {std::array{97, 71}, std::array{33, 64}})
             EXPECT_GT(expectAgreement(ready, cameraFor(scene, width, height), FaceCulling::None, word), 1000u);
@@ -119,12 +125,15 @@ TEST(Cutout, EveryPresetDrawsWhatTheReferenceDrawsOfSoups)
 {
     std::uint64_t seed = 0, covered = 0, changed = 0;
     for (const SoupKind kind : soupKinds()) {
-        const Soup   soup = makeSoup(kind, ++seed, 65, 43);
-        const double size = kind == SoupKind::TinyScale ? 1e-6 : kind == SoupKind::Huge || kind == SoupKind::BeyondTheGuard ? 100 : 0.3;
+        const Soup   soup    = makeSoup(kind, ++seed, 65, 43);
+        const double size    = kind == SoupKind::TinyScale                                  ? 1e-6
+                               : kind == SoupKind::Huge || kind == SoupKind::BeyondTheGuard ? 100
+                                                                                            : 0.3;
         const auto   pattern = static_cast<CutoutPattern>(seed % 3);
         const Scene  cut     = cutBy(*soup.scene, Cutout{pattern, size});
         covered += expectAgreement(prepared(cut), soup.camera, FaceCulling::None, soup.what, {.threads = {2}});
-        const auto with = referencePicture(cut, soup.camera, FaceCulling::None, {}), without = referencePicture(*soup.scene, soup.camera, FaceCulling::None, {});
+        const auto with    = referencePicture(cut, soup.camera, FaceCulling::None, {}),
+                   without = referencePicture(*soup.scene, soup.camera, FaceCulling::None, {});
         changed += with->ids != without->ids;
     }
     EXPECT_GT(covered, 5000u);
@@ -153,19 +162,25 @@ TEST(Cutout, NoMomentChangesAColour)
 
 TEST(Cutout, TestingEarlyStillMeetsEveryHoleAndTheStatisticsSaySo)
 {
-    const Sheets                                 cut(Cutout{CutoutPattern::Stripes, 0.25}), whole(std::nullopt);
-    const auto counters = [](const Sheets& sheets, DepthMoment moment) { return countersOf(sheets.request({.depth = moment})); };
-    for (const DepthMoment moment : {DepthMoment::Deferred, DepthMoment::Late, DepthMoment::Early, DepthMoment::ZCull, DepthMoment::Prepass}) {
+    const Sheets cut(Cutout{CutoutPattern::Stripes, 0.25}), whole(std::nullopt);
+    const auto   counters = [](const Sheets& sheets, DepthMoment moment) {
+        return countersOf(sheets.request({.depth = moment}));
+    };
+    for (const DepthMoment moment :
+         {DepthMoment::Deferred, DepthMoment::Late, DepthMoment::Early, DepthMoment::ZCull, DepthMoment::Prepass}) {
         auto with = counters(cut, moment), without = counters(whole, moment);
         EXPECT_EQ(without["fragments_discarded"], 0u);
-        EXPECT_EQ(with["fragments_discarded"], 64u * 32) << "half of the nearer sheet, which passes every test on its way in";
+        EXPECT_EQ(with["fragments_discarded"], 64u * 32)
+            << "half of the nearer sheet, which passes every test on its way in";
         Renderer renderer;
         Frame    frame;
         for (const Sheets* sheets : {&cut, &whole}) {
             const Result<FrameReport> report = renderer.draw(sheets->request({.depth = moment}), frame);
             ASSERT_TRUE(report.ok());
             const auto raster = std::ranges::find(report->stages, Stage::Raster, &StageTime::stage);
-            EXPECT_EQ(raster->why.find("2 triangles can be discarded: their depth is written late") != std::string::npos, sheets == &cut)
+            EXPECT_EQ(
+                raster->why.find("2 triangles can be discarded: their depth is written late") != std::string::npos,
+                sheets == &cut)
                 << raster->why;
         }
     }

@@ -30,18 +30,18 @@ bool reachesBeyond(const definition::Part& part, double pixels)
 
 struct Tally {
     std::uint64_t parts = 0, pixels = 0, samples = 0;
-    std::uint64_t snapDifferences  = 0;  // corners whose float64 lies on the other side of a snapping tie
-    std::uint64_t nearTies         = 0;  // corners whose float64 lies on the other side of the near plane
-    std::uint64_t openCuts         = 0;  // triangles with an edge in the near plane, cut where rounding says
-    std::uint64_t coverage         = 0;  // pixels of a part covered by one and not by the other: must be 0
-    std::uint64_t thickDepths      = 0;  // one step, where the part is thicker than 1/1024 px
-    std::uint64_t thinDepths       = 0;  // any difference, where it is not
-    std::uint64_t ids              = 0;
-    std::uint64_t unexplainedIds   = 0;  // differ although all depths at the pixel agree: must be 0
-    std::uint32_t thickSteps       = 0;  // most steps on a thick part: must be <= 1
-    std::uint32_t stepsBeyond      = 0;  // the same on parts that reach beyond kFarthestTrusted: published only
-    std::uint64_t outsideLimits    = 0;  // must be 0
-    std::uint64_t unmatchedParts   = 0;  // drawn by one and not by the other: must be 0
+    std::uint64_t snapDifferences = 0;  // corners whose float64 lies on the other side of a snapping tie
+    std::uint64_t nearTies        = 0;  // corners whose float64 lies on the other side of the near plane
+    std::uint64_t openCuts        = 0;  // triangles with an edge in the near plane, cut where rounding says
+    std::uint64_t coverage        = 0;  // pixels of a part covered by one and not by the other: must be 0
+    std::uint64_t thickDepths     = 0;  // one step, where the part is thicker than 1/1024 px
+    std::uint64_t thinDepths      = 0;  // any difference, where it is not
+    std::uint64_t ids             = 0;
+    std::uint64_t unexplainedIds  = 0;  // differ although all depths at the pixel agree: must be 0
+    std::uint32_t thickSteps      = 0;  // most steps on a thick part: must be <= 1
+    std::uint32_t stepsBeyond     = 0;  // the same on parts that reach beyond kFarthestTrusted: published only
+    std::uint64_t outsideLimits   = 0;  // must be 0
+    std::uint64_t unmatchedParts  = 0;  // drawn by one and not by the other: must be 0
 };
 
 /// Whether a snapped coordinate is the exact one's, or can be excused: the exact value is as near to the tie as
@@ -105,17 +105,17 @@ void measure(const Soup& soup, FaceCulling culling, Tally& tally)
     const Scene&           scene  = *soup.scene;
     const Camera&          camera = soup.camera;
     const definition::View view(camera, culling);
-    const float            far = std::isinf(camera.far) ? 0.0f : toFloat(mpq_class(camera.near) / mpq_class(camera.far));
+    const float far = std::isinf(camera.far) ? 0.0f : toFloat(mpq_class(camera.near) / mpq_class(camera.far));
     ASSERT_EQ(far, view.farDepth);
 
-    Grid<Winner>      exact(camera.width, camera.height);
-    Grid<std::uint8_t> depthDiffers(camera.width, camera.height, 0);
+    Grid<Winner>                  exact(camera.width, camera.height);
+    Grid<std::uint8_t>            depthDiffers(camera.width, camera.height, 0);
     std::vector<definition::Part> parts;
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const InstanceId instance{i};
         for (std::uint32_t t = 0; t < scene.meshOf(instance).triangles.size(); ++t) {
-            const std::int64_t id = scene.firstTriangle[i] + t;
-            const auto fate       = definition::partsOf(scene, instance, t, view, parts);
+            const std::int64_t id                = scene.firstTriangle[i] + t;
+            const auto         fate              = definition::partsOf(scene, instance, t, view, parts);
             auto [rational, nearTies, cutIsOpen] = rationalTriangle(scene, instance, t, camera);
             tally.nearTies += static_cast<std::uint64_t>(nearTies);
             if (cutIsOpen) {  // nothing to compare with: the picture takes the definition's own samples
@@ -130,8 +130,8 @@ void measure(const Soup& soup, FaceCulling culling, Tally& tally)
                     ++tally.unmatchedParts;
                     continue;
                 }
-                matched[*which]        = true;
-                const RationalPart& r  = rational[*which];
+                matched[*which]       = true;
+                const RationalPart& r = rational[*which];
                 ++tally.parts;
                 std::uint32_t& most = reachesBeyond(part, kFarthestTrusted) ? tally.stepsBeyond : tally.thickSteps;
                 const definition::PixelBox box = part.box();
@@ -182,18 +182,21 @@ TEST_P(L2, TheDefinitionRoundsNothingButTheSnapAndTheStoredDepth)
     Tally       tally;
     std::string seeds;
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        const Soup soup = makeSoup(GetParam(), seed, 48 + static_cast<int>(seed), 37, GetParam() == SoupKind::Slivers ? 400 : 50);
+        const Soup soup =
+            makeSoup(GetParam(), seed, 48 + static_cast<int>(seed), 37, GetParam() == SoupKind::Slivers ? 400 : 50);
         SCOPED_TRACE(soup.what);
         measure(soup, seed % 3 == 0 ? FaceCulling::Back : FaceCulling::None, tally);
     }
-    std::printf("L2 %-22.*s parts %6llu  pixels %6llu  samples %7llu  snap ties %3llu  near ties %2llu  open cuts %2llu  ids %3llu  depth steps: thick %3llu "
-                "(max %u, beyond 2^40 px %u)  thin %llu\n",
-                static_cast<int>(nameOf(GetParam()).size()), nameOf(GetParam()).data(),
-                static_cast<unsigned long long>(tally.parts), static_cast<unsigned long long>(tally.pixels),
-                static_cast<unsigned long long>(tally.samples), static_cast<unsigned long long>(tally.snapDifferences),
-                static_cast<unsigned long long>(tally.nearTies), static_cast<unsigned long long>(tally.openCuts),
-                static_cast<unsigned long long>(tally.ids), static_cast<unsigned long long>(tally.thickDepths),
-                tally.thickSteps, tally.stepsBeyond, static_cast<unsigned long long>(tally.thinDepths));
+    std::printf(
+        "L2 %-22.*s parts %6llu  pixels %6llu  samples %7llu  snap ties %3llu  near ties %2llu  open cuts %2llu  ids "
+        "%3llu  depth steps: thick %3llu "
+        "(max %u, beyond 2^40 px %u)  thin %llu\n",
+        static_cast<int>(nameOf(GetParam()).size()), nameOf(GetParam()).data(),
+        static_cast<unsigned long long>(tally.parts), static_cast<unsigned long long>(tally.pixels),
+        static_cast<unsigned long long>(tally.samples), static_cast<unsigned long long>(tally.snapDifferences),
+        static_cast<unsigned long long>(tally.nearTies), static_cast<unsigned long long>(tally.openCuts),
+        static_cast<unsigned long long>(tally.ids), static_cast<unsigned long long>(tally.thickDepths),
+        tally.thickSteps, tally.stepsBeyond, static_cast<unsigned long long>(tally.thinDepths));
     EXPECT_GT(tally.samples, 100u) << "the soup draws next to nothing: it tests nothing";
     EXPECT_EQ(tally.coverage, 0u);
     EXPECT_EQ(tally.unmatchedParts, 0u);

@@ -24,13 +24,15 @@ struct Choice {
     const char* axis;
     const char* word;
 };
-constexpr Choice kChoices[] = {{"upkeep", "pushed"}, {"upkeep", "pushed-farthest"}, {"query", "triangle"}, {"upkeep", "masked"}};
+constexpr Choice kChoices[] = {
+    {"upkeep", "pushed"}, {"upkeep", "pushed-farthest"}, {"query", "triangle"}, {"upkeep", "masked"}};
 
 Pipeline with(const char* preset, const Choice& choice)
 {
     const auto pipeline = withChoice(findPreset(preset)->pipeline, choice.axis, choice.word);
     EXPECT_TRUE(pipeline.ok());
-    EXPECT_FALSE(explainInvalid(*pipeline)) << preset << ", " << choice.word << ": " << explainInvalid(*pipeline).value_or("");
+    EXPECT_FALSE(explainInvalid(*pipeline))
+        << preset << ", " << choice.word << ": " << explainInvalid(*pipeline).value_or("");
     EXPECT_EQ(claimOf(*pipeline), Claim::Exact) << choice.word;
     return *pipeline;
 }
@@ -60,8 +62,9 @@ std::uint64_t expectExact(const std::shared_ptr<const Scene>& scene, const Camer
     EXPECT_TRUE(rows.ok());
     if (!rows) return 0;
     for (const VerifyRow& row : *rows)
-        EXPECT_TRUE(row.passed()) << what << ", " << row.algorithm << ", " << row.threads << " threads: " << row.figures.holes
-                                  << " holes, " << row.figures.wrongSurface() << " wrong surfaces, " << row.falseCulls << " false culls";
+        EXPECT_TRUE(row.passed()) << what << ", " << row.algorithm << ", " << row.threads
+                                  << " threads: " << row.figures.holes << " holes, " << row.figures.wrongSurface()
+                                  << " wrong surfaces, " << row.falseCulls << " false culls";
     return rows->front().figures.covered;
 }
 
@@ -69,8 +72,9 @@ class ExactChoicesOnSoups : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(ExactChoicesOnSoups, DrawWhatTheReferenceDraws)
 {
-    static constexpr std::array<std::array<int, 2>, 6> kSizes{{{1, 67}, {83, 1}, {64, 64}, {127, 95}, {257, 193}, {17, 130}}};
-    std::uint64_t                                      covered = 0;
+    static constexpr std::array<std::array<int, 2>, 6> kSizes{
+        {{1, 67}, {83, 1}, {64, 64}, {127, 95}, {257, 193}, {17, 130}}};
+    std::uint64_t covered = 0;
     for (std::uint64_t seed = GetParam(); seed < GetParam() + shareOf(20); ++seed) {
         const SoupKind kind        = soupKinds()[seed % soupKinds().size()];
         const auto [width, height] = kSizes[seed % kSizes.size()];
@@ -81,7 +85,8 @@ TEST_P(ExactChoicesOnSoups, DrawWhatTheReferenceDraws)
         EXPECT_GT(covered, 1000u);
     }
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, ExactChoicesOnSoups, testing::Range(std::uint64_t{1000}, std::uint64_t{1120}, std::uint64_t{20}));
+INSTANTIATE_TEST_SUITE_P(Seeds, ExactChoicesOnSoups,
+                         testing::Range(std::uint64_t{1000}, std::uint64_t{1120}, std::uint64_t{20}));
 
 class ExactChoicesOnScenes : public testing::TestWithParam<const char*> {};
 
@@ -93,29 +98,35 @@ TEST_P(ExactChoicesOnScenes, DrawWhatTheReferenceDraws)
     EXPECT_GT(expectExact(scene, cameraFor(*scene, 241, 163), GetParam()), 0u);
 }
 INSTANTIATE_TEST_SUITE_P(Builtin, ExactChoicesOnScenes,
-                         testing::Values("soccer-field?count=12", "wall-and-city?blocks=3", "layers?count=20", "cubes", "cutouts", "reliefs", "hard/A11", "hard/B5",
-                                         "hard/C4", "hard/D1", "hard/D2", "hard/D4", "hard/D6", "hard/D7", "hard/D9"),
+                         testing::Values("soccer-field?count=12", "wall-and-city?blocks=3", "layers?count=20", "cubes",
+                                         "cutouts", "reliefs", "hard/A11", "hard/B5", "hard/C4", "hard/D1", "hard/D2",
+                                         "hard/D4", "hard/D6", "hard/D7", "hard/D9"),
                          [](const auto& test) {
                              std::string name = test.param;
-                             std::ranges::replace_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+                             std::ranges::replace_if(
+                                 name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
                              return name;
                          });
 
-/// Lines that are crowded on their right only, between lines that are not: the interval method finds it out in the middle of a line.
+/// Lines that are crowded on their right only, between lines that are not: the interval method finds it out in the
+/// middle of a line.
 std::shared_ptr<const Scene> crowdedOnTheRight(const Camera& camera)
 {
     std::vector<Corners> triangles;
     const auto           add = [&](double z, double x, double y, double width, double height) {
-        triangles.push_back({pointAt(camera, x, y, z), pointAt(camera, x + width, y + height / 2, z + 1), pointAt(camera, x, y + height, z)});
+        triangles.push_back({pointAt(camera, x, y, z), pointAt(camera, x + width, y + height / 2, z + 1),
+                             pointAt(camera, x, y + height, z)});
     };
-    for (int i = 0; i < 20; ++i) add(3 + 0.25 * i, 2 + i, 3 + 2 * i, 30, 40);               // a few on the left, on most lines
-    for (int i = 0; i < 400; ++i) add(20 - 0.03125 * i, 50 + 0.1 * i, 20 + 0.05 * i, 60, 50);  // 400 one upon the other, on some
+    // a few on the left, on most lines
+    for (int i = 0; i < 20; ++i) add(3 + 0.25 * i, 2 + i, 3 + 2 * i, 30, 40);
+    // 400 one upon the other, on some
+    for (int i = 0; i < 400; ++i) add(20 - 0.03125 * i, 50 + 0.1 * i, 20 + 0.05 * i, 60, 50);
     return sceneOf(triangles);
 }
 
 TEST(ExactChoices, CrowdsThatBeginInTheMiddleOfALineAreDrawnLikeTheReference)
 {
-    const Camera camera = plainCamera(128, 96);
+    const Camera        camera = plainCamera(128, 96);
     std::vector<Preset> algorithms;
     for (const char* name : {"interval", "interval-polygon", "scanline"}) algorithms.push_back(*findPreset(name));
     const auto rows = verify({.scene      = std::make_shared<const PreparedScene>(crowdedOnTheRight(camera)),
@@ -132,8 +143,10 @@ TEST(ExactChoices, CrowdsByWrongRulesAreDrawnAsTheyAreStepped)
 {
     const Camera camera = plainCamera(320, 200);
     for (const Fault fault : {Fault::EdgesUnsorted, Fault::OneTestPerInterval}) {
-        DrawRequest request{.scene = std::make_shared<const PreparedScene>(crowdedOnTheRight(camera)), .camera = camera,
-                            .pipeline = findPreset("interval")->pipeline, .threads = 1};
+        DrawRequest request{.scene    = std::make_shared<const PreparedScene>(crowdedOnTheRight(camera)),
+                            .camera   = camera,
+                            .pipeline = findPreset("interval")->pipeline,
+                            .threads  = 1};
         request.pipeline.fault = fault;
         Frame drawn;
         ASSERT_TRUE(Renderer().draw(request, drawn).ok());
@@ -151,7 +164,10 @@ DrawRequest requestOf(const std::string& word, const Pipeline& pipeline)
     auto loaded = loadScene("builtin:" + word);
     EXPECT_TRUE(loaded.ok());
     const auto scene = std::make_shared<const Scene>(*std::move(loaded));
-    return {.scene = std::make_shared<const PreparedScene>(scene), .camera = cameraFor(*scene, 241, 163), .pipeline = pipeline, .threads = 1};
+    return {.scene    = std::make_shared<const PreparedScene>(scene),
+            .camera   = cameraFor(*scene, 241, 163),
+            .pipeline = pipeline,
+            .threads  = 1};
 }
 
 /// What the counting run of a scene says.
@@ -197,7 +213,8 @@ TEST(Upkeep, PushingStopsAtTheFirstLevelThatDoesNotChange)
             ASSERT_GT(levels.size(), 2u);
             std::uint64_t stopped = 0;
             for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
-                EXPECT_EQ(levels[i + 1].cellsWritten, levels[i].cellsChanged) << word << ", " << upkeep << ", level " << levels[i + 1].level;
+                EXPECT_EQ(levels[i + 1].cellsWritten, levels[i].cellsChanged)
+                    << word << ", " << upkeep << ", level " << levels[i + 1].level;
                 stopped += levels[i].cellsWritten - levels[i].cellsChanged;
             }
             EXPECT_GT(stopped, counted.counters.at("updates") / 4) << word << ", " << upkeep;
@@ -209,7 +226,8 @@ TEST(Upkeep, PushingCullsWhatRefreshingOnQueryCulls)
     // Triangles where nobody asks about nodes: else questions that refresh are not asked about small ones.
     const auto hidden = [](const char* upkeep) {
         const std::string scene = "soccer-field?count=12";
-        const Counted nodes = countedOn(scene, with("hzb-octree", {"upkeep", upkeep})), triangles = countedOn(scene, with("octree-order", {"upkeep", upkeep}));
+        const Counted     nodes = countedOn(scene, with("hzb-octree", {"upkeep", upkeep})),
+                      triangles = countedOn(scene, with("octree-order", {"upkeep", upkeep}));
         EXPECT_GT(nodes.counters.at("triangles_hidden_by_node"), 0u);
         EXPECT_GT(triangles.counters.at("triangles_hidden"), 0u);
         return std::pair(nodes.counters.at("triangles_hidden_by_node"), triangles.counters.at("triangles_hidden"));
@@ -235,8 +253,8 @@ struct Culled {
 Culled culledOn(const std::string& word, const Pipeline& pipeline)
 {
     const DrawRequest request = requestOf(word, pipeline);
-    Renderer renderer;
-    Frame    frame;
+    Renderer          renderer;
+    Frame             frame;
     EXPECT_TRUE(renderer.draw(request, frame).ok());
     const Picture picture = pictureOf(frame.visible);
     const auto    audit   = auditCulls(request, frame.visible, picture.ids.values());

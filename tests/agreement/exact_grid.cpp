@@ -28,8 +28,8 @@ std::int64_t nearestEven(double value)
 /// The first pixel whose centre is not left of where the edge meets row y; nothing if it does not meet it.
 bool firstPixelRightOf(const GridPoint& a, const GridPoint& b, int y, Wide& pixel)
 {
-    const GridPoint& upper = a.y <= b.y ? a : b;
-    const GridPoint& lower = a.y <= b.y ? b : a;
+    const GridPoint& upper  = a.y <= b.y ? a : b;
+    const GridPoint& lower  = a.y <= b.y ? b : a;
     const Wide       centre = Wide{256} * y + 128;
     if (!(upper.y <= centre && centre < lower.y)) return false;
     const Wide dx = Wide{lower.x} - upper.x, dy = Wide{lower.y} - upper.y;
@@ -55,12 +55,13 @@ Depth depthAt(const GridTriangle& triangle, int x, int y)
 {
     const GridPoint centre{std::int64_t{256} * x + 128, std::int64_t{256} * y + 128};
     const auto& [a, b, c] = triangle.corner;
-    const auto scaled = [&triangle](std::size_t i) {
+    const auto scaled     = [&triangle](std::size_t i) {
         const double whole = std::ldexp(triangle.depth[i], 30);
         assert(whole == std::floor(whole));
         return static_cast<Wide>(whole);
     };
-    Depth depth{doubleArea(centre, b, c) * scaled(0) + doubleArea(a, centre, c) * scaled(1) + doubleArea(a, b, centre) * scaled(2),
+    Depth depth{doubleArea(centre, b, c) * scaled(0) + doubleArea(a, centre, c) * scaled(1)
+                    + doubleArea(a, b, centre) * scaled(2),
                 doubleArea(a, b, c)};
     if (depth.denominator < 0) depth = {-depth.numerator, -depth.denominator};
     return depth;
@@ -121,7 +122,8 @@ Grid<int> coverageOf(const Picture& picture, std::int64_t id)
 
 ExactPicture winners(const std::vector<GridTriangle>& triangles, int width, int height)
 {
-    ExactPicture picture{Grid<std::int64_t>(width, height, -1), Grid<double>(width, height, 0), Grid<int>(width, height, 0)};
+    ExactPicture picture{Grid<std::int64_t>(width, height, -1), Grid<double>(width, height, 0),
+                         Grid<int>(width, height, 0)};
     Grid<Depth>  best(width, height);
     const auto   forEachCovered = [&](const auto& visit) {
         for (std::size_t id = 0; id < triangles.size(); ++id) {

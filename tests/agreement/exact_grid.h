@@ -30,7 +30,7 @@ GridPoint snapped(double px, double py);
 /// 1 where the outline, filled by the even-odd rule, covers the pixel's centre; else 0.
 Grid<int> fill(const Outline& outline, int width, int height);
 /// The sum of the fills.
-Grid<int> fill(const std::vector<Outline>& outlines, int width, int height);
+Grid<int>    fill(const std::vector<Outline>& outlines, int width, int height);
 std::int64_t sum(const Grid<int>& counts);
 
 /// 1 where the picture shows a triangle.

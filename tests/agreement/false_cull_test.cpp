@@ -1,6 +1,6 @@
-// Conservative culling never leaves out what can be seen: no triangle below a node that was called hidden or outside, and
-// none that was called hidden itself, owns a pixel of the reference. For every exact preset; and the audit that says so is
-// held to scenes whose answer is known.
+// Conservative culling never leaves out what can be seen: no triangle below a node that was called hidden or outside,
+// and none that was called hidden itself, owns a pixel of the reference. For every exact preset; and the audit that
+// says so is held to scenes whose answer is known.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,8 @@ struct Total {
     std::uint64_t nodesHidden = 0, nodesOutside = 0, trianglesHidden = 0;
 };
 
-void expectNoFalseCulls(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera, const std::string& what, Total& total)
+void expectNoFalseCulls(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera,
+                        const std::string& what, Total& total)
 {
     const auto reference = referencePicture(scene->scene(), camera, FaceCulling::None);
     ASSERT_TRUE(reference.ok());
@@ -85,9 +86,10 @@ void expectNoneWithin(const char* word, int eyes, double lowest, double highest)
     for (int i = 0; i <= eyes; ++i) {
         ViewRequest view = shared->views.front().view;
         if (i > 0) {
-            const double low = bounds.min.y + lowest * (bounds.max.y - bounds.min.y), high = bounds.min.y + highest * (bounds.max.y - bounds.min.y);
-            view             = {};
-            view.eye         = random.between(dvec3{bounds.min.x, low, bounds.min.z}, dvec3{bounds.max.x, high, bounds.max.z});
+            const double low  = bounds.min.y + lowest * (bounds.max.y - bounds.min.y),
+                         high = bounds.min.y + highest * (bounds.max.y - bounds.min.y);
+            view              = {};
+            view.eye = random.between(dvec3{bounds.min.x, low, bounds.min.z}, dvec3{bounds.max.x, high, bounds.max.z});
             view.target      = *view.eye + random.between(dvec3{-1, -0.3, -1}, dvec3{1, 0.3, 1});
             view.verticalFov = random.between(30, 110);
             view.near        = 0.05;
@@ -114,19 +116,21 @@ TEST(FalseCulls, ThereAreNoneAmongTheBoxes)
 {
     auto loaded = loadScene("builtin:cubes");
     ASSERT_TRUE(loaded.ok());
-    const auto shared = std::make_shared<const Scene>(*std::move(loaded));
-    ViewRequest view  = shared->views.front().view;
+    const auto  shared = std::make_shared<const Scene>(*std::move(loaded));
+    ViewRequest view   = shared->views.front().view;
     view.width = 321, view.height = 243;
     Total total;
-    expectNoFalseCulls(std::make_shared<const PreparedScene>(shared), *makeCamera(view, shared->bounds), "cubes", total);
+    expectNoFalseCulls(std::make_shared<const PreparedScene>(shared), *makeCamera(view, shared->bounds), "cubes",
+                       total);
     EXPECT_GT(total.trianglesHidden, 0u);
 }
 
 /// A wall of two triangles at distance 2, and `count` small triangles in a row behind it, in this order or the other.
 std::shared_ptr<const Scene> wallAnd(const Camera& camera, int count, bool wallFirst)
 {
-    const auto at = [&camera](double x, double y, double z) { return pointAt(camera, x, y, z); };
-    const std::vector<Corners> wall{{at(-8, -8, 2), at(72, -8, 2), at(72, 72, 2)}, {at(-8, -8, 2), at(72, 72, 2), at(-8, 72, 2)}};
+    const auto                 at = [&camera](double x, double y, double z) { return pointAt(camera, x, y, z); };
+    const std::vector<Corners> wall{{at(-8, -8, 2), at(72, -8, 2), at(72, 72, 2)},
+                                    {at(-8, -8, 2), at(72, 72, 2), at(-8, 72, 2)}};
     std::vector<Corners>       triangles = wallFirst ? wall : std::vector<Corners>{};
     for (int i = 0; i < count; ++i) {
         const double x = 4 + 60.0 * i / count;
@@ -141,9 +145,9 @@ TEST(MissedCulls, AreTheTrianglesThatAPerfectTestWouldHaveHidden)
     const Camera camera = plainCamera(64, 64);
     for (const bool wallFirst : {true, false}) {
         DrawRequest request;
-        request.scene    = std::make_shared<const PreparedScene>(wallAnd(camera, 10, wallFirst));
-        request.camera   = camera;
-        request.shade    = false;
+        request.scene  = std::make_shared<const PreparedScene>(wallAnd(camera, 10, wallFirst));
+        request.camera = camera;
+        request.shade  = false;
         for (const char* name : {"zbuffer", "quadtree", "hzb-simple"}) {
             SCOPED_TRACE(std::string(name) + (wallFirst ? ", wall first" : ", wall last"));
             request.pipeline = findPreset(name)->pipeline;
@@ -151,10 +155,12 @@ TEST(MissedCulls, AreTheTrianglesThatAPerfectTestWouldHaveHidden)
             ASSERT_TRUE(Renderer().draw(request, frame));
             const auto audit = auditCulls(request, frame.visible, std::vector<std::int64_t>{-1});
             ASSERT_TRUE(audit.ok());
-            const bool sees = std::string_view(name) == "hzb-simple" || (std::string_view(name) == "quadtree" && wallFirst);
+            const bool sees =
+                std::string_view(name) == "hzb-simple" || (std::string_view(name) == "quadtree" && wallFirst);
             EXPECT_EQ(audit->trianglesHidden, sees ? 10u : 0u);
             EXPECT_EQ(audit->trianglesDrawn, sees ? 2u : 12u);
-            EXPECT_EQ(audit->missedTriangles, sees ? 0u : 10u) << "what is drawn before the wall could not be hidden, and a perfect test would have";
+            EXPECT_EQ(audit->missedTriangles, sees ? 0u : 10u)
+                << "what is drawn before the wall could not be hidden, and a perfect test would have";
             EXPECT_EQ(audit->missedNodes, 0u);
         }
     }

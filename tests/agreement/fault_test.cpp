@@ -1,4 +1,5 @@
-// The fault gallery and the approximations: each shows what it claims to show, and the exact text beside it shows nothing.
+// The fault gallery and the approximations: each shows what it claims to show, and the exact text beside it shows
+// nothing.
 #include <map>
 #include <memory>
 #include <string>
@@ -32,7 +33,7 @@ VerifyRow judge(const std::string& builtin, const Pipeline& pipeline, Simd simd 
     request.simd       = {simd};
     // What one level of cells leaves out depends on where the stripes begin, and that on how fast the machine is.
     if (pipeline.approximation.cells == CellDescent::OneLevel) request.threads = {1};
-    const auto rows    = verify(request);
+    const auto rows = verify(request);
     EXPECT_TRUE(rows) << builtin;
     return rows ? rows->front() : VerifyRow{};
 }
@@ -41,11 +42,16 @@ VerifyRow judge(const std::string& builtin, const Pipeline& pipeline, Simd simd 
 std::string sceneFor(Fault fault)
 {
     switch (fault) {
-    case Fault::OneTestPerInterval: return "hard/F8";
-    case Fault::EqualIsHidden: return "layers?order=back";
-    case Fault::NearRejected: return "wall-and-city";
-    case Fault::FarFirst: return "hard/C2";
-    default: return "city";
+        case Fault::OneTestPerInterval:
+            return "hard/F8";
+        case Fault::EqualIsHidden:
+            return "layers?order=back";
+        case Fault::NearRejected:
+            return "wall-and-city";
+        case Fault::FarFirst:
+            return "hard/C2";
+        default:
+            return "city";
     }
 }
 
@@ -65,7 +71,9 @@ TEST(Faults, EachSpoilsTheSamePixelsWithAnyNumberOfThreads)
 {
     for (const FaultEntry& entry : faults()) {
         const auto  scene = prepared(sceneFor(entry.fault));
-        DrawRequest request{.scene = scene, .camera = cameraFor(scene->scene(), 333, 217), .pipeline = findPreset(entry.preset)->pipeline};
+        DrawRequest request{.scene    = scene,
+                            .camera   = cameraFor(scene->scene(), 333, 217),
+                            .pipeline = findPreset(entry.preset)->pipeline};
         request.pipeline.fault = entry.fault;
         const auto drawn       = [&request](int threads) {
             request.threads = threads;
@@ -82,8 +90,8 @@ TEST(Faults, EachSpoilsTheSamePixelsWithAnyNumberOfThreads)
 
 TEST(Faults, FarFirstIsWrongWhereFacesCoincideAndDrawsInVainWhatIsHiddenTooLate)
 {
-    Pipeline pipeline = findPreset("hzb-octree")->pipeline;
-    const auto scene  = prepared("million?faces=100000");
+    Pipeline   pipeline     = findPreset("hzb-octree")->pipeline;
+    const auto scene        = prepared("million?faces=100000");
     const auto pixelsTested = [&] {
         Renderer    renderer;
         DrawRequest request;
@@ -114,7 +122,8 @@ TEST(Faults, EachIsRefusedWithASentenceWhereItCannotHappen)
         for (const Preset& preset : presets()) {
             Pipeline pipeline = preset.pipeline;
             pipeline.fault    = entry.fault;
-            EXPECT_EQ(explainInvalid(pipeline).has_value(), !entry.canHappen(pipeline)) << preset.name << ' ' << entry.word;
+            EXPECT_EQ(explainInvalid(pipeline).has_value(), !entry.canHappen(pipeline))
+                << preset.name << ' ' << entry.word;
         }
     }
 }
@@ -179,11 +188,12 @@ TEST(Approximations, SmallNodesAreDroppedAlikeByEveryThreadAndCounted)
     std::map<std::string, std::uint64_t> counters;
     for (const NamedCount& count : work->counters) counters[std::string(count.name)] = count.value;
     EXPECT_GT(counters["nodes_dropped"], 0u);
-    EXPECT_EQ(counters["nodes_visited"], counters["nodes_outside"] + counters["nodes_hidden"] + counters["nodes_entered"] + counters["nodes_dropped"]);
+    EXPECT_EQ(counters["nodes_visited"], counters["nodes_outside"] + counters["nodes_hidden"]
+                                             + counters["nodes_entered"] + counters["nodes_dropped"]);
     EXPECT_GT(counters["triangles_dropped_with_node"], 0u);
     std::uint64_t sum = 0;
-    for (const char* fate : {"transparent", "outside", "clipped_away", "back_facing", "degenerate", "no_pixel_centre", "out_of_range",
-                             "hidden_by_node", "hidden", "dropped_with_node", "drawn"})
+    for (const char* fate : {"transparent", "outside", "clipped_away", "back_facing", "degenerate", "no_pixel_centre",
+                             "out_of_range", "hidden_by_node", "hidden", "dropped_with_node", "drawn"})
         sum += counters[std::string("triangles_") + fate];
     EXPECT_EQ(counters["triangles_in"], sum);
 }
@@ -209,8 +219,10 @@ TEST(Approximations, AreTheSameOnEveryInstructionSet)
         const ErrorFigures scalar = judge(each.scene, *relaxed, Simd::Scalar).figures;
         for (const Simd simd : targetsTested()) {
             const ErrorFigures wide = judge(each.scene, *relaxed, simd).figures;
-            EXPECT_EQ(wide.wrongPixels(), scalar.wrongPixels()) << each.axis << '=' << each.choice << ' ' << wordOf(simd);
-            EXPECT_EQ(wide.depthBitsDiffer, scalar.depthBitsDiffer) << each.axis << '=' << each.choice << ' ' << wordOf(simd);
+            EXPECT_EQ(wide.wrongPixels(), scalar.wrongPixels())
+                << each.axis << '=' << each.choice << ' ' << wordOf(simd);
+            EXPECT_EQ(wide.depthBitsDiffer, scalar.depthBitsDiffer)
+                << each.axis << '=' << each.choice << ' ' << wordOf(simd);
         }
     }
 }

@@ -25,8 +25,8 @@ Grid<int> expectSumOfTriangles(const HardCase& hard, const Picture& picture)
 {
     std::vector<Outline> outlines;
     for (const GridTriangle& triangle : gridTriangles(hard)) outlines.push_back(triangle.outline());
-    Grid<int> times  = fill(outlines, hard.width(), hard.height());
-    Grid<int> atAll  = times;
+    Grid<int> times = fill(outlines, hard.width(), hard.height());
+    Grid<int> atAll = times;
     for (int& count : atAll.values()) count = count > 0;
     expectCoverage(atAll, coverageOf(picture), hard.word);
     return times;
@@ -38,15 +38,18 @@ TEST(HardA, A1TwoTrianglesShareAnEdgeAndEachPixelOfTheQuadOnceIn400Directions)
         for (const std::string ends : {"centre", "corner", "elsewhere"}) {
             Grid<int> both[2];
             for (int i = 0; i < 2; ++i) {
-                const HardCase hard = hardCase("A1?direction=" + std::to_string(direction) + "&ends=" + ends +
-                                               "&diagonal=" + (i == 0 ? "long" : "short"));
+                const HardCase hard    = hardCase("A1?direction=" + std::to_string(direction) + "&ends=" + ends
+                                                  + "&diagonal=" + (i == 0 ? "long" : "short"));
                 const Picture  picture = agreedPicture(hard, Effort::Some);
                 expectWhole(hard, picture, outlineOfQuad(hard));
                 both[i] = coverageOf(picture);
                 if (i != direction % 2) continue;
-                const Grid<int> first  = coverageOf(agreedPicture(only(hard, [](auto id) { return id == 0; }), Effort::Some));
-                const Grid<int> second = coverageOf(agreedPicture(only(hard, [](auto id) { return id == 1; }), Effort::Some));
-                EXPECT_EQ(sum(first) + sum(second), sum(both[i])) << hard.word << ": a pixel is covered twice or not at all";
+                const Grid<int> first =
+                    coverageOf(agreedPicture(only(hard, [](auto id) { return id == 0; }), Effort::Some));
+                const Grid<int> second =
+                    coverageOf(agreedPicture(only(hard, [](auto id) { return id == 1; }), Effort::Some));
+                EXPECT_EQ(sum(first) + sum(second), sum(both[i]))
+                    << hard.word << ": a pixel is covered twice or not at all";
             }
             EXPECT_EQ(both[0], both[1]) << "direction " << direction << ", " << ends << ": the diagonal shows";
             if (HasFailure()) return;
@@ -111,7 +114,7 @@ TEST(HardA, A4FanCoversItsDiscExactlyOnceAndTheCentrePixelOnce)
 {
     for (const int triangles : {1000, 10'000})
         for (const std::string centre : {"centre", "corner", "elsewhere"}) {
-            const HardCase hard = hardCase("A4?triangles=" + std::to_string(triangles) + "&centre=" + centre);
+            const HardCase hard    = hardCase("A4?triangles=" + std::to_string(triangles) + "&centre=" + centre);
             const Picture  picture = agreedPicture(hard, triangles == 1000 ? Effort::All : Effort::EachPreset);
             Outline        rim;
             for (const GridTriangle& triangle : gridTriangles(hard)) rim.push_back(triangle.corner[1]);
@@ -145,7 +148,9 @@ TEST(HardA, A5SliversEqualTheExactSetAndZeroWidthDrawsNothing)
                 expectScaledTwin(hard, picture, 9);
             }
             // The first horizontal sliver's top side runs through row 10, from the corner itself to 1012.5.
-            if (run == "horizontal" && width == "1") { EXPECT_EQ(sum(coverageOf(picture, 0)), 1000); }
+            if (run == "horizontal" && width == "1") {
+                EXPECT_EQ(sum(coverageOf(picture, 0)), 1000);
+            }
         }
 }
 
@@ -157,8 +162,12 @@ TEST(HardA, A6SphereOfAMillionTinyTrianglesHasNoHoleInsideItsSilhouette)
     for (int y = 0; y < 128; ++y)
         for (int x = 0; x < 128; ++x) {
             const double radius = std::hypot(x + 0.5 - 64, y + 0.5 - 64);
-            if (radius < 49.98) { ASSERT_GE(picture.ids.at(x, y), 0) << "a hole at " << x << ", " << y; }
-            if (radius > 50.02) { ASSERT_EQ(picture.ids.at(x, y), -1) << "a spill at " << x << ", " << y; }
+            if (radius < 49.98) {
+                ASSERT_GE(picture.ids.at(x, y), 0) << "a hole at " << x << ", " << y;
+            }
+            if (radius > 50.02) {
+                ASSERT_EQ(picture.ids.at(x, y), -1) << "a spill at " << x << ", " << y;
+            }
         }
     const auto counters = expectCounters(hard);
     EXPECT_GT(counters.at("triangles_no_pixel_centre") + counters.at("triangles_degenerate"), 950'000u);
@@ -177,7 +186,9 @@ TEST(HardA, A6SmallerSpheresAreClosedToo)
         const double   inner   = 50 * std::pow(std::cos(3.15 / rings), 2) - 1;  // inside every facet
         for (int y = 0; y < 128; ++y)
             for (int x = 0; x < 128; ++x)
-                if (std::hypot(x + 0.5 - 64, y + 0.5 - 64) < inner) { ASSERT_GE(picture.ids.at(x, y), 0) << x << ", " << y; }
+                if (std::hypot(x + 0.5 - 64, y + 0.5 - 64) < inner) {
+                    ASSERT_GE(picture.ids.at(x, y), 0) << x << ", " << y;
+                }
         expectTwins(hard, picture, TwinDepth::WithinOneStep);
         expectCounters(hard);
         expectCounters(hard, FaceCulling::Back);
@@ -210,7 +221,9 @@ TEST(HardA, A7JunctionOffTheGridHasThePredictedGapPixelForPixel)
         for (int x = 0; x < 64; ++x) {
             const bool isGap = x == y && y >= 9 && y <= 28;
             EXPECT_EQ(picture.ids.at(x, y) >= 0, whole.at(x, y) == 1 && !isGap) << x << ", " << y;
-            if (isGap) { EXPECT_EQ(whole.at(x, y), 1); }
+            if (isGap) {
+                EXPECT_EQ(whole.at(x, y), 1);
+            }
         }
     expectSumOfTriangles(hard, picture);
     expectTwins(hard, picture);
@@ -221,7 +234,8 @@ TEST(HardA, A7JunctionMovedTheOtherWayOverlapsWhereThePredictionSays)
     const HardCase  hard    = hardCase("A7?midpoint=overlap");
     const Picture   picture = agreedPicture(hard);
     const Grid<int> times   = expectSumOfTriangles(hard, picture);
-    // Centres (j, j) lie right of the long edge from row 9 on, and left of the short one from row 29 to 48, on it before.
+    // Centres (j, j) lie right of the long edge from row 9 on, and left of the short one from row 29 to 48, on it
+    // before.
     std::int64_t twice = 0;
     for (const int count : times.values()) twice += count > 1;
     const auto counters = expectCounters(hard);
@@ -241,7 +255,7 @@ TEST(HardA, A8TrianglesOfZeroAreaDrawNothingAndAreCounted)
     EXPECT_EQ(hard.scene->triangleCount(), 6u) << "a triangle of zero area keeps its id";
     const Picture picture = agreedPicture(hard);
     EXPECT_EQ(expectCounters(hard).at("triangles_degenerate"), 4u);
-    const auto     all = gridTriangles(hard);
+    const auto all = gridTriangles(hard);
     expectCoverage(fill(all[0].outline(), 32, 32), coverageOf(picture, 0), hard.word);
     expectCoverage(fill(all[5].outline(), 32, 32), coverageOf(picture, 5), hard.word);
     expectTwins(hard, picture);
@@ -269,8 +283,8 @@ TEST(HardA, A9CornersAtTheSnappingMidpointGoToTheEvenUnitForAllUsersOfTheVertex)
         const HardCase rounded = changed(hard, "rounded beforehand", hard.camera, [&](auto& positions, auto&) {
             for (dvec3& p : positions) {
                 const GridPoint g = snapped(32 + p.x / -p.z, 32 - p.y / -p.z);
-                p.x = (static_cast<double>(g.x) / 256 - 32) * -p.z;
-                p.y = (32 - static_cast<double>(g.y) / 256) * -p.z;
+                p.x               = (static_cast<double>(g.x) / 256 - 32) * -p.z;
+                p.y               = (32 - static_cast<double>(g.y) / 256) * -p.z;
             }
         });
         EXPECT_EQ(agreedPicture(rounded, Effort::EachPreset).ids, picture.ids) << hard.word;
@@ -299,8 +313,12 @@ TEST(HardA, A11CornerFarBeyondTheGuardBandTakesTheWidePathToTheSamePixels)
         expectTwins(hard, picture);
         const auto counters = expectCounters(hard);
         EXPECT_EQ(counters.at("triangles_drawn"), 1u) << hard.word;
-        if (exponent >= 31) { EXPECT_EQ(counters.at("triangles_wide"), 1u) << hard.word; }
-        if (exponent <= 8) { EXPECT_EQ(counters.at("triangles_wide"), 0u) << hard.word; }
+        if (exponent >= 31) {
+            EXPECT_EQ(counters.at("triangles_wide"), 1u) << hard.word;
+        }
+        if (exponent <= 8) {
+            EXPECT_EQ(counters.at("triangles_wide"), 0u) << hard.word;
+        }
     }
 }
 
@@ -346,7 +364,8 @@ TEST(HardA, A13TriangleTurnedOverBySnappingIsDrawnAndCulledByItsSnappedSign)
         const Picture  picture = agreedPicture(hard);
         // Snapped: left one unit below row 10's centres, middle and right on them. Pixels 32 to 55 are on the top side.
         for (int y = 0; y < 32; ++y)
-            for (int x = 0; x < 64; ++x) EXPECT_EQ(picture.ids.at(x, y) >= 0, y == 10 && x >= 32 && x < 56) << x << ", " << y;
+            for (int x = 0; x < 64; ++x)
+                EXPECT_EQ(picture.ids.at(x, y) >= 0, y == 10 && x >= 32 && x < 56) << x << ", " << y;
         expectTwins(hard, picture);
 
         // Facing the viewer before snapping is facing away afterwards.

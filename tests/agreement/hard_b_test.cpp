@@ -39,7 +39,7 @@ Outline clippedOutline(const HardCase& hard, std::size_t id)
     Outline           outline;
     const auto        add = [&](const ViewPoint& p) {
         outline.push_back(snapped(static_cast<double>(hard.width() / 2.0L + p.x / p.z),
-                                  static_cast<double>(hard.height() / 2.0L - p.y / p.z)));
+                                         static_cast<double>(hard.height() / 2.0L - p.y / p.z)));
     };
     for (std::size_t i = 0; i < 3; ++i) {
         const ViewPoint &a = triangle[i], &b = triangle[(i + 1) % 3];
@@ -77,7 +77,7 @@ TEST(HardB, B1CornersBehindTheNearPlaneLeaveTwoOneAndNoPartsThatShareTheirDiagon
             std::array<dvec3, 3> view{};
             for (std::size_t i = 0; i < 3; ++i) {
                 const ViewPoint p = viewTriangle(hard, 0)[i];
-                view[i] = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+                view[i]           = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
             }
             const ClippedTriangle kept = clipNear(view, hard.camera.near);
             ASSERT_EQ(kept.parts(), static_cast<std::size_t>(3 - behind)) << hard.word;
@@ -91,9 +91,9 @@ TEST(HardB, B1CornersBehindTheNearPlaneLeaveTwoOneAndNoPartsThatShareTheirDiagon
                 EXPECT_EQ(counters.at("triangles_clipped_away") + counters.at("triangles_outside"), 1u);
                 continue;
             }
-            const Picture picture =
-                expectOutline(hard, clippedOutline(hard, 0),
-                              behind == 1 ? pixels({{12, 22}, {-4, 68}, {76, 68}, {52, 22}}) : pixels({{32, 12}, {24, 72}, {52, 52}}));
+            const Picture picture = expectOutline(hard, clippedOutline(hard, 0),
+                                                  behind == 1 ? pixels({{12, 22}, {-4, 68}, {76, 68}, {52, 22}})
+                                                              : pixels({{32, 12}, {24, 72}, {52, 52}}));
             EXPECT_EQ(expectCounters(hard).at("triangles_clipped"), 1u) << hard.word;
             expectTwins(hard, picture, TwinDepth::WithinOneStep);
             agreedPicture(hard, Effort::All, FaceCulling::Back);
@@ -145,7 +145,7 @@ TEST(HardB, B4CornersAtBehindAndHardlyInFrontOfTheEyeGiveNoMirroredImage)
     for (int first = 0; first < 3; ++first) {
         const auto word = [first](const std::string& z) { return "B4?z=" + z + "&first=" + std::to_string(first); };
         // From z = 1 to 0 the plane is met at 3/4 of the way; a denormal z is 0 to the last bit of the crossing.
-        const Outline  atZero  = pixels({{12, 22}, {15, 46}, {55, 42}, {52, 18}});
+        const Outline atZero = pixels({{12, 22}, {15, 46}, {55, 42}, {52, 18}});
         for (const std::string z : {"zero", "tiny", "denormal"}) {
             const HardCase hard    = hardCase(word(z));
             const Picture  picture = expectOutline(hard, clippedOutline(hard, 0), atZero);
@@ -166,7 +166,8 @@ TEST(HardB, B5InsideAClosedBoxEveryPixelIsCoveredOnceInTwelveDirections)
         EXPECT_EQ(sum(coverageOf(picture)), 64 * 48) << hard.word;
         EXPECT_EQ(expectCounters(hard).at("pixels_tested"), 64u * 48u) << hard.word;
         expectCoveredAtMostOnce(hard);
-        EXPECT_EQ(agreedPicture(hard, Effort::All, FaceCulling::Back), picture) << "seen from inside all faces are front";
+        EXPECT_EQ(agreedPicture(hard, Effort::All, FaceCulling::Back), picture)
+            << "seen from inside all faces are front";
         expectCounters(hard, FaceCulling::Back);
         expectTwins(hard, picture, TwinDepth::WithinOneStep);
         const HardCase outside = changed(hard, "turned inside out", hard.camera, [](auto&, auto& triangles) {
@@ -224,9 +225,9 @@ TEST(HardB, B7ScaledSceneIsTheSamePictureUpToCountedSnapDifferences)
     for (const std::string scale : {"1048576", "9.5367431640625e-07", "1099511627776"})  // 2^20, 2^-20, 2^40
         EXPECT_EQ(agreedPicture(hardCase("B7?scale=" + scale)), picture) << scale << " is a power of two: identical";
     for (const std::string scale : {"1e-6", "1e6", "1e-20", "1e20"}) {
-        const HardCase     scaled = hardCase("B7?scale=" + scale);
-        const Picture      other  = agreedPicture(scaled);
-        const std::int64_t snaps  = snapDifferences(one, scaled);
+        const HardCase     scaled           = hardCase("B7?scale=" + scale);
+        const Picture      other            = agreedPicture(scaled);
+        const std::int64_t snaps            = snapDifferences(one, scaled);
         std::int64_t       pixelsThatDiffer = 0;
         for (std::size_t i = 0; i < picture.ids.values().size(); ++i)
             pixelsThatDiffer += picture.ids.values()[i] != other.ids.values()[i];
@@ -247,9 +248,9 @@ Grid<std::int64_t> unsnappedWinners(const HardCase& binary)
         for (std::size_t i = 0; i < 3; ++i) {
             const dvec3&      p = mesh.positions[mesh.triangles[id][i]];  // exact multiples of 2^-10 * 2^-8
             const long double z = 32 - p.z * 1024.0L;
-            x[i] = width / 2.0L + height / 2.0L * binary.camera.focal * (p.x * 1024.0L - 10) / z;
-            y[i] = height / 2.0L - height / 2.0L * binary.camera.focal * (p.y * 1024.0L - 10) / z;
-            d[i] = 8 / z;
+            x[i]                = width / 2.0L + height / 2.0L * binary.camera.focal * (p.x * 1024.0L - 10) / z;
+            y[i]                = height / 2.0L - height / 2.0L * binary.camera.focal * (p.y * 1024.0L - 10) / z;
+            d[i]                = 8 / z;
         }
         const long double area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
         for (int j = 0; j < height; ++j)
@@ -270,10 +271,10 @@ Grid<std::int64_t> unsnappedWinners(const HardCase& binary)
 
 TEST(HardB, B8DetailFarFromTheOriginIsNoWorseThanNearIt)
 {
-    const HardCase binary  = hardCase("B8?offset=0&detail=binary");
-    const Picture  atHome  = agreedPicture(binary);
-    const auto     truth   = unsnappedWinners(binary);
-    const auto     wrong   = [&truth](const Picture& picture) {
+    const HardCase binary = hardCase("B8?offset=0&detail=binary");
+    const Picture  atHome = agreedPicture(binary);
+    const auto     truth  = unsnappedWinners(binary);
+    const auto     wrong  = [&truth](const Picture& picture) {
         std::int64_t count = 0;
         for (std::size_t i = 0; i < truth.values().size(); ++i) count += truth.values()[i] != picture.ids.values()[i];
         return count;
@@ -303,7 +304,8 @@ TEST(HardB, B9ExtremeAnglesAgreeWithTheReference)
         for (std::uint32_t id = 0; id < hard.scene->triangleCount(); ++id) {
             definition::partsOf(*hard.scene, InstanceId{0}, id, {hard.camera, FaceCulling::None}, parts);
             for (const auto& part : parts)
-                for (const auto& corner : part.corners()) magnitude = std::max({magnitude, std::abs(corner.x), std::abs(corner.y)});
+                for (const auto& corner : part.corners())
+                    magnitude = std::max({magnitude, std::abs(corner.x), std::abs(corner.y)});
         }
         EXPECT_LT(magnitude, 1000) << angle;
         RecordProperty("largest_corner_at_" + angle, std::to_string(magnitude));
@@ -338,12 +340,14 @@ TEST(HardB, B11SampleAtFarIsKeptOneStepNearerTooOneStepBeyondIsDropped)
         EXPECT_EQ(shown(8), std::nextafter(limit, 1.0f)) << far;
         EXPECT_EQ(shown(24), limit) << far;
         EXPECT_EQ(shown(40), 0.0f) << far;
-        if (far == "256") { EXPECT_EQ(limit, 1.0f / 1024); }
+        if (far == "256") {
+            EXPECT_EQ(limit, 1.0f / 1024);
+        }
         expectScaledTwin(hard, picture, 20);
         expectReversedTwin(hard, picture);
         expectShuffledTwin(hard, picture);
-        Camera open = hard.camera;
-        open.far    = std::numeric_limits<double>::infinity();
+        Camera open       = hard.camera;
+        open.far          = std::numeric_limits<double>::infinity();
         const Picture all = agreedPicture(changed(hard, "without far", open, [](auto&, auto&) {}));
         EXPECT_EQ(all.depth.at(40, 16), std::nextafter(limit, 0.0f)) << "the third sheet lies where it is meant to";
     }
@@ -379,11 +383,17 @@ TEST(HardB, B12ExtremeCoordinatesAreHandledAndLeaveTheirNeighboursAlone)
             const Grid<int> shape = fill(pixels({{32, 12}, {12, 32}, {52, 32}}), 64, 64);
             for (int y = 0; y < 64; ++y)
                 for (int x = 0; x < 64; ++x) {
-                    if (picture.ids.at(x, y) == 1) { EXPECT_EQ(shape.at(x, y), 1); }
-                    if (shape.at(x, y) == 1) { EXPECT_GE(picture.ids.at(x, y), 0); }
+                    if (picture.ids.at(x, y) == 1) {
+                        EXPECT_EQ(shape.at(x, y), 1);
+                    }
+                    if (shape.at(x, y) == 1) {
+                        EXPECT_GE(picture.ids.at(x, y), 0);
+                    }
                 }
         }
-        if (what == "huge-z") { EXPECT_GT(sum(coverageOf(picture, 1)), 50) << "it ends at the horizon's middle"; }
+        if (what == "huge-z") {
+            EXPECT_GT(sum(coverageOf(picture, 1)), 50) << "it ends at the horizon's middle";
+        }
     }
 }
 
@@ -392,10 +402,10 @@ TEST(HardB, B12UnusableNumbersInAFileAreDroppedAndCountedAndTheRestIsDrawn)
     const auto folder = std::filesystem::temp_directory_path() / ("zscope-hard-b12-" + std::to_string(::getpid()));
     std::filesystem::create_directory(folder);
     const std::string path = (folder / "numbers.obj").string();
-    std::ofstream(path) << "v -29.5 29.5 -1\nv -29.5 2 -1\nv -2 29.5 -1\n"        // 1 2 3: an ordinary triangle
-                           "v nan 0 -1\nv 0 inf -1\nv 0 0 -inf\nv 1e999 0 -1\n"   // 4 .. 7: no numbers at all
-                           "v 1e308 -20 -1\nv 1e-320 20 -1\n"                     // 8, 9: extreme, but numbers
-                           "v 29.5 -29.5 -1\nv 29.5 -2 -1\nv 2 -29.5 -1\n"        // 10 11 12: an ordinary triangle
+    std::ofstream(path) << "v -29.5 29.5 -1\nv -29.5 2 -1\nv -2 29.5 -1\n"       // 1 2 3: an ordinary triangle
+                           "v nan 0 -1\nv 0 inf -1\nv 0 0 -inf\nv 1e999 0 -1\n"  // 4 .. 7: no numbers at all
+                           "v 1e308 -20 -1\nv 1e-320 20 -1\n"                    // 8, 9: extreme, but numbers
+                           "v 29.5 -29.5 -1\nv 29.5 -2 -1\nv 2 -29.5 -1\n"       // 10 11 12: an ordinary triangle
                            "f 1 2 3\nf 1 4 3\nf 5 2 3\nf 1 2 6\nf 7 2 3\nf 1 8 3\nf 1 9 2\nf 10 11 12\n";
     Result<Scene> scene = loadScene(path);
     std::filesystem::remove_all(folder);
@@ -404,7 +414,7 @@ TEST(HardB, B12UnusableNumbersInAFileAreDroppedAndCountedAndTheRestIsDrawn)
     EXPECT_GE(scene->warnings.size(), 1u);
     ASSERT_EQ(scene->triangleCount(), 4u) << "the faces that use a vertex without a value, and no others, are gone";
 
-    HardCase hard = hardCase("B12 from a file", std::move(scene).value(), hardCase("B12").camera);
+    HardCase      hard    = hardCase("B12 from a file", std::move(scene).value(), hardCase("B12").camera);
     const Picture picture = agreedPicture(hard);
     expectNeighboursUnaffected(hard, picture, 1);
     const auto counters = expectCounters(hard);
@@ -457,7 +467,7 @@ TEST(HardB, B13CamerasThatCannotBeAreRefusedInASentence)
 TEST(HardB, B13PicturesOnePixelWideOrHighAreExact)
 {
     for (const auto& [width, height] : {std::array{1, 64}, {64, 1}, {1, 1}, {2, 1}, {1, 2}, {17, 1}, {1, 256}}) {
-        const HardCase hard = hardCase("B13?width=" + std::to_string(width) + "&height=" + std::to_string(height));
+        const HardCase hard    = hardCase("B13?width=" + std::to_string(width) + "&height=" + std::to_string(height));
         const Picture  picture = agreedPicture(hard);
         EXPECT_EQ(picture.ids.width(), width);
         EXPECT_EQ(picture.ids.height(), height);

@@ -42,7 +42,8 @@ TEST(HardC, C1OfIdenticalTrianglesTheLowestIdWinsEverywhere)
         for (const std::int64_t id : picture.ids.values()) EXPECT_LE(id, 0);
         expectWinners(hard, picture);
         expectTwins(hard, picture);
-        EXPECT_EQ(expectCounters(hard).at("pixels_tested"), static_cast<std::uint64_t>(copies * sum(coverageOf(picture))));
+        EXPECT_EQ(expectCounters(hard).at("pixels_tested"),
+                  static_cast<std::uint64_t>(copies * sum(coverageOf(picture))));
 
         // Turned round, one by one: identical when two-sided.
         const HardCase mixed = changed(hard, "every other one turned round", hard.camera, [](auto&, auto& triangles) {
@@ -88,7 +89,8 @@ TEST(HardC, C3SymmetricCrossingHasItsBoundaryOnTheExactLineAndTiesGoToTheLowestI
                 const bool isFirstSheet = picture.ids.at(x, y) < 2;
                 EXPECT_GE(picture.ids.at(x, y), 0);
                 EXPECT_EQ(isFirstSheet, first == "left" ? x <= 32 : x >= 32) << first << " at " << x << ", " << y;
-                EXPECT_EQ(picture.depth.at(x, y), 0.1875f + static_cast<float>(std::abs(x - 32)) / 512) << first << " at " << x << ", " << y;
+                EXPECT_EQ(picture.depth.at(x, y), 0.1875f + static_cast<float>(std::abs(x - 32)) / 512)
+                    << first << " at " << x << ", " << y;
             }
         expectWinners(hard, picture);
         expectTwins(hard, picture);
@@ -133,13 +135,17 @@ TEST(HardC, C5ConvergingSheetsChangeWhereDepthsFirstDifferWithoutNoiseBeyondTies
             bool isClear = false;  // the lead has been more than two steps
             for (int x = 0; x < 256; ++x) {
                 if (picture.ids.at(x, y) < 0) continue;
-                const float far = std::max(alone[0].depth.at(x, y), alone[1].depth.at(x, y));
+                const float far  = std::max(alone[0].depth.at(x, y), alone[1].depth.at(x, y));
                 const float near = std::max(alone[2].depth.at(x, y), alone[3].depth.at(x, y));
                 ASSERT_GE(depthSteps(far, near), -1) << "the nearer sheet is never more than a rounding behind";
                 isClear = isClear || depthSteps(far, near) > 2;
-                if (isClear) { ASSERT_GE(picture.ids.at(x, y), 2) << hard.word << " at " << x << ", " << y; }
+                if (isClear) {
+                    ASSERT_GE(picture.ids.at(x, y), 2) << hard.word << " at " << x << ", " << y;
+                }
             }
-            if (apart <= 18 && y >= 4 && y < 60) { EXPECT_TRUE(isClear) << hard.word << ", row " << y; }
+            if (apart <= 18 && y >= 4 && y < 60) {
+                EXPECT_TRUE(isClear) << hard.word << ", row " << y;
+            }
         }
     }
 }
@@ -151,8 +157,8 @@ TEST(HardC, C6NearlyEdgeOnFaceKeepsItsDepthWithinItsCorners)
         const Picture  picture = agreedPicture(hard);
         const auto     alone   = eachAlone(hard);
         expectMaximumOf(alone, picture, hard.word);
-        const auto     all    = gridTriangles(hard);
-        std::int64_t   drawn  = 0;
+        const auto   all   = gridTriangles(hard);
+        std::int64_t drawn = 0;
         for (std::size_t id = 2; id < 4; ++id) {  // the wall
             const auto [lo, hi] = std::minmax({all[id].depth[0], all[id].depth[1], all[id].depth[2]});
             expectCoverage(fill(all[id].outline(), 256, 256), coverageOf(alone[id]), hard.word);
@@ -164,7 +170,9 @@ TEST(HardC, C6NearlyEdgeOnFaceKeepsItsDepthWithinItsCorners)
                     EXPECT_LE(alone[id].depth.at(x, y), static_cast<float>(hi)) << hard.word;
                 }
         }
-        if (angle != "89.99999") { EXPECT_GT(drawn, 50) << hard.word << ": the wall is seen"; }
+        if (angle != "89.99999") {
+            EXPECT_GT(drawn, 50) << hard.word << ": the wall is seen";
+        }
         // The sheet in front of it at 1/2 and the one behind it at 1/64 are beyond its reach.
         for (int y = 100; y < 120; ++y)
             for (int x = 150; x < 250; ++x) EXPECT_GE(picture.ids.at(x, y), 4) << hard.word << " at " << x << ", " << y;
@@ -186,7 +194,8 @@ TEST(HardC, C7ClippedPartsAtTheNearPlaneNeverExceedDepthOne)
         EXPECT_LE(depth, 1.0f);
         if (depth < 1) nearest = std::max(nearest, depth);
     }
-    for (std::int64_t id = 0; id < 3; ++id) EXPECT_GT(sum(coverageOf(picture, id)), 0) << "triangle " << id << " is seen";
+    for (std::int64_t id = 0; id < 3; ++id)
+        EXPECT_GT(sum(coverageOf(picture, id)), 0) << "triangle " << id << " is seen";
     EXPECT_EQ(nearest, std::nextafter(1.0f, 0.0f)) << "one step behind the near plane lies the third triangle";
     // Where the triangle on the near plane is, only what reaches the near plane too, with a lower id, may hide it.
     const Grid<int> onPlane = fill(gridTriangles(hard)[1].outline(), 64, 64);
@@ -208,24 +217,31 @@ TEST(HardC, C8OneStepApartTheNearerWinsHalfAStepIsDecidedAfterRounding)
         bool        nearerWins;
         int         storedSteps;  // above 1/4, where the nearer sheet is seen
     };
-    for (const Claim& claim : {Claim{"even", "1", true, 1}, {"odd", "1", true, 2},
-                               {"even", "0.5", false, 0},   // a tie of rounding goes down to the even 1/4: equal, lowest id
-                               {"odd", "0.5", true, 2},     // and here up to the even one: nearer
-                               {"even", "0.25", false, 0}, {"odd", "0.25", false, 1},
-                               {"even", "0.75", true, 1}, {"odd", "0.75", true, 2},
-                               {"even", "0", false, 0}, {"odd", "0", false, 1}}) {
+    for (const Claim& claim : {Claim{"even", "1", true, 1},
+                               {"odd", "1", true, 2},
+                               // a tie of rounding goes down to the even 1/4: equal, lowest id
+                               {"even", "0.5", false, 0},
+                               {"odd", "0.5", true, 2},  // and here up to the even one: nearer
+                               {"even", "0.25", false, 0},
+                               {"odd", "0.25", false, 1},
+                               {"even", "0.75", true, 1},
+                               {"odd", "0.75", true, 2},
+                               {"even", "0", false, 0},
+                               {"odd", "0", false, 1}}) {
         const HardCase hard    = hardCase(std::string("C8?base=") + claim.base + "&step=" + claim.step);
         const Picture  picture = agreedPicture(hard);
         const float    quarter = 0.25f;
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x) {
-                const bool inFar = x >= 4 && x < 44 && y >= 4 && y < 44, inNear = x >= 20 && x < 60 && y >= 20 && y < 60;
+                const bool inFar  = x >= 4 && x < 44 && y >= 4 && y < 44,
+                           inNear = x >= 20 && x < 60 && y >= 20 && y < 60;
                 const bool isNear = inNear && (!inFar || claim.nearerWins);
                 ASSERT_EQ(picture.ids.at(x, y) >= 0, inFar || inNear) << hard.word;
                 if (!inFar && !inNear) continue;
                 ASSERT_EQ(picture.ids.at(x, y) >= 2, isNear) << hard.word << " at " << x << ", " << y;
                 const int expected = isNear ? claim.storedSteps : (std::string(claim.base) == "odd" ? 1 : 0);
-                ASSERT_EQ(depthSteps(quarter, picture.depth.at(x, y)), expected) << hard.word << " at " << x << ", " << y;
+                ASSERT_EQ(depthSteps(quarter, picture.depth.at(x, y)), expected)
+                    << hard.word << " at " << x << ", " << y;
             }
         expectScaledTwin(hard, picture, 30);
         expectShiftedTwin(hard, picture);

@@ -1,6 +1,6 @@
-// The hard cases of the pyramid, docs/correctness.md, D1 to D9. Its cells are held to brute force in the test of its own;
-// here the frames are: every preset, and how much each of them hid. D8 is about frames that follow one another; what else may
-// change between frames is in the coherence test.
+// The hard cases of the pyramid, docs/correctness.md, D1 to D9. Its cells are held to brute force in the test of its
+// own; here the frames are: every preset, and how much each of them hid. D8 is about frames that follow one another;
+// what else may change between frames is in the coherence test.
 
 #include <algorithm>
 
@@ -44,8 +44,8 @@ bool isWall(const HardCase& hard, std::int64_t id)
 TEST(HardD, D1ASheetBehindOneCellIsHiddenAndOneAPixelWiderShowsThatPixel)
 {
     for (int level = 3; level <= 5; ++level) {
-        const int      side  = 1 << level;
-        const HardCase exact = hardCase("D1?level=" + std::to_string(level));
+        const int      side    = 1 << level;
+        const HardCase exact   = hardCase("D1?level=" + std::to_string(level));
         const Picture  picture = agreedPicture(exact);
         for (const std::int64_t id : picture.ids.values()) EXPECT_TRUE(id < 0 || isWall(exact, id));
         for (const char* preset : kComplete) {
@@ -100,7 +100,8 @@ TEST(HardD, D4EqualDepthIsNotCulledAndTheLowerIdWins)
                 const bool isSheet = wallFirst ? picture.ids.at(x, y) >= 2 : picture.ids.at(x, y) < 512;
                 ASSERT_EQ(isSheet, inSheet && !wallFirst) << hard.word << " at " << x << ", " << y;
             }
-        for (const char* preset : kComplete) EXPECT_EQ(hiddenBy(hard, preset), 0u) << preset << ": it might win by its id";
+        for (const char* preset : kComplete)
+            EXPECT_EQ(hiddenBy(hard, preset), 0u) << preset << ": it might win by its id";
         expectCounters(hard);
         expectReversedTwin(hard, picture);
         expectShuffledTwin(hard, picture);
@@ -146,7 +147,9 @@ TEST(HardD, D7AStripAsWideAsThePictureIsSeenInItsLastPixel)
         for (int y = 0; y < 8; ++y)
             for (int x = 0; x < width; ++x) {
                 const bool last = x == width - 1;
-                ASSERT_EQ(picture.depth.at(x, y), last ? (y >= 2 && y < 5 ? 0.0625f : 0.0f) : y >= 1 && y < 6 ? 0.125f : 0.0f);
+                ASSERT_EQ(picture.depth.at(x, y), last              ? (y >= 2 && y < 5 ? 0.0625f : 0.0f)
+                                                  : y >= 1 && y < 6 ? 0.125f
+                                                                    : 0.0f);
             }
         expectCounters(hard);
     }
@@ -157,8 +160,8 @@ Camera turned(Camera camera, int quarters)
 {
     for (; quarters > 0; --quarters) {
         const dvec3 right = camera.right;
-        camera.right   = -camera.forward;
-        camera.forward = right;
+        camera.right      = -camera.forward;
+        camera.forward    = right;
     }
     return camera;
 }
@@ -204,20 +207,23 @@ TEST(HardD, D8AfterACutAHalfTurnAndARemovedOccluderTwoPassesAreExactInEveryFrame
                 request.pipeline = preset.pipeline;
                 request.threads  = threads;
                 ASSERT_TRUE(renderer.draw(request, frame).ok());
-                EXPECT_TRUE(*expected == pictureOf(frame.visible)) << preset.name << ", " << threads << " threads, " << view.what;
+                EXPECT_TRUE(*expected == pictureOf(frame.visible))
+                    << preset.name << ", " << threads << " threads, " << view.what;
             }
         }
     }
     const auto shown = referencePicture(*open.scene, open.camera, FaceCulling::None);
-    EXPECT_TRUE(std::ranges::any_of(shown->ids.values(), [](std::int64_t id) { return id >= 0; })) << "the wall hid something";
+    EXPECT_TRUE(std::ranges::any_of(shown->ids.values(), [](std::int64_t id) { return id >= 0; }))
+        << "the wall hid something";
 }
 
-/// The same way without the second pass: what has come out from behind the wall is missing for a frame, and then it is there.
+/// The same way without the second pass: what has come out from behind the wall is missing for a frame, and then it is
+/// there.
 TEST(HardD, D8WithoutASecondPassTheOccluderHidesForOneFrameAfterItIsGone)
 {
     const HardCase wall = hardCase("D1?level=5"), open = withoutWall(wall);
-    Pipeline       lagging  = findPreset("hzb-octree")->pipeline;
-    lagging.coherence       = Coherence::LastPyramid;
+    Pipeline       lagging = findPreset("hzb-octree")->pipeline;
+    lagging.coherence      = Coherence::LastPyramid;
     EXPECT_EQ(claimOf(lagging), Claim::Approximate);
     for (const int threads : {1, 2, 3}) {
         Renderer   renderer;

@@ -1,5 +1,5 @@
-// The hard cases of octree and BVH, docs/correctness.md, E1 to E8. What the trees hold is claimed by the test of the trees;
-// here every preset draws them.
+// The hard cases of octree and BVH, docs/correctness.md, E1 to E8. What the trees hold is claimed by the test of the
+// trees; here every preset draws them.
 
 #include <algorithm>
 
@@ -21,7 +21,8 @@ TEST(HardE, E1GeometryInTheSplittingPlanesIsDrawnOnce)
     EXPECT_GT(coveredPixels(picture), 500);
     const Tree& tree = treesOf(*hard.prepared, TreeKind::Octree).mesh(MeshId{0});
     EXPECT_GT(tree.nodeCount(), 8u) << "it was divided";
-    for (const TreeNode& child : tree.childrenOf(tree.root())) EXPECT_FALSE(child.straddles) << "and no square crosses a plane";
+    for (const TreeNode& child : tree.childrenOf(tree.root()))
+        EXPECT_FALSE(child.straddles) << "and no square crosses a plane";
     expectCounters(hard);
     expectShuffledTwin(hard, picture);
     expectScaledTwin(hard, picture, 10);
@@ -60,7 +61,7 @@ TEST(HardE, E4FlatScenesPointsAndNothing)
         }
         expectCounters(hard);
     }
-    Scene nothing;
+    Scene          nothing;
     const HardCase empty   = hardCase("nothing", std::move(nothing), hardCase("E1").camera);
     const Picture  picture = agreedPicture(empty);
     EXPECT_EQ(coveredPixels(picture), 0);
@@ -81,8 +82,8 @@ TEST(HardE, E5TinyNextToHugeLosesNothing)
 
 TEST(HardE, E6EqualCentresInEitherOrderGiveTheSameDepths)
 {
-    const HardCase forward  = hardCase("E6?order=forward"), reversed = hardCase("E6?order=reversed");
-    const Picture  one      = agreedPicture(forward), other = agreedPicture(reversed);
+    const HardCase forward = hardCase("E6?order=forward"), reversed = hardCase("E6?order=reversed");
+    const Picture  one = agreedPicture(forward), other = agreedPicture(reversed);
     EXPECT_EQ(one.depth, other.depth);
     EXPECT_GT(coveredPixels(one), 1000);
     expectCounters(forward);
@@ -99,8 +100,8 @@ TEST(HardE, E7TheEyeInsideOnAFaceAndOnACornerOfNodes)
         // In every direction, by turning the camera about its own axes.
         Camera turned = hard.camera;
         for (int turn = 0; turn < 5; ++turn) {
-            const dvec3 before = turned.forward;
-            turned.forward     = turn < 3 ? turned.right : turned.up;
+            const dvec3 before                    = turned.forward;
+            turned.forward                        = turn < 3 ? turned.right : turned.up;
             (turn < 3 ? turned.right : turned.up) = -before;
             const HardCase there = changed(hard, "turned " + std::to_string(turn), turned, [](auto&, auto&) {});
             EXPECT_GT(coveredPixels(agreedPicture(there, Effort::EachPreset)), 4000) << eye << ", turn " << turn;
@@ -113,7 +114,8 @@ TEST(HardE, E8WhatCrossesTheNearPlaneIsNotCulledByDepth)
     const HardCase hard    = hardCase("E8");
     const Picture  picture = agreedPicture(hard);
     EXPECT_GT(std::ranges::count_if(picture.ids.values(), [](std::int64_t id) { return id >= 0 && id < 600; }), 500);
-    EXPECT_GT(std::ranges::count_if(picture.ids.values(), [](std::int64_t id) { return id >= 600; }), 500) << "the wall is seen";
+    EXPECT_GT(std::ranges::count_if(picture.ids.values(), [](std::int64_t id) { return id >= 600; }), 500)
+        << "the wall is seen";
     expectCounters(hard);
     expectScaledTwin(hard, picture, 12);
     expectShuffledTwin(hard, picture);

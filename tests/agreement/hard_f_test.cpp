@@ -28,7 +28,8 @@ std::vector<std::array<GridPoint, 2>> sidesMeeting(const GridTriangle& triangle,
 std::int64_t meetingPoint(const std::array<GridPoint, 2>& side, int y)
 {
     const auto& [upper, lower]   = side;
-    const std::int64_t numerator = (std::int64_t{256} * y + 128 - upper.y) * (lower.x - upper.x), dy = lower.y - upper.y;
+    const std::int64_t numerator = (std::int64_t{256} * y + 128 - upper.y) * (lower.x - upper.x),
+                       dy        = lower.y - upper.y;
     return upper.x + (numerator >= 0 ? numerator / dy : -((-numerator + dy - 1) / dy));
 }
 
@@ -63,7 +64,8 @@ void forEachLine(const HardCase& hard, const Visit& visit)
         std::vector<std::pair<std::uint32_t, std::int64_t>> expected, actual;
         for (std::uint32_t id = 0; id < triangles.size(); ++id) {
             if (sum(fill(triangles[id].outline(), hard.width(), hard.height())) == 0) continue;  // never enters a table
-            for (const auto& side : sidesMeeting(triangles[id], sweep.y)) expected.emplace_back(id, meetingPoint(side, sweep.y));
+            for (const auto& side : sidesMeeting(triangles[id], sweep.y))
+                expected.emplace_back(id, meetingPoint(side, sweep.y));
         }
         for (const EdgeRow& edge : sweep.activeEdges) {
             if (sum(fill(triangles[edge.polygon.value].outline(), hard.width(), hard.height())) == 0) continue;
@@ -106,10 +108,12 @@ TEST(HardF, F1HorizontalEdgesAreNoCrossingsAndFillAsTheHalfOpenRuleSays)
         const HardCase hard    = hardCase("F1?units=" + std::to_string(units));
         const Picture  picture = agreedPicture(hard);
         expectEverything(hard, picture);
-        const int first = units <= 0 ? 6 : 7, end = units <= 0 ? 20 : 21;  // rows 6.5 + u .. 20.5 + u, the lower end out
+        // rows 6.5 + u .. 20.5 + u, the lower end out
+        const int first = units <= 0 ? 6 : 7, end = units <= 0 ? 20 : 21;
         for (int y = 0; y < 32; ++y)
             EXPECT_EQ(picture.ids.at(10, y) >= 0, y >= first && y < end) << units << ", row " << y;
-        for (int x = 50; x < 60; ++x) EXPECT_EQ(picture.ids.at(x, 6) >= 0, units == 0) << "one unit high, from the centre on";
+        for (int x = 50; x < 60; ++x)
+            EXPECT_EQ(picture.ids.at(x, 6) >= 0, units == 0) << "one unit high, from the centre on";
         EXPECT_EQ(picture.ids.at(55, 7), -1);
         forEachLine(hard, [](const StepState& state) {  // a horizontal side is in no table: two sides per polygon
             for (const TriangleId polygon : state.sweep->activePolygons)
@@ -142,7 +146,13 @@ TEST(HardF, F3FirstRowOfATopAtAnyFractionIsNeitherSkippedNorAdded)
         int         flat;    // and the one with a flat top
     };
     // 0.5: row 8 starts there, where the corner is still zero wide and the flat side is not.
-    for (const Claim& claim : {Claim{"0", 8, 8}, {"0.2", 8, 8}, {"0.498", 9, 8}, {"0.5", 9, 8}, {"0.51", 9, 9}, {"0.7", 9, 9}, {"1", 9, 9}}) {
+    for (const Claim& claim : {Claim{"0", 8, 8},
+                               {"0.2", 8, 8},
+                               {"0.498", 9, 8},
+                               {"0.5", 9, 8},
+                               {"0.51", 9, 9},
+                               {"0.7", 9, 9},
+                               {"1", 9, 9}}) {
         const HardCase hard    = hardCase(std::string("F3?fraction=") + claim.fraction);
         const Picture  picture = agreedPicture(hard);
         EXPECT_EQ(rowsOf(picture, 0)[0], claim.corner) << claim.fraction;
@@ -187,7 +197,8 @@ TEST(HardF, F6HundredsOfEdgesAtTheSameXWithIntervalsOfZeroPixelsAreHarmless)
     forEachLine(hardCase("F6?edges=60"), [&most](const StepState& state) {
         const auto& edges = state.sweep->activeEdges;
         for (const EdgeRow& edge : edges)
-            most = std::max(most, static_cast<std::size_t>(std::ranges::count(edges, edge.xSubpixels, &EdgeRow::xSubpixels)));
+            most = std::max(most,
+                            static_cast<std::size_t>(std::ranges::count(edges, edge.xSubpixels, &EdgeRow::xSubpixels)));
     });
     EXPECT_GE(most, 30u) << "many edges do meet one row at the same x";
 }
@@ -203,8 +214,8 @@ TEST(HardF, F7OnePolygonLeavesWhereTheNextEntersWithoutGapAndWithoutDouble)
                 const dvec3& p = hard.mesh().positions[vertex];
                 return snapped(32 + p.x / -p.z, 16 - p.y / -p.z);
             };
-            for (std::size_t i = 0; i <= 8; ++i) whole.push_back(point(2 * i));          // the upper side
-            for (std::size_t i = 9; i-- > 0;) whole.push_back(point(2 * i + 1));         // and back along the lower
+            for (std::size_t i = 0; i <= 8; ++i) whole.push_back(point(2 * i));   // the upper side
+            for (std::size_t i = 9; i-- > 0;) whole.push_back(point(2 * i + 1));  // and back along the lower
             expectCoverage(fill(whole, 64, 32), coverageOf(picture), hard.word);
             expectCoveredAtMostOnce(hard);
             expectEverything(hard, picture);
@@ -220,7 +231,8 @@ TEST(HardF, F8PolygonsThatCrossInsideAnIntervalAreResolvedPerPixel)
     int changes = 0;  // of owner inside one row
     for (int y = 0; y < 64; ++y)
         for (int x = 1; x < 64; ++x)
-            changes += picture.ids.at(x, y) != picture.ids.at(x - 1, y) && picture.ids.at(x, y) >= 0 && picture.ids.at(x - 1, y) >= 0;
+            changes += picture.ids.at(x, y) != picture.ids.at(x - 1, y) && picture.ids.at(x, y) >= 0
+                       && picture.ids.at(x - 1, y) >= 0;
     EXPECT_GT(changes, 30);
 }
 
@@ -235,13 +247,16 @@ Picture drawnWithLittleStack(const DrawRequest& request)
     pthread_attr_init(&attributes);
     pthread_attr_setstacksize(&attributes, 512 * 1024);
     pthread_t thread{};
-    const int started = pthread_create(&thread, &attributes, [](void* argument) -> void* {
-        auto&    todo = *static_cast<Work*>(argument);
-        Renderer renderer;
-        Frame    frame;
-        if (renderer.draw(todo.request, frame)) todo.picture = pictureOf(frame.visible);
-        return nullptr;
-    }, &work);
+    const int started = pthread_create(
+        &thread, &attributes,
+        [](void* argument) -> void* {
+            auto&    todo = *static_cast<Work*>(argument);
+            Renderer renderer;
+            Frame    frame;
+            if (renderer.draw(todo.request, frame)) todo.picture = pictureOf(frame.visible);
+            return nullptr;
+        },
+        &work);
     EXPECT_EQ(started, 0);
     if (started == 0) pthread_join(thread, nullptr);
     pthread_attr_destroy(&attributes);
@@ -251,13 +266,13 @@ Picture drawnWithLittleStack(const DrawRequest& request)
 TEST(HardF, F9FiftyThousandPolygonsOnOneRowOrOnAllRowsAreDrawnWithLittleStack)
 {
     for (const std::string spread : {"one-row", "rows"}) {
-        const auto     word    = [&](int polygons) { return "F9?polygons=" + std::to_string(polygons) + "&spread=" + spread; };
+        const auto word = [&](int polygons) { return "F9?polygons=" + std::to_string(polygons) + "&spread=" + spread; };
         // Edges that cross one another at every turn. Nothing here is timed: a sort that were quadratic would move 10^9
         // edges a line, and run into the test's time limit.
         const HardCase leaning        = hardCase(word(50'000) + "&lean=300");
         const Picture  leaningPicture = agreedPicture(leaning, Effort::EachPreset);
-        const HardCase hard    = hardCase(word(50'000));
-        const Picture  picture = agreedPicture(hard, Effort::EachPreset);
+        const HardCase hard           = hardCase(word(50'000));
+        const Picture  picture        = agreedPicture(hard, Effort::EachPreset);
         expectCounters(hard);
         for (const Preset& preset : presets()) {
             if (preset.claim == Claim::Approximate) continue;  // the case is of triangles, so by face is to the bit
@@ -267,7 +282,9 @@ TEST(HardF, F9FiftyThousandPolygonsOnOneRowOrOnAllRowsAreDrawnWithLittleStack)
             request.scene = leaning.prepared;
             EXPECT_EQ(drawnWithLittleStack(request), leaningPicture) << preset.name;
         }
-        if (spread == "one-row") { EXPECT_EQ(sum(coverageOf(picture)), 1024 * 16) << "they leave nothing uncovered"; }
+        if (spread == "one-row") {
+            EXPECT_EQ(sum(coverageOf(picture)), 1024 * 16) << "they leave nothing uncovered";
+        }
     }
 }
 
@@ -298,9 +315,11 @@ TEST(HardF, F10PolygonsFromOutsideAreActiveFromRowZeroAndLoseNothingAtTheBorder)
         wide.width *= 8;
         wide.height *= 8;
         wide.focal /= 8;
-        const Picture whole = agreedPicture(changed(hard, "with all that is around it", wide, [](auto&, auto&) {}), Effort::EachPreset);
+        const Picture whole =
+            agreedPicture(changed(hard, "with all that is around it", wide, [](auto&, auto&) {}), Effort::EachPreset);
         for (int y = 0; y < 64; ++y)
-            for (int x = 0; x < 64; ++x) ASSERT_EQ(picture.ids.at(x, y), whole.ids.at(x + 224, y + 224)) << from << " at " << x << ", " << y;
+            for (int x = 0; x < 64; ++x)
+                ASSERT_EQ(picture.ids.at(x, y), whole.ids.at(x + 224, y + 224)) << from << " at " << x << ", " << y;
 
         if (from != "above") continue;
         bool reachedTop = false;

@@ -1,5 +1,6 @@
-// The hard cases of polygons, docs/correctness.md, G1 to G5: every preset draws them, those that draw triangles to the bit,
-// the one that draws whole faces by face. Face 0 is the case; what it must cover is known from its snapped outline alone.
+// The hard cases of polygons, docs/correctness.md, G1 to G5: every preset draws them, those that draw triangles to the
+// bit, the one that draws whole faces by face. Face 0 is the case; what it must cover is known from its snapped outline
+// alone.
 
 #include <algorithm>
 #include <cmath>
@@ -38,14 +39,15 @@ std::map<std::string, std::uint64_t> countsByFace(const HardCase& hard)
     EXPECT_TRUE(work.ok());
     for (const NamedCount& count : work->counters) counts[count.name] = count.value;
     EXPECT_EQ(counts["polygons_set_up"], hard.mesh().polygonCount());
-    EXPECT_EQ(counts["polygons_set_up"], counts["polygons_that_are_triangles"] + counts["polygons_by_outline"] +
-                                             counts["polygons_by_ears_unlike_turns"] + counts["polygons_by_ears_thin"]);
+    EXPECT_EQ(counts["polygons_set_up"], counts["polygons_that_are_triangles"] + counts["polygons_by_outline"]
+                                             + counts["polygons_by_ears_unlike_turns"]
+                                             + counts["polygons_by_ears_thin"]);
     EXPECT_LE(counts["polygons_drawn"], counts["polygons_set_up"]);
     return counts;
 }
 
-/// The snapped corners of a face in the order of the file. Some lie halfway between grid points, where rounding decides: so
-/// they are projected as the definition does it, and only what is filled is worked out apart.
+/// The snapped corners of a face in the order of the file. Some lie halfway between grid points, where rounding
+/// decides: so they are projected as the definition does it, and only what is filled is worked out apart.
 Outline outlineOf(const HardCase& hard, std::uint32_t face)
 {
     const Projection projection(hard.camera);
@@ -63,12 +65,13 @@ Grid<int> coverageOfFirstFace(const HardCase& hard, const Picture& picture)
     Grid<int>  coverage(hard.width(), hard.height());
     const auto end = static_cast<std::int64_t>(hard.mesh().firstTriangle[1]);
     for (int y = 0; y < hard.height(); ++y)
-        for (int x = 0; x < hard.width(); ++x) coverage.at(x, y) = picture.ids.at(x, y) >= 0 && picture.ids.at(x, y) < end;
+        for (int x = 0; x < hard.width(); ++x)
+            coverage.at(x, y) = picture.ids.at(x, y) >= 0 && picture.ids.at(x, y) < end;
     return coverage;
 }
 
-/// The first face is nearer than the wall behind it, so it is seen wherever it covers: by the even-odd rule over its outline,
-/// whether it is drawn whole or as triangles, as the plane that it is.
+/// The first face is nearer than the wall behind it, so it is seen wherever it covers: by the even-odd rule over its
+/// outline, whether it is drawn whole or as triangles, as the plane that it is.
 void expectEvenOdd(const HardCase& hard)
 {
     const Grid<int> expected = fill(outlineOf(hard, 0), hard.width(), hard.height());
@@ -79,7 +82,8 @@ void expectEvenOdd(const HardCase& hard)
     expectCoverage(expected, coverageOfFirstFace(hard, faces), hard.word + " as a face");
     for (int y = 0; y < hard.height(); ++y)
         for (int x = 0; x < hard.width(); ++x)
-            ASSERT_LE(std::abs(depthSteps(triangles.depth.at(x, y), faces.depth.at(x, y))), 1) << hard.word << " at " << x << ", " << y;
+            ASSERT_LE(std::abs(depthSteps(triangles.depth.at(x, y), faces.depth.at(x, y))), 1)
+                << hard.word << " at " << x << ", " << y;
     agreedPicture(hard, Effort::EachPreset, FaceCulling::Back);
     expectCounters(hard);
     expectCounters(hard, FaceCulling::Back);
@@ -121,7 +125,8 @@ TEST(HardG, G3APentagramIsHollowAsAFaceAndReportedAsTriangles)
     EXPECT_EQ(coverageOfFirstFace(hard, triangles).at(48, 50), 1) << "a fan covers the middle";
     expectCoverage(expected, coverageOfFirstFace(hard, pictureByFace(hard)), "G3 as a face");
     EXPECT_GT(sum(expected), 1000);
-    // It turns counter-clockwise on the whole, so that it shows its front; the middle of a picture of backs stays empty.
+    // It turns counter-clockwise on the whole, so that it shows its front; the middle of a picture of backs stays
+    // empty.
     agreedPicture(hard, Effort::All, FaceCulling::Back);
     const std::int64_t shown = sum(coverageOfFirstFace(hard, pictureByFace(hard, FaceCulling::Back)));
     EXPECT_TRUE(shown == 0 || shown == sum(expected)) << "one side for the whole of it";
@@ -160,7 +165,8 @@ TEST(HardG, G4AFaceThatIsNotPlaneIsClosedAgainstItsNeighbours)
         EXPECT_EQ(countsByFace(hard)["polygons_by_ears_unlike_turns"], view == "folded" ? 1u : 0u);
         const auto figures = compareByFace(*hard.scene, hard.camera, FaceCulling::None, picture, faces);
         ASSERT_TRUE(figures.ok());
-        EXPECT_EQ(figures->maxDepthSteps > 1, view == "bent") << "by its ears depth is theirs; as one plane it is a figure";
+        EXPECT_EQ(figures->maxDepthSteps > 1, view == "bent")
+            << "by its ears depth is theirs; as one plane it is a figure";
     }
 }
 
@@ -171,7 +177,8 @@ TEST(HardG, G5RepeatedCornersRunsOnALineAndTenThousandCorners)
         EXPECT_GE(hard.mesh().polygon(PolygonId{0}).size() + 1, static_cast<std::size_t>(std::atoi(corners)));
         if (hard.mesh().isMended(PolygonId{0})) {
             agreedPicture(hard);
-            expectCoverage(fill(outlineOf(hard, 0), hard.width(), hard.height()), coverageOfFirstFace(hard, pictureByFace(hard)), hard.word);
+            expectCoverage(fill(outlineOf(hard, 0), hard.width(), hard.height()),
+                           coverageOfFirstFace(hard, pictureByFace(hard)), hard.word);
             continue;
         }
         expectEvenOdd(hard);
@@ -188,8 +195,9 @@ TEST(HardG, AFaceBeyondTheGuardBandOrOutOfRangeCoversWhatItsTrianglesCover)
         mesh->positions[far].x *= factor;  // one tip far away
         parts.meshes.push_back(std::move(mesh));
         parts.instances.push_back({MeshId{0}, Affine{}});
-        const HardCase hard    = hardCase("G1 with a tip " + std::to_string(factor) + " times as far", std::move(parts), star.camera);
-        const Picture  picture = agreedPicture(hard);
+        const HardCase hard =
+            hardCase("G1 with a tip " + std::to_string(factor) + " times as far", std::move(parts), star.camera);
+        const Picture picture = agreedPicture(hard);
         agreedPicture(hard, Effort::EachPreset, FaceCulling::Back);
         expectCounters(hard);
         EXPECT_GT(sum(coverageOfFirstFace(hard, picture)), 100);

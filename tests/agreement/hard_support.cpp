@@ -36,20 +36,21 @@ DrawRequest requestFor(const HardCase& hard, const Preset& preset, FaceCulling c
 /// The first pixel where the pictures differ, in words; empty if there is none.
 std::string difference(const Picture& expected, const Picture& actual)
 {
-    if (expected.ids.width() != actual.ids.width() || expected.ids.height() != actual.ids.height()) return "sizes differ";
+    if (expected.ids.width() != actual.ids.width() || expected.ids.height() != actual.ids.height())
+        return "sizes differ";
     std::size_t count = 0;
     std::string first;
     for (int y = 0; y < expected.ids.height(); ++y)
         for (int x = 0; x < expected.ids.width(); ++x) {
-            const bool same = expected.ids.at(x, y) == actual.ids.at(x, y) &&
-                              std::bit_cast<std::uint32_t>(expected.depth.at(x, y)) ==
-                                  std::bit_cast<std::uint32_t>(actual.depth.at(x, y));
+            const bool same = expected.ids.at(x, y) == actual.ids.at(x, y)
+                              && std::bit_cast<std::uint32_t>(expected.depth.at(x, y))
+                                     == std::bit_cast<std::uint32_t>(actual.depth.at(x, y));
             if (same) continue;
             if (count++ == 0)
-                first = "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is " +
-                        std::to_string(actual.ids.at(x, y)) + " at depth " + std::to_string(actual.depth.at(x, y)) +
-                        ", expected " + std::to_string(expected.ids.at(x, y)) + " at depth " +
-                        std::to_string(expected.depth.at(x, y));
+                first = "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is "
+                        + std::to_string(actual.ids.at(x, y)) + " at depth " + std::to_string(actual.depth.at(x, y))
+                        + ", expected " + std::to_string(expected.ids.at(x, y)) + " at depth "
+                        + std::to_string(expected.depth.at(x, y));
         }
     return count == 0 ? first : std::to_string(count) + " pixels differ; " + first;
 }
@@ -79,9 +80,9 @@ void drawAndCompare(const HardCase& hard, const Preset& preset, const Combinatio
     DrawRequest     request = requestFor(hard, preset, culling);
     request.threads         = how.threads;
     request.simd            = how.simd;
-    const std::string name  = hard.word + " by " + std::string(preset.name) + ", " + std::to_string(how.threads) +
-                             " threads, " + std::string(wordOf(how.simd)) +
-                             (culling == FaceCulling::Back ? ", back faces culled" : "");
+    const std::string name  = hard.word + " by " + std::string(preset.name) + ", " + std::to_string(how.threads)
+                             + " threads, " + std::string(wordOf(how.simd))
+                             + (culling == FaceCulling::Back ? ", back faces culled" : "");
     const Result<FrameReport> report = renderer.draw(request, frame);
     ASSERT_TRUE(report.ok()) << name << ": " << report.error().text();
     if (preset.isExact()) {
@@ -143,7 +144,8 @@ Picture agreedPicture(const HardCase& hard, Effort effort, FaceCulling culling)
 {
     static std::size_t  nextPreset = 0, nextCombination = 0;
     std::vector<Preset> exact;
-    std::ranges::copy_if(presets(), std::back_inserter(exact), [](const Preset& preset) { return preset.claim != Claim::Approximate; });
+    std::ranges::copy_if(presets(), std::back_inserter(exact),
+                         [](const Preset& preset) { return preset.claim != Claim::Approximate; });
     const auto& ways = combinations();
     EXPECT_FALSE(exact.empty() || ways.empty());
 
@@ -182,8 +184,9 @@ std::map<std::string, std::uint64_t> expectCounters(const HardCase& hard, FaceCu
         };
         const std::uint64_t hidden = of("hidden") + of("hidden_by_node");  // behind what the pyramid holds
         EXPECT_EQ(of("in"), hard.scene->triangleCount());
-        EXPECT_EQ(of("in"), of("outside") + of("clipped_away") + of("back_facing") + of("degenerate") + of("no_pixel_centre") +
-                                of("out_of_range") + of("drawn") + of("transparent") + hidden);
+        EXPECT_EQ(of("in"), of("outside") + of("clipped_away") + of("back_facing") + of("degenerate")
+                                + of("no_pixel_centre") + of("out_of_range") + of("drawn") + of("transparent")
+                                + hidden);
         EXPECT_LE(of("drawn"), fates->drawn);
         // A batch or node that is outside or hidden does not tell what its triangles would have become.
         if (of("outside") + of("hidden_by_node") == 0) {
@@ -192,9 +195,11 @@ std::map<std::string, std::uint64_t> expectCounters(const HardCase& hard, FaceCu
             EXPECT_EQ(of("drawn") + hidden + of("no_pixel_centre") + of("back_facing") + of("degenerate"),
                       fates->drawn + fates->culled + fates->degenerate);
         }
-        const bool takesAllAsTheyCome = preset.name == "zbuffer" || preset.name == "edge-walk" || preset.name == "scanline";
+        const bool takesAllAsTheyCome =
+            preset.name == "zbuffer" || preset.name == "edge-walk" || preset.name == "scanline";
         if (first.empty()) {
-            EXPECT_TRUE(takesAllAsTheyCome) << "the counters of the plain method are those that others are compared with";
+            EXPECT_TRUE(takesAllAsTheyCome)
+                << "the counters of the plain method are those that others are compared with";
             first = named;
         }
         EXPECT_LE(of("drawn"), first["triangles_drawn"]);
@@ -202,7 +207,9 @@ std::map<std::string, std::uint64_t> expectCounters(const HardCase& hard, FaceCu
         if (!takesAllAsTheyCome) continue;
         EXPECT_EQ(named["pixels_tested"], first["pixels_tested"]);
         for (const auto& [name, value] : first) {
-            if (name.starts_with("triangles_")) { EXPECT_EQ(value, named[name]) << name; }
+            if (name.starts_with("triangles_")) {
+                EXPECT_EQ(value, named[name]) << name;
+            }
         }
     }
     return first;
@@ -215,16 +222,18 @@ void expectScaledTwin(const HardCase& hard, const Picture& picture, int exponent
     camera.eye          = {camera.eye.x * factor, camera.eye.y * factor, camera.eye.z * factor};
     camera.near *= factor;
     camera.far *= factor;
-    const HardCase twin = changed(hard, "times 2^" + std::to_string(exponent), camera, [factor](auto& positions, auto&) {
-        for (dvec3& p : positions) p = {p.x * factor, p.y * factor, p.z * factor};
-    });
+    const HardCase twin =
+        changed(hard, "times 2^" + std::to_string(exponent), camera, [factor](auto& positions, auto&) {
+            for (dvec3& p : positions) p = {p.x * factor, p.y * factor, p.z * factor};
+        });
     EXPECT_EQ(difference(picture, agreedPicture(twin, Effort::Some)), "") << twin.word;
 }
 
 void expectShiftedTwin(const HardCase& hard, const Picture& picture, TwinDepth depth)
 {
     const int right = 5, down = hard.height() / 2 * 3;  // four times the height keeps the focal factor exact
-    if (hard.height() % 2 != 0 || 4 * hard.height() > kMaxPictureSide) throw std::logic_error("no such twin: " + hard.word);
+    if (hard.height() % 2 != 0 || 4 * hard.height() > kMaxPictureSide)
+        throw std::logic_error("no such twin: " + hard.word);
     Camera camera = hard.camera;
     camera.width += 2 * right;
     camera.height *= 4;
@@ -238,7 +247,7 @@ void expectShiftedTwin(const HardCase& hard, const Picture& picture, TwinDepth d
             middle.ids.at(x, y)   = large.ids.at(x + right, y + down);
             middle.depth.at(x, y) = large.depth.at(x + right, y + down);
             if (depth == TwinDepth::Same) continue;
-            steps                 = std::max(steps, std::abs(depthSteps(picture.depth.at(x, y), middle.depth.at(x, y))));
+            steps = std::max(steps, std::abs(depthSteps(picture.depth.at(x, y), middle.depth.at(x, y))));
             middle.depth.at(x, y) = picture.depth.at(x, y);
         }
     EXPECT_EQ(difference(picture, middle), "") << twin.word;
@@ -247,11 +256,11 @@ void expectShiftedTwin(const HardCase& hard, const Picture& picture, TwinDepth d
 
 void expectReversedTwin(const HardCase& hard, const Picture& picture, TwinDepth depth)
 {
-    const HardCase twin = changed(hard, "faces reversed", hard.camera, [](auto&, auto& triangles) {
+    const HardCase twin     = changed(hard, "faces reversed", hard.camera, [](auto&, auto& triangles) {
         for (auto& triangle : triangles) std::swap(triangle[1], triangle[2]);
     });
-    Picture      reversed = agreedPicture(twin, Effort::Some);
-    std::int64_t steps    = 0;
+    Picture        reversed = agreedPicture(twin, Effort::Some);
+    std::int64_t   steps    = 0;
     if (depth == TwinDepth::WithinOneStep) {
         for (std::size_t i = 0; i < reversed.depth.values().size(); ++i)
             steps = std::max(steps, std::abs(depthSteps(picture.depth.values()[i], reversed.depth.values()[i])));
@@ -267,10 +276,11 @@ void expectShuffledTwin(const HardCase& hard, const Picture& picture, std::uint6
     std::iota(order.begin(), order.end(), 0u);
     std::mt19937_64 random(seed);
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-    const HardCase twin = changed(hard, "shuffled with seed " + std::to_string(seed), hard.camera, [&order](auto&, auto& triangles) {
-        const auto original = triangles;
-        for (std::size_t i = 0; i < order.size(); ++i) triangles[i] = original[order[i]];
-    });
+    const HardCase twin =
+        changed(hard, "shuffled with seed " + std::to_string(seed), hard.camera, [&order](auto&, auto& triangles) {
+            const auto original = triangles;
+            for (std::size_t i = 0; i < order.size(); ++i) triangles[i] = original[order[i]];
+        });
     const Picture shuffled = agreedPicture(twin, Effort::Some);
     EXPECT_EQ(difference({picture.ids, picture.depth}, {picture.ids, shuffled.depth}), "") << twin.word << ": depths";
 
@@ -286,8 +296,8 @@ void expectShuffledTwin(const HardCase& hard, const Picture& picture, std::uint6
             const bool isTied = std::ranges::any_of(*all, [&](const CoveringTriangle& c) {
                 return c.triangle.value == after && c.kept && c.depth == picture.depth.at(x, y);
             });
-            EXPECT_TRUE(isTied && before < after) << twin.word << ": pixel (" << x << ", " << y << ") shows " << after
-                                                  << " instead of " << before;
+            EXPECT_TRUE(isTied && before < after)
+                << twin.word << ": pixel (" << x << ", " << y << ") shows " << after << " instead of " << before;
         }
 }
 
@@ -306,7 +316,8 @@ void expectCoveredAtMostOnce(const HardCase& hard)
     const Grid<int> whole = coverageOf(agreedPicture(hard, Effort::Some));
     for (std::uint32_t bit = 1; bit < count; bit *= 2) {
         const auto half = [&](std::uint32_t wanted) {
-            return coverageOf(agreedPicture(only(hard, [&](std::uint32_t id) { return (id & bit) == wanted; }), Effort::Some));
+            return coverageOf(
+                agreedPicture(only(hard, [&](std::uint32_t id) { return (id & bit) == wanted; }), Effort::Some));
         };
         Grid<int>       together = half(0);
         const Grid<int> with     = half(bit);
@@ -343,7 +354,7 @@ std::vector<GridTriangle> gridTriangles(const HardCase& hard)
 
 void expectWinners(const HardCase& hard, const Picture& picture)
 {
-    const ExactPicture exact = winners(gridTriangles(hard), hard.width(), hard.height());
+    const ExactPicture exact   = winners(gridTriangles(hard), hard.width(), hard.height());
     std::int64_t       unclear = 0;
     for (int y = 0; y < hard.height(); ++y)
         for (int x = 0; x < hard.width(); ++x) {
@@ -352,7 +363,8 @@ void expectWinners(const HardCase& hard, const Picture& picture)
             ASSERT_EQ(exact.ids.at(x, y), picture.ids.at(x, y)) << hard.word << " at (" << x << ", " << y << ")";
             if (exact.ids.at(x, y) < 0) continue;
             const auto nearest = static_cast<float>(exact.depth.at(x, y));
-            ASSERT_LE(std::abs(depthSteps(nearest, picture.depth.at(x, y))), 1) << hard.word << " at (" << x << ", " << y << ")";
+            ASSERT_LE(std::abs(depthSteps(nearest, picture.depth.at(x, y))), 1)
+                << hard.word << " at (" << x << ", " << y << ")";
         }
     EXPECT_LE(unclear, hard.width() * hard.height() / 20) << hard.word << ": too little is clear to judge by";
 }

@@ -40,7 +40,8 @@ HardCase hardCase(const std::string& word);
 HardCase hardCase(const std::string& word, Scene parts, const Camera& camera);
 /// The same mesh with other positions, triangles or camera.
 HardCase changed(const HardCase& original, const std::string& how, const Camera& camera,
-                 const std::function<void(std::vector<dvec3>& positions, std::vector<std::array<std::uint32_t, 3>>& triangles)>& edit);
+                 const std::function<void(std::vector<dvec3>&                        positions,
+                                          std::vector<std::array<std::uint32_t, 3>>& triangles)>& edit);
 /// Only the triangles that `isKept` says; they get new ids.
 HardCase only(const HardCase& original, const std::function<bool(std::uint32_t id)>& isKept);
 

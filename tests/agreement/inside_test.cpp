@@ -1,5 +1,5 @@
-// Level L1 from within: eyes at random places inside a scene, looking anywhere, so that triangles cross the near plane and
-// nodes hold the eye. Every exact preset, every pixel.
+// Level L1 from within: eyes at random places inside a scene, looking anywhere, so that triangles cross the near plane
+// and nodes hold the eye. Every exact preset, every pixel.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,15 +25,15 @@ Camera cameraInside(const Bounds& bounds, std::uint64_t seed)
     const dvec3  size     = bounds.max - bounds.min;
     const double diagonal = std::sqrt(size.x * size.x + size.y * size.y + size.z * size.z);
     ViewRequest  view;
-    view.eye         = random.between(bounds.min + 0.02 * size, bounds.max - 0.02 * size);
+    view.eye          = random.between(bounds.min + 0.02 * size, bounds.max - 0.02 * size);
     const dvec3 ahead = random.between(dvec3{-1, -0.6, -1}, dvec3{1, 0.6, 1});
-    view.target      = *view.eye + ahead;
-    view.up          = std::abs(ahead.x) + std::abs(ahead.z) > 0.05 ? dvec3{0, 1, 0} : dvec3{1, 0, 0};
-    view.verticalFov = random.between(30, 120);
-    view.near        = diagonal * random.between(1e-5, 1e-2);
-    view.far         = seed % 3 == 0 ? std::numeric_limits<double>::infinity() : 2 * diagonal;
-    view.width       = static_cast<int>(40 + random.below(60));
-    view.height      = static_cast<int>(30 + random.below(40));
+    view.target       = *view.eye + ahead;
+    view.up           = std::abs(ahead.x) + std::abs(ahead.z) > 0.05 ? dvec3{0, 1, 0} : dvec3{1, 0, 0};
+    view.verticalFov  = random.between(30, 120);
+    view.near         = diagonal * random.between(1e-5, 1e-2);
+    view.far          = seed % 3 == 0 ? std::numeric_limits<double>::infinity() : 2 * diagonal;
+    view.width        = static_cast<int>(40 + random.below(60));
+    view.height       = static_cast<int>(30 + random.below(40));
     const auto camera = makeCamera(view, bounds);
     EXPECT_TRUE(camera.ok()) << (camera.ok() ? "" : camera.error().text());
     return *camera;
@@ -49,8 +49,10 @@ void expectAgreementInside(const std::string& word, std::uint64_t first)
     std::uint64_t covered = 0;
     for (std::uint64_t seed = first; seed < first + shareOf(kCamerasPerTest); ++seed) {
         const Camera camera = cameraInside(scene->scene().bounds, seed);
-        covered += expectAgreement(scene, camera, seed % 2 == 0 ? FaceCulling::None : FaceCulling::Back, word + ", camera " + std::to_string(seed),
-                                   {.threads = {static_cast<int>(1 + seed % 3)}, .targets = {targets[seed % targets.size()]}});
+        covered +=
+            expectAgreement(scene, camera, seed % 2 == 0 ? FaceCulling::None : FaceCulling::Back,
+                            word + ", camera " + std::to_string(seed),
+                            {.threads = {static_cast<int>(1 + seed % 3)}, .targets = {targets[seed % targets.size()]}});
     }
     EXPECT_GT(covered, 100u);
 }

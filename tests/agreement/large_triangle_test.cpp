@@ -1,6 +1,6 @@
-// Large triangles, which are drawn by lists of tiles: edges that pass exactly through the pixels in the corners of tiles, wide triangles' too,
-// more tiles of one kind than a list holds, all kinds in one triangle, and what lies exactly as deep as the pyramid says give the reference's
-// picture.
+// Large triangles, which are drawn by lists of tiles: edges that pass exactly through the pixels in the corners of
+// tiles, wide triangles' too, more tiles of one kind than a list holds, all kinds in one triangle, and what lies
+// exactly as deep as the pyramid says give the reference's picture.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -29,7 +29,8 @@ enum class Corner {
 
 class LargeTriangles : public testing::TestWithParam<Corner> {
 protected:
-    static constexpr int kTile = 8, kStoredWidth = 64;  // of the pyramid, and of the visibility buffer, whose tiles are as high
+    // of the pyramid, and of the visibility buffer, whose tiles are as high
+    static constexpr int kTile = 8, kStoredWidth = 64;
 
     using OnScreen = std::array<double, 2>;  // in pixels
 
@@ -47,13 +48,18 @@ protected:
     /// Two corners with such a centre exactly between them, or a subpixel beside, and one anywhere.
     static std::array<OnScreen, 3> alongCentre(Random& random, const Camera& camera)
     {
-        const auto step = [&random](int most) { return static_cast<double>(random.below(2 * static_cast<std::uint64_t>(most) + 1)) - most; };
-        OnScreen   way{};
+        const auto step = [&random](int most) {
+            return static_cast<double>(random.below(2 * static_cast<std::uint64_t>(most) + 1)) - most;
+        };
+        OnScreen way{};
         while (way[0] == 0 && way[1] == 0) way = {step(1000) / 256, step(1000) / 256};
-        const auto     away = [&random] { return std::floor(std::exp2(random.between(20, 25))); };  // mostly beyond the guard band
+        // mostly beyond the guard band
+        const auto     away = [&random] { return std::floor(std::exp2(random.between(20, 25))); };
         const double   back = away(), on = away(), beside = random.below(3) == 0 ? step(1) / 256 : 0;
         const OnScreen centre = centreAtTile(random, camera);
-        const auto     at     = [&](double steps) { return OnScreen{centre[0] + way[0] * steps + beside, centre[1] + way[1] * steps}; };
+        const auto     at     = [&](double steps) {
+            return OnScreen{centre[0] + way[0] * steps + beside, centre[1] + way[1] * steps};
+        };
         return {at(-back), at(on), cornerAt(Corner::FarOut, random, camera)};
     }
 
@@ -63,7 +69,8 @@ protected:
         const double width = camera.width, height = camera.height;
         if (kind == Corner::AtTiles) {
             const auto along = [&random](int pixels) {
-                const double first = kTile * static_cast<double>(random.below(static_cast<std::uint64_t>(pixels / kTile + 2)));
+                const double first =
+                    kTile * static_cast<double>(random.below(static_cast<std::uint64_t>(pixels / kTile + 2)));
                 const double pixel = random.below(2) == 0 ? first : first - 1;
                 return pixel + 0.5 + (static_cast<double>(random.below(3)) - 1) / 256;
             };
@@ -72,7 +79,8 @@ protected:
         }
         if ((kind == Corner::Far || kind == Corner::FarOut) && random.below(2) == 0) {
             const auto along = [&random, kind] {
-                const double away = kind == Corner::Far ? random.between(100, 60'000) : std::exp2(random.between(10, 27));
+                const double away =
+                    kind == Corner::Far ? random.between(100, 60'000) : std::exp2(random.between(10, 27));
                 return random.below(2) == 0 ? away : -away;
             };
             const double x = along();
@@ -93,7 +101,8 @@ protected:
             const auto   along = kind == Corner::FarAlong ? alongCentre(random, camera) : std::array<OnScreen, 3>{};
             for (std::size_t k = 0; k < 3; ++k) {
                 auto at = kind == Corner::FarAlong ? along[k] : cornerAt(kind, random, camera);
-                if (kind == Corner::Needles && k == 2) at = {last[0] + random.between(-9, 9), last[1] + random.between(-9, 9)};
+                if (kind == Corner::Needles && k == 2)
+                    at = {last[0] + random.between(-9, 9), last[1] + random.between(-9, 9)};
                 corners[k] = pointAt(camera, at[0], at[1], isLevel ? z : random.between(1.5, 5));
                 last       = at;
             }
@@ -111,7 +120,8 @@ TEST_P(LargeTriangles, EveryPresetDrawsWhatTheReferenceDraws)
         const Camera camera = plainCamera(width, height);
         for (std::uint64_t i = 0; i < shareOf(8); ++i) {
             const auto scene = triangles(GetParam(), random, camera, i % 2 == 0 ? 24 : 3);
-            const auto what  = "scene " + std::to_string(i) + " in " + std::to_string(width) + " x " + std::to_string(height);
+            const auto what =
+                "scene " + std::to_string(i) + " in " + std::to_string(width) + " x " + std::to_string(height);
             covered += expectAgreement(scene, camera, FaceCulling::None, what, {.threads = {1, 2}});
         }
     }
@@ -119,7 +129,8 @@ TEST_P(LargeTriangles, EveryPresetDrawsWhatTheReferenceDraws)
 }
 
 INSTANTIATE_TEST_SUITE_P(Corners, LargeTriangles,
-                         testing::Values(Corner::AtTiles, Corner::Anywhere, Corner::Needles, Corner::Far, Corner::FarOut, Corner::FarAlong));
+                         testing::Values(Corner::AtTiles, Corner::Anywhere, Corner::Needles, Corner::Far,
+                                         Corner::FarOut, Corner::FarAlong));
 
 }  // namespace
 }  // namespace zscope::tests

@@ -48,8 +48,8 @@ Pipeline at(DepthMoment moment, ShadingCost cost = ShadingCost::None) { return {
 
 Frame drawn(const DrawRequest& request)
 {
-    Renderer renderer;
-    Frame    frame;
+    Renderer   renderer;
+    Frame      frame;
     const auto report = renderer.draw(request, frame);
     EXPECT_TRUE(report.ok());
     return frame;
@@ -66,7 +66,8 @@ std::map<std::string, std::uint64_t> counted(const Seen& seen, DepthMoment momen
 }
 
 constexpr std::array kCosts{ShadingCost::None, ShadingCost::Ten, ShadingCost::Hundred, ShadingCost::Thousand};
-constexpr std::array kMoments{DepthMoment::Deferred, DepthMoment::Late, DepthMoment::Early, DepthMoment::ZCull, DepthMoment::Prepass};
+constexpr std::array kMoments{DepthMoment::Deferred, DepthMoment::Late, DepthMoment::Early, DepthMoment::ZCull,
+                              DepthMoment::Prepass};
 
 std::uint64_t covered(const Frame& frame)
 {
@@ -78,9 +79,9 @@ std::uint64_t covered(const Frame& frame)
 
 TEST(Moment, EveryPresetColoursThePictureAsDeferredShadingDoes)
 {
-    const std::array scenes{soup(SoupKind::Loose, 3, 83, 37), soup(SoupKind::Coplanar, 5, 33, 64),
+    const std::array scenes{soup(SoupKind::Loose, 3, 83, 37),          soup(SoupKind::Coplanar, 5, 33, 64),
                             soup(SoupKind::BeyondTheGuard, 7, 65, 31), soup(SoupKind::Repeated, 11, 17, 9),
-                            soup(SoupKind::BeyondFar, 13, 1, 50), builtin("layers?count=12&order=back", 61, 43)};
+                            soup(SoupKind::BeyondFar, 13, 1, 50),      builtin("layers?count=12&order=back", 61, 43)};
     for (const Seen& seen : scenes) {
         for (const ShadingCost cost : kCosts) {
             const Frame expected = drawn(seen.request(at(DepthMoment::Deferred, cost)));
@@ -93,8 +94,9 @@ TEST(Moment, EveryPresetColoursThePictureAsDeferredShadingDoes)
                         request.threads       = threads;
                         if (preset.claim != Claim::Exact) continue;
                         const Frame frame = drawn(request);
-                        EXPECT_EQ(frame.colour, expected.colour) << seen.what << ", " << preset.name << ", " << wordOf(simd) << ", "
-                                                                 << threads << " threads, cost " << operationsOf(cost);
+                        EXPECT_EQ(frame.colour, expected.colour)
+                            << seen.what << ", " << preset.name << ", " << wordOf(simd) << ", " << threads
+                            << " threads, cost " << operationsOf(cost);
                     }
                 }
             }
@@ -138,24 +140,28 @@ TEST(Moment, WhatShadingCostsReachesTheLastBitOfBlueAndNothingElse)
 
 TEST(Moment, CountersSayWhatEachMomentTestsAndShades)
 {
-    const Seen near = builtin("layers?count=20&order=front", 96, 64), far = builtin("layers?count=20&order=back", 96, 64);
+    const Seen near           = builtin("layers?count=20&order=front", 96, 64),
+               far            = builtin("layers?count=20&order=back", 96, 64);
     const std::uint64_t shown = covered(drawn(near.request(at(DepthMoment::Deferred))));
     ASSERT_GT(shown, 1000u);
     for (const Seen& seen : {near, far}) {
         SCOPED_TRACE(seen.what);
-        auto deferred = counted(seen, DepthMoment::Deferred), late = counted(seen, DepthMoment::Late), early = counted(seen, DepthMoment::Early),
-             zcull = counted(seen, DepthMoment::ZCull), prepass = counted(seen, DepthMoment::Prepass);
+        auto deferred = counted(seen, DepthMoment::Deferred), late = counted(seen, DepthMoment::Late),
+             early = counted(seen, DepthMoment::Early), zcull = counted(seen, DepthMoment::ZCull),
+             prepass = counted(seen, DepthMoment::Prepass);
         EXPECT_EQ(deferred["fragments_shaded"], shown);
         EXPECT_EQ(late["fragments_shaded"], late["fragments_tested"]) << "late shades whatever is covered";
         EXPECT_EQ(late["fragments_tested"], deferred["fragments_tested"]);
         EXPECT_EQ(early["fragments_shaded"], early["pixels_won"]);
         EXPECT_EQ(early["fragments_tested"], deferred["fragments_tested"]);
-        EXPECT_EQ(zcull["fragments_shaded"], early["fragments_shaded"]) << "a rejected tile holds no fragment that could pass";
+        EXPECT_EQ(zcull["fragments_shaded"], early["fragments_shaded"])
+            << "a rejected tile holds no fragment that could pass";
         EXPECT_EQ(prepass["fragments_shaded"], shown) << "no two layers are equally near";
         EXPECT_EQ(prepass["fragments_tested"], 2 * deferred["fragments_tested"]);
         for (auto* none : {&deferred, &late, &early, &prepass}) EXPECT_EQ((*none)["tiles_rejected"], 0u);
     }
-    auto inOrder = counted(near, DepthMoment::Early), against = counted(far, DepthMoment::Early), tiles = counted(near, DepthMoment::ZCull);
+    auto inOrder = counted(near, DepthMoment::Early), against = counted(far, DepthMoment::Early),
+         tiles = counted(near, DepthMoment::ZCull);
     EXPECT_EQ(inOrder["fragments_shaded"], shown) << "near layers first: nothing hidden is shaded";
     EXPECT_GT(against["fragments_shaded"], 10 * shown);
     EXPECT_GT(tiles["tiles_rejected"], 0u);
@@ -173,7 +179,8 @@ TEST(Moment, StagesThatDidNotRunSayWhy)
         for (const StageTime& stage : report->stages) {
             if (stage.stage == Stage::Shade) {
                 EXPECT_EQ(stage.ran, moment == DepthMoment::Deferred);
-                EXPECT_EQ(stage.why.starts_with("shaded with each fragment"), moment != DepthMoment::Deferred) << stage.why;
+                EXPECT_EQ(stage.why.starts_with("shaded with each fragment"), moment != DepthMoment::Deferred)
+                    << stage.why;
             }
             if (stage.stage == Stage::Prepass) {
                 EXPECT_EQ(stage.ran, moment == DepthMoment::Prepass) << stage.why;
@@ -199,10 +206,10 @@ TEST(Moment, EveryStepHasTheColoursOfItsWinnersAndASentenceThatSaysWhatWasShaded
 {
     const Seen seen = builtin("layers?count=3&order=front", 12, 9);
     for (const DepthMoment moment : kMoments) {
-        DrawRequest         shaded = seen.request(at(moment, ShadingCost::Ten)), unshaded = shaded;
-        unshaded.shade             = false;
+        DrawRequest shaded = seen.request(at(moment, ShadingCost::Ten)), unshaded = shaded;
+        unshaded.shade = false;
         Replay              steps(shaded), same(unshaded);
-        const std::uint64_t count = *steps.count(Grain::Pixel);
+        const std::uint64_t count  = *steps.count(Grain::Pixel);
         std::uint64_t       tested = 0, vain = 0, spared = 0, rejected = 0;
         for (std::uint64_t k = 0; k < count; k += 7) {
             const Result<StepState> state = steps.at(Grain::Pixel, StepIndex{k});

@@ -17,10 +17,10 @@ RationalPoint viewSpace(const dvec3& q, const Affine& toWorld, const Camera& cam
     const auto row = [&q](const std::array<double, 4>& m) {
         return mpq_class(mpq_class(m[0]) * q.x + mpq_class(m[1]) * q.y + mpq_class(m[2]) * q.z + m[3]);
     };
-    const mpq_class x = row(toWorld.rows[0]) - camera.eye.x;
-    const mpq_class y = row(toWorld.rows[1]) - camera.eye.y;
-    const mpq_class z = row(toWorld.rows[2]) - camera.eye.z;
-    const auto along  = [&](const dvec3& axis) { return mpq_class(x * axis.x + y * axis.y + z * axis.z); };
+    const mpq_class x     = row(toWorld.rows[0]) - camera.eye.x;
+    const mpq_class y     = row(toWorld.rows[1]) - camera.eye.y;
+    const mpq_class z     = row(toWorld.rows[2]) - camera.eye.z;
+    const auto      along = [&](const dvec3& axis) { return mpq_class(x * axis.x + y * axis.y + z * axis.z); };
     return {along(camera.right), along(camera.up), along(camera.forward)};
 }
 
@@ -84,12 +84,14 @@ float toFloat(const mpq_class& value)
 {
     if (value == 0) return 0;
     // The unit of the last place: 2^(e - 23) where 2^e <= value < 2^(e + 1), and 2^-149 for denormals.
-    auto e = static_cast<int>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) -
-             static_cast<int>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
+    auto e = static_cast<int>(mpz_sizeinbase(value.get_num_mpz_t(), 2))
+             - static_cast<int>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
     const auto power = [](int n) {
         mpq_class p = 1;
-        if (n >= 0) mpq_mul_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<mp_bitcnt_t>(n));
-        else mpq_div_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<mp_bitcnt_t>(-n));
+        if (n >= 0)
+            mpq_mul_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<mp_bitcnt_t>(n));
+        else
+            mpq_div_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<mp_bitcnt_t>(-n));
         return p;
     };
     if (value < power(e)) --e;
@@ -100,8 +102,8 @@ float toFloat(const mpq_class& value)
 RationalPart::RationalPart(const std::array<RationalCorner, 3>& corners) : m_corners(corners)
 {
     const auto& [c0, c1, c2] = m_corners;
-    m_lo = toFloat(std::min({c0.depth, c1.depth, c2.depth}));
-    m_hi = toFloat(std::max({c0.depth, c1.depth, c2.depth}));
+    m_lo                     = toFloat(std::min({c0.depth, c1.depth, c2.depth}));
+    m_hi                     = toFloat(std::max({c0.depth, c1.depth, c2.depth}));
 
     const mpq_class e1x = c1.x - c0.x, e1y = c1.y - c0.y, e2x = c2.x - c0.x, e2y = c2.y - c0.y;
     const mpq_class e3x = c2.x - c1.x, e3y = c2.y - c1.y;
@@ -113,8 +115,8 @@ RationalPart::RationalPart(const std::array<RationalCorner, 3>& corners) : m_cor
     m_b = (d2 * e1x - d1 * e2x) / det;
     m_c = c0.depth - m_a * c0.x - m_b * c0.y;
 
-    const mpq_class longest = std::max({mpq_class(e1x * e1x + e1y * e1y), mpq_class(e2x * e2x + e2y * e2y),
-                                        mpq_class(e3x * e3x + e3y * e3y)});
+    const mpq_class longest = std::max(
+        {mpq_class(e1x * e1x + e1y * e1y), mpq_class(e2x * e2x + e2y * e2y), mpq_class(e3x * e3x + e3y * e3y)});
     m_isThick = det * det * 1024 * 1024 > longest;  // the height over the longest side is |det| / length
 }
 
@@ -141,8 +143,8 @@ bool RationalPart::covers(int i, int j) const
         const RationalCorner& b = m_corners[(k + 1) % 3];
         // Seen with the part on the positive side, that is with the edge turned round if the part is a front.
         const mpz_class dx = turn * (b.xs - a.xs), dy = turn * (b.ys - a.ys);
-        const mpz_class e  = cross(dx, dy, px - a.xs, py - a.ys);
-        const bool leftOrTop = dy < 0 || (dy == 0 && dx > 0);
+        const mpz_class e         = cross(dx, dy, px - a.xs, py - a.ys);
+        const bool      leftOrTop = dy < 0 || (dy == 0 && dx > 0);
         if (e < 0 || (e == 0 && !leftOrTop)) return false;
     }
     return true;
@@ -182,8 +184,8 @@ RationalTriangle rationalTriangle(const Scene& scene, InstanceId instance, std::
     }
     const std::vector<RationalPoint> outline = clipNear(corners, near);
     for (std::size_t i = 2; i < outline.size(); ++i) {
-        triangle.parts.emplace_back(std::array{project(outline[0], camera), project(outline[i - 1], camera),
-                                               project(outline[i], camera)});
+        triangle.parts.emplace_back(
+            std::array{project(outline[0], camera), project(outline[i - 1], camera), project(outline[i], camera)});
     }
     return triangle;
 }

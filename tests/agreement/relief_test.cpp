@@ -1,5 +1,5 @@
-// Reliefs: a fragment stage that changes depth. Every method draws the same, at every moment of testing and shading; where a
-// fragment lies is the definition's to say, and what an early test is still good for the statistics'.
+// Reliefs: a fragment stage that changes depth. Every method draws the same, at every moment of testing and shading;
+// where a fragment lies is the definition's to say, and what an early test is still good for the statistics'.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,10 @@ Scene builtin(const std::string& word)
     return *std::move(scene);
 }
 
-Prepared prepared(Scene scene) { return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(std::move(scene))); }
+Prepared prepared(Scene scene)
+{
+    return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(std::move(scene)));
+}
 
 /// The same scene with these patterns on every material.
 Scene patternedBy(const Scene& scene, std::optional<Relief> relief, std::optional<Cutout> cutout)
@@ -46,8 +49,8 @@ Scene patternedBy(const Scene& scene, std::optional<Relief> relief, std::optiona
     return changed;
 }
 
-/// Two sheets across a view of 64 x 64 pixels: at z = 1, where a pixel is 1/32 wide, one with a relief 1 deep; a solid one at
-/// `solidAt`, drawn after it or before.
+/// Two sheets across a view of 64 x 64 pixels: at z = 1, where a pixel is 1/32 wide, one with a relief 1 deep; a solid
+/// one at `solidAt`, drawn after it or before.
 struct Sheets {
     Camera   camera = plainCamera(64, 64);
     Prepared scene;
@@ -56,7 +59,8 @@ struct Sheets {
     {
         camera.near = 0.25;
         Mesh mesh;
-        mesh.materials = {{.name = "carved", .diffuse = {1, 0, 0}, .relief = relief}, {.name = "solid", .diffuse = {0, 1, 0}}};
+        mesh.materials = {{.name = "carved", .diffuse = {1, 0, 0}, .relief = relief},
+                          {.name = "solid", .diffuse = {0, 1, 0}}};
         const auto add = [&](double z, double reach, MaterialId material) {
             const auto first = static_cast<std::uint32_t>(mesh.positions.size());
             for (const auto& [x, y] : {std::pair{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}})
@@ -95,9 +99,12 @@ std::map<std::string, std::uint64_t> countersOf(const Sheets& sheets, const Pipe
 double depthAt(ReliefPattern pattern, int i, int j)
 {
     switch (pattern) {
-    case ReliefPattern::Bricks: return j % 8 == 0 || (i + (j / 8 % 2 == 0 ? 0 : 8)) % 16 == 0 ? 1 : 0;
-    case ReliefPattern::Louvres: return (2 * j + 1) % 16 / 16.0;
-    case ReliefPattern::Bowls: break;
+        case ReliefPattern::Bricks:
+            return j % 8 == 0 || (i + (j / 8 % 2 == 0 ? 0 : 8)) % 16 == 0 ? 1 : 0;
+        case ReliefPattern::Louvres:
+            return (2 * j + 1) % 16 / 16.0;
+        case ReliefPattern::Bowls:
+            break;
     }
     const int across = (2 * i + 1) % 16 - 8, down = (2 * j + 1) % 16 - 8;  // from the centre of the cell, sixteenths
     return std::max(0.0, 1 - (across * across + down * down) / 64.0);
@@ -108,15 +115,17 @@ TEST(Relief, FragmentsLieWhereIntegersSayTheyDo)
     for (const ReliefPattern pattern : {ReliefPattern::Bricks, ReliefPattern::Louvres, ReliefPattern::Bowls}) {
         // 8 pixels, of bricks 16, and pixel centres at odd multiples of 1/16 or 1/32 of a cell
         const Sheets sheets(Relief{pattern, pattern == ReliefPattern::Bricks ? 0.5 : 0.25, 1}, 1.45);
-        const bool   mirrored = pointAt(sheets.camera, 64, 32, 1).x < 0, upsideDown = pointAt(sheets.camera, 32, 0, 1).y < 0;
-        const auto   picture = referencePicture(sheets.scene->scene(), sheets.camera, FaceCulling::None, {});
+        const bool   mirrored = pointAt(sheets.camera, 64, 32, 1).x < 0,
+                   upsideDown = pointAt(sheets.camera, 32, 0, 1).y < 0;
+        const auto picture    = referencePicture(sheets.scene->scene(), sheets.camera, FaceCulling::None, {});
         ASSERT_TRUE(picture.ok());
         int behind = 0;
         for (int y = 0; y < 64; ++y) {
             for (int x = 0; x < 64; ++x) {
                 const int    i = mirrored ? 63 - x : x, j = upsideDown ? y : 63 - y;  // as the mesh counts
                 const double z = 1 + depthAt(pattern, i, j);
-                EXPECT_EQ(picture->ids.at(x, y) >= 2, z > 1.45) << x << ", " << y << ", " << kReliefWords[static_cast<std::size_t>(pattern)];
+                EXPECT_EQ(picture->ids.at(x, y) >= 2, z > 1.45)
+                    << x << ", " << y << ", " << kReliefWords[static_cast<std::size_t>(pattern)];
                 const double nearer = std::min(z, 1.45);
                 EXPECT_NEAR(picture->depth.at(x, y) * nearer, sheets.camera.near, 1e-6 * sheets.camera.near);
                 behind += z > 1.45;
@@ -145,13 +154,17 @@ TEST(Relief, EveryPresetDrawsWhatTheReferenceDrawsOfSoups)
     std::uint64_t seed = 0, covered = 0, changed = 0;
     for (const SoupKind kind : soupKinds()) {
         const Soup   soup = makeSoup(kind, ++seed, 65, 43);
-        const double size = kind == SoupKind::TinyScale ? 1e-6 : kind == SoupKind::Huge || kind == SoupKind::BeyondTheGuard ? 100 : 0.3;
+        const double size = kind == SoupKind::TinyScale                                  ? 1e-6
+                            : kind == SoupKind::Huge || kind == SoupKind::BeyondTheGuard ? 100
+                                                                                         : 0.3;
         const Relief relief{static_cast<ReliefPattern>(seed % 3), size, 2 * size};
-        const auto   cutout = seed % 2 == 0 ? std::optional(Cutout{static_cast<CutoutPattern>(seed / 2 % 3), size}) : std::nullopt;
-        const Scene  carved = patternedBy(*soup.scene, relief, cutout);
+        const auto   cutout =
+            seed % 2 == 0 ? std::optional(Cutout{static_cast<CutoutPattern>(seed / 2 % 3), size}) : std::nullopt;
+        const Scene carved = patternedBy(*soup.scene, relief, cutout);
         covered += expectAgreement(prepared(carved), soup.camera, FaceCulling::None, soup.what, {.threads = {2}});
-        const auto with    = referencePicture(carved, soup.camera, FaceCulling::None, {});
-        const auto without = referencePicture(patternedBy(*soup.scene, std::nullopt, cutout), soup.camera, FaceCulling::None, {});
+        const auto with = referencePicture(carved, soup.camera, FaceCulling::None, {});
+        const auto without =
+            referencePicture(patternedBy(*soup.scene, std::nullopt, cutout), soup.camera, FaceCulling::None, {});
         changed += with->ids != without->ids;
     }
     EXPECT_GT(covered, 5000u);
@@ -188,8 +201,9 @@ TEST(Relief, NoMomentChangesAColourAndGlassIsBlendedOverWhereFragmentsReallyLie)
 
 TEST(Relief, GlassHasNeitherHolesNorRelief)
 {
-    const Scene everything = patternedBy(builtin("glass"), Relief{ReliefPattern::Bowls, 0.3, 0.5}, Cutout{CutoutPattern::Stripes, 0.3});
-    Scene       opaqueOnly = everything;
+    const Scene everything =
+        patternedBy(builtin("glass"), Relief{ReliefPattern::Bowls, 0.3, 0.5}, Cutout{CutoutPattern::Stripes, 0.3});
+    Scene opaqueOnly = everything;
     for (auto& mesh : opaqueOnly.meshes) {
         auto copy = std::make_shared<Mesh>(*mesh);
         for (Material& material : copy->materials)
@@ -204,7 +218,8 @@ TEST(Relief, GlassHasNeitherHolesNorRelief)
     for (const Scene& scene : {everything, opaqueOnly}) {
         Renderer renderer;
         Frame    frame;
-        ASSERT_TRUE(renderer.draw({.scene = prepared(scene), .camera = camera, .pipeline = {}, .threads = 2}, frame).ok());
+        ASSERT_TRUE(
+            renderer.draw({.scene = prepared(scene), .camera = camera, .pipeline = {}, .threads = 2}, frame).ok());
         EXPECT_EQ(frame.colour, *colours);
     }
 }
@@ -213,14 +228,18 @@ TEST(Relief, AnEarlyTestIsOnlyABoundAndSoShadesInVain)
 {
     // The relief comes first, then what is seen through its joints.
     const Sheets carved(kBricks, 1.5), flat(std::nullopt, 1.5);
-    const auto   shaded = [](const Sheets& sheets, DepthMoment moment) { return countersOf(sheets, {.depth = moment})["fragments_shaded"]; };
+    const auto   shaded = [](const Sheets& sheets, DepthMoment moment) {
+        return countersOf(sheets, {.depth = moment})["fragments_shaded"];
+    };
     EXPECT_EQ(shaded(flat, DepthMoment::Early), kPixels);
     EXPECT_EQ(shaded(carved, DepthMoment::Early), kPixels + kJoints);
     EXPECT_EQ(shaded(flat, DepthMoment::Prepass), kPixels);
-    EXPECT_EQ(shaded(carved, DepthMoment::Prepass), kPixels + kJoints) << "whether depths are equal is known after shading";
+    EXPECT_EQ(shaded(carved, DepthMoment::Prepass), kPixels + kJoints)
+        << "whether depths are equal is known after shading";
     EXPECT_EQ(shaded(carved, DepthMoment::Late), 2 * kPixels);
 
-    // The other way round every fragment of the relief passes where its triangle is, and those in the joints do not where they are.
+    // The other way round every fragment of the relief passes where its triangle is, and those in the joints do not
+    // where they are.
     const Sheets after(kBricks, 1.5, true);
     for (const DepthMoment moment : {DepthMoment::Deferred, DepthMoment::Early, DepthMoment::ZCull}) {
         auto counters = countersOf(after, {.depth = moment});
@@ -273,7 +292,8 @@ TEST(Relief, AnIntervalIsNeverItsOwnButMayBeARivalsWhole)
             const Result<StepState> state = steps.at(Grain::Interval, StepIndex{k});
             EXPECT_TRUE(state.ok());
             if (!state->interval || state->event != Grain::Interval) continue;
-            EXPECT_EQ(state->interval->winner.has_value(), state->interval->reason == IntervalReason::Leads) << state->sentence;
+            EXPECT_EQ(state->interval->winner.has_value(), state->interval->reason == IntervalReason::Leads)
+                << state->sentence;
             ++met[state->interval->reason];
         }
         return met;
@@ -288,7 +308,7 @@ TEST(Relief, StepsSayHowFarBackAFragmentLies)
     const Sheets carved(kBricks, 1.5, true);
     for (const DepthMoment moment : {DepthMoment::Late, DepthMoment::Early}) {
         Replay              steps(carved.request({.depth = moment}));
-        const std::uint64_t count = *steps.count(Grain::Pixel);
+        const std::uint64_t count    = *steps.count(Grain::Pixel);
         int                 inJoints = 0;
         for (std::uint64_t k = count / 2; k < count; k += 97) {
             const Result<StepState> state = steps.at(Grain::Pixel, StepIndex{k});
@@ -298,7 +318,8 @@ TEST(Relief, StepsSayHowFarBackAFragmentLies)
             EXPECT_EQ(state->pixel->won, !isInJoint);
             EXPECT_EQ(state->sentence.find("moved back from") != std::string::npos, isInJoint) << state->sentence;
             EXPECT_TRUE(state->pixel->shaded);
-            EXPECT_EQ(state->sentence.find("only its shader knew how far back it lies") != std::string::npos, isInJoint && moment == DepthMoment::Early)
+            EXPECT_EQ(state->sentence.find("only its shader knew how far back it lies") != std::string::npos,
+                      isInJoint && moment == DepthMoment::Early)
                 << state->sentence;
             inJoints += isInJoint;
         }

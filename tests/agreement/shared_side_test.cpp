@@ -1,5 +1,6 @@
-// Surfaces whose triangles have their sides in common, as meshes do and as no mesh should: three and more at a side, folded, the same triangle both ways, mirrored
-// placements. Whichever sides are one edge of a sweep, all presets give the reference's picture.
+// Surfaces whose triangles have their sides in common, as meshes do and as no mesh should: three and more at a side,
+// folded, the same triangle both ways, mirrored placements. Whichever sides are one edge of a sweep, all presets give
+// the reference's picture.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -28,8 +29,10 @@ Mesh surface(Surface kind, Random& random, const Camera& camera, int side)
     for (int i = 0; i <= side; ++i)
         for (int j = 0; j <= side; ++j) {
             const double pull = kind == Surface::Sheet ? 0.3 : 1.5;
-            double       x = (j + random.between(-pull, pull)) * camera.width / side, y = (i + random.between(-pull, pull)) * camera.height / side;
-            if (random.below(3) == 0) x = static_cast<int>(x) + 0.5, y = static_cast<int>(y) + 0.5;  // on a pixel centre
+            double       x    = (j + random.between(-pull, pull)) * camera.width / side,
+                   y          = (i + random.between(-pull, pull)) * camera.height / side;
+            // on a pixel centre
+            if (random.below(3) == 0) x = static_cast<int>(x) + 0.5, y = static_cast<int>(y) + 0.5;
             mesh.positions.push_back(pointAt(camera, x, y, random.between(1.5, 4)));
         }
     const auto few = [&] { return static_cast<std::uint32_t>(random.below(25) * (mesh.positions.size() - 1) / 24); };
@@ -42,7 +45,8 @@ Mesh surface(Surface kind, Random& random, const Camera& camera, int side)
                 continue;
             }
             const bool turns = random.below(20) == 0;  // the other way round than its neighbours
-            addFan(mesh, turns ? std::array{at(i, j), at(i + 1, j), at(i, j + 1)} : std::array{at(i, j), at(i, j + 1), at(i + 1, j)});
+            addFan(mesh, turns ? std::array{at(i, j), at(i + 1, j), at(i, j + 1)}
+                               : std::array{at(i, j), at(i, j + 1), at(i + 1, j)});
             addFan(mesh, std::array{at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
         }
     return mesh;
@@ -63,9 +67,17 @@ TEST_P(SharedSidesOf, EveryPresetDrawsWhatTheReferenceDraws)
                 places.back().rows[0][0] = -1;  // mirrored, and a little behind
                 places.back().rows[2][3] = 0.25;
             }
-            const auto scene = std::make_shared<const PreparedScene>(sceneOf(surface(GetParam(), random, camera, i % 2 == 0 ? 9 : GetParam() == Surface::Heap ? 15 : 40), places));
+            const auto scene =
+                std::make_shared<const PreparedScene>(sceneOf(surface(GetParam(), random, camera,
+                                                                      i % 2 == 0                    ? 9
+                                                                      : GetParam() == Surface::Heap ? 15
+                                                                                                    : 40),
+                                                              places));
             for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back})
-                covered += expectAgreement(scene, camera, culling, std::to_string(i) + " in " + std::to_string(width) + " x " + std::to_string(height), {.threads = {1, 2}});
+                covered +=
+                    expectAgreement(scene, camera, culling,
+                                    std::to_string(i) + " in " + std::to_string(width) + " x " + std::to_string(height),
+                                    {.threads = {1, 2}});
         }
     }
     EXPECT_GT(covered, shareOf(8) * 10'000);

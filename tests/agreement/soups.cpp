@@ -61,13 +61,10 @@ struct Builder {
     }
     /// In braces, so that random parts are drawn from left to right: the order of function arguments is open.
     std::uint32_t seenAt(const dvec3& p) { return add(pointAt(camera, p.x, p.y, p.z * unit)); }
-    void          triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c)
-    {
-        addFan(mesh, std::array{a, b, c});
-    }
-    double anyX(double margin = 0.3) { return random.between(-margin, 1 + margin) * camera.width; }
-    double anyY(double margin = 0.3) { return random.between(-margin, 1 + margin) * camera.height; }
-    double anyZ() { return random.between(1, 15); }
+    void          triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { addFan(mesh, std::array{a, b, c}); }
+    double        anyX(double margin = 0.3) { return random.between(-margin, 1 + margin) * camera.width; }
+    double        anyY(double margin = 0.3) { return random.between(-margin, 1 + margin) * camera.height; }
+    double        anyZ() { return random.between(1, 15); }
 };
 
 void loose(Builder& b, int triangles)
@@ -90,7 +87,7 @@ void grid(Builder& b, int triangles)
         std::vector<std::uint32_t> next;
         for (int i = 0; i <= n; ++i) {
             next.push_back(b.seenAt({(i + b.random.between(-0.3, 0.3)) * b.camera.width / n,
-                                    (j + b.random.between(-0.3, 0.3)) * b.camera.height / n, b.random.between(3, 5)}));
+                                     (j + b.random.between(-0.3, 0.3)) * b.camera.height / n, b.random.between(3, 5)}));
         }
         for (std::size_t i = 0; j > 0 && i < static_cast<std::size_t>(n); ++i) {
             b.triangle(row[i], row[i + 1], next[i + 1]);
@@ -138,7 +135,8 @@ void nonPlanarQuads(Builder& b, int triangles)
     for (int i = 0; i < triangles / 2; ++i) {
         const double x = b.anyX(), y = b.anyY(), size = b.random.between(0.1, 0.5) * (b.camera.height + 2);
         const auto   corner = [&](double sx, double sy) {
-            return b.seenAt({x + sx * size * b.random.between(0.5, 1), y + sy * size * b.random.between(0.5, 1), b.anyZ()});
+            return b.seenAt(
+                  {x + sx * size * b.random.between(0.5, 1), y + sy * size * b.random.between(0.5, 1), b.anyZ()});
         };
         addFan(b.mesh, std::array{corner(-1, -1), corner(-1, 1), corner(1, 1), corner(1, -1)});
     }
@@ -149,18 +147,19 @@ void eyeInside(Builder& b, int triangles)
     const auto around = [&](const dvec3& v, double size) { return b.add(b.camera.eye + v * (size * b.unit)); };
     std::array<std::uint32_t, 8> box;
     for (std::size_t i = 0; i < 8; ++i) box[i] = around({i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1}, 9);
-    for (const auto& side : {std::array{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}) {
+    for (const auto& side :
+         {std::array{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}) {
         std::array<std::uint32_t, 4> outline;
         for (std::size_t i = 0; i < 4; ++i) outline[i] = box[static_cast<std::size_t>(side[i])];
         addFan(b.mesh, outline);
     }
     for (int i = 12; i < triangles; ++i) {
-        const dvec3 v = b.random.direction();
+        const dvec3 v      = b.random.direction();
         const auto  corner = [&] {
             const double distance = b.random.between(0.2, 8);
             return around(v + 0.4 * b.random.direction(), distance);
         };
-        const auto  p = corner(), q = corner(), r = corner();
+        const auto p = corner(), q = corner(), r = corner();
         b.triangle(p, q, r);
     }
 }
@@ -178,7 +177,7 @@ void slivers(Builder& b, int triangles)
 {
     for (int i = 0; i < triangles; ++i) {
         const double x = b.anyX(), y = b.anyY(), angle = b.random.between(0, 6.28);
-        const double length = b.random.between(0.2, 2) * b.camera.width;
+        const double length  = b.random.between(0.2, 2) * b.camera.width;
         const double halving = std::ldexp(1.0, -b.random.below(14));
         const double width   = halving * b.random.between(0, 1);  // pixels
         const double cx = std::cos(angle), cy = std::sin(angle), z = b.anyZ();
@@ -195,10 +194,10 @@ void nearCrossing(Builder& b, int triangles)
     for (int i = 0; i < triangles; ++i) {
         const auto corner = [&] {
             const std::array<double, 7> z{near, near * 1.001, near * 0.5, -near, -3, near * 2, 8};
-            const double distance = b.random.chance(0.5) ? z[static_cast<std::size_t>(b.random.below(7))]
-                                                         : b.random.between(-2, 8) * near * 2;
-            const double x = b.random.between(-3, 3);
-            const double y = b.random.between(-3, 3);
+            const double                distance = b.random.chance(0.5) ? z[static_cast<std::size_t>(b.random.below(7))]
+                                                                        : b.random.between(-2, 8) * near * 2;
+            const double                x        = b.random.between(-3, 3);
+            const double                y        = b.random.between(-3, 3);
             return b.add(b.camera.eye + (b.camera.forward * distance + b.camera.right * x + b.camera.up * y) * b.unit);
         };
         const auto p = corner(), q = corner(), r = corner();
@@ -214,7 +213,7 @@ void onTheGrid(Builder& b, int triangles)
             const std::array<double, 4> fractions{0, 0.5, 0.25, 0.5 / 256};
             return std::floor(v) + fractions[static_cast<std::size_t>(b.random.below(4))];
         };
-        const double z = std::ldexp(1, b.random.below(4));
+        const double z      = std::ldexp(1, b.random.below(4));
         const auto   corner = [&] { return b.seenAt({snap(b.anyX()), snap(b.anyY()), z}); };
         const auto   p = corner(), q = corner(), r = corner();
         b.triangle(p, q, r);
@@ -261,8 +260,10 @@ void beyondFar(Builder& b, int triangles)
     for (int i = 0; i < triangles; ++i) {
         const double z      = far * (1 + (b.random.below(9) - 4) * 0x1p-24);
         const bool   level  = b.random.chance(0.6);
-        const auto   corner = [&] { return b.seenAt({b.anyX(), b.anyY(), level ? z : far * b.random.between(0.7, 1.3)}); };
-        const auto   p = corner(), q = corner(), r = corner();
+        const auto   corner = [&] {
+            return b.seenAt({b.anyX(), b.anyY(), level ? z : far * b.random.between(0.7, 1.3)});
+        };
+        const auto p = corner(), q = corner(), r = corner();
         b.triangle(p, q, r);
     }
 }
@@ -299,8 +300,8 @@ Camera plainCamera(int width, int height)
 dvec3 pointAt(const Camera& camera, double x, double y, double z)
 {
     const double pixel = z / (camera.height * 0.5 * camera.focal);  // size of a pixel at that distance
-    return camera.eye + camera.forward * z + camera.right * ((x - camera.width * 0.5) * pixel) +
-           camera.up * ((camera.height * 0.5 - y) * pixel);
+    return camera.eye + camera.forward * z + camera.right * ((x - camera.width * 0.5) * pixel)
+           + camera.up * ((camera.height * 0.5 - y) * pixel);
 }
 
 void addFan(Mesh& mesh, std::span<const std::uint32_t> outline)
@@ -341,26 +342,39 @@ std::shared_ptr<const Scene> sceneOf(std::span<const Corners> triangles)
 std::span<const SoupKind> soupKinds()
 {
     using enum SoupKind;
-    static constexpr std::array kinds{Loose,        Grid,      Fan,  Coplanar, NonPlanarQuads, EyeInside,
-                                      FarFromOrigin, TinyScale, Huge, Slivers,  NearCrossing,   OnTheGrid,
-                                      Dust,         Turned,    Repeated, BeyondTheGuard, BeyondFar};
+    static constexpr std::array kinds{Loose,         Grid,      Fan,      Coplanar,       NonPlanarQuads, EyeInside,
+                                      FarFromOrigin, TinyScale, Huge,     Slivers,        NearCrossing,   OnTheGrid,
+                                      Dust,          Turned,    Repeated, BeyondTheGuard, BeyondFar};
     return kinds;
 }
 
 std::string_view nameOf(SoupKind kind)
 {
-    static constexpr std::array<std::string_view, 17> names{
-        "loose", "grid", "fan", "coplanar", "non-planar quads", "eye inside", "1e6 off the origin", "scaled by 1e-6",
-        "3,000 times the view", "slivers", "near crossing", "on the grid", "dust", "turned instances", "repeated",
-        "beyond the guard", "beyond far"};
+    static constexpr std::array<std::string_view, 17> names{"loose",
+                                                            "grid",
+                                                            "fan",
+                                                            "coplanar",
+                                                            "non-planar quads",
+                                                            "eye inside",
+                                                            "1e6 off the origin",
+                                                            "scaled by 1e-6",
+                                                            "3,000 times the view",
+                                                            "slivers",
+                                                            "near crossing",
+                                                            "on the grid",
+                                                            "dust",
+                                                            "turned instances",
+                                                            "repeated",
+                                                            "beyond the guard",
+                                                            "beyond far"};
     return names[static_cast<std::size_t>(kind)];
 }
 
 Soup makeSoup(SoupKind kind, std::uint64_t seed, int width, int height, int triangles)
 {
     Random       random(seed);
-    const double unit = kind == SoupKind::TinyScale ? 1e-6 : 1;
-    const dvec3  eye  = kind == SoupKind::FarFromOrigin ? random.direction() * 1e6 : random.direction() * unit;
+    const double unit   = kind == SoupKind::TinyScale ? 1e-6 : 1;
+    const dvec3  eye    = kind == SoupKind::FarFromOrigin ? random.direction() * 1e6 : random.direction() * unit;
     Camera       camera = randomCamera(random, eye, unit, width, height);
     // Cameras whose rounding is not the point: coordinates come out as they were asked for.
     if (kind == SoupKind::OnTheGrid || kind == SoupKind::BeyondTheGuard) camera = plainCamera(width, height);
@@ -368,31 +382,59 @@ Soup makeSoup(SoupKind kind, std::uint64_t seed, int width, int height, int tria
 
     Builder builder{.random = random, .camera = camera, .unit = unit};
     switch (kind) {
-    case SoupKind::Loose:
-    case SoupKind::FarFromOrigin:
-    case SoupKind::TinyScale:
-    case SoupKind::Turned:         loose(builder, triangles); break;
-    case SoupKind::Grid:           grid(builder, triangles); break;
-    case SoupKind::Fan:            fan(builder, triangles); break;
-    case SoupKind::Coplanar:       coplanar(builder, triangles); break;
-    case SoupKind::NonPlanarQuads: nonPlanarQuads(builder, triangles); break;
-    case SoupKind::EyeInside:      eyeInside(builder, triangles); break;
-    case SoupKind::Huge:           huge(builder, triangles); break;
-    case SoupKind::Slivers:        slivers(builder, triangles); break;
-    case SoupKind::NearCrossing:   nearCrossing(builder, triangles); break;
-    case SoupKind::OnTheGrid:      onTheGrid(builder, triangles); break;
-    case SoupKind::Dust:           dust(builder, triangles); break;
-    case SoupKind::Repeated:       repeated(builder, triangles); break;
-    case SoupKind::BeyondTheGuard: beyondTheGuard(builder, triangles); break;
-    case SoupKind::BeyondFar:      beyondFar(builder, triangles); break;
+        case SoupKind::Loose:
+        case SoupKind::FarFromOrigin:
+        case SoupKind::TinyScale:
+        case SoupKind::Turned:
+            loose(builder, triangles);
+            break;
+        case SoupKind::Grid:
+            grid(builder, triangles);
+            break;
+        case SoupKind::Fan:
+            fan(builder, triangles);
+            break;
+        case SoupKind::Coplanar:
+            coplanar(builder, triangles);
+            break;
+        case SoupKind::NonPlanarQuads:
+            nonPlanarQuads(builder, triangles);
+            break;
+        case SoupKind::EyeInside:
+            eyeInside(builder, triangles);
+            break;
+        case SoupKind::Huge:
+            huge(builder, triangles);
+            break;
+        case SoupKind::Slivers:
+            slivers(builder, triangles);
+            break;
+        case SoupKind::NearCrossing:
+            nearCrossing(builder, triangles);
+            break;
+        case SoupKind::OnTheGrid:
+            onTheGrid(builder, triangles);
+            break;
+        case SoupKind::Dust:
+            dust(builder, triangles);
+            break;
+        case SoupKind::Repeated:
+            repeated(builder, triangles);
+            break;
+        case SoupKind::BeyondTheGuard:
+            beyondTheGuard(builder, triangles);
+            break;
+        case SoupKind::BeyondFar:
+            beyondFar(builder, triangles);
+            break;
     }
 
     std::vector<Affine> places{Affine{}};
     if (kind == SoupKind::Turned) places = turns(random, pointAt(camera, width * 0.5, height * 0.5, 6));
     return {.scene  = sceneOf(std::move(builder.mesh), places),
             .camera = camera,
-            .what   = std::string(nameOf(kind)) + ", seed " + std::to_string(seed) + ", " + std::to_string(width) + " x " +
-                    std::to_string(height)};
+            .what = std::string(nameOf(kind)) + ", seed " + std::to_string(seed) + ", " + std::to_string(width) + " x "
+                    + std::to_string(height)};
 }
 
 }  // namespace zscope::tests

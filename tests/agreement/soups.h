@@ -35,23 +35,23 @@ std::shared_ptr<const Scene> sceneOf(Mesh mesh, std::span<const Affine> places);
 void addFan(Mesh& mesh, std::span<const std::uint32_t> outline);
 
 enum class SoupKind {
-    Loose,            // triangles anywhere in front of the eye
-    Grid,             // one height field, vertices shared
-    Fan,              // many triangles about one vertex
-    Coplanar,         // overlapping triangles of one plane
-    NonPlanarQuads,   // quads whose corners do not lie in a plane
-    EyeInside,        // a closed box and a ball about the eye
-    FarFromOrigin,    // everything 1e6 away from the origin, eye too
-    TinyScale,        // everything in units of 1e-6
-    Huge,             // triangles 3,000 times the view
-    Slivers,          // long and thinner than a pixel, down to nothing
-    NearCrossing,     // corners in front of, on, behind the near plane and behind the eye
-    OnTheGrid,        // corners on pixel centres, pixel corners and snapping midpoints
-    Dust,             // triangles smaller than a pixel
-    Turned,           // instances with rotation, scale and reflection
-    Repeated,         // the same triangles again and again, in both senses of turning
-    BeyondTheGuard,   // corners 2^20 to 2^58 pixels away, and out of range
-    BeyondFar,        // depths about the far plane, some exactly on it
+    Loose,           // triangles anywhere in front of the eye
+    Grid,            // one height field, vertices shared
+    Fan,             // many triangles about one vertex
+    Coplanar,        // overlapping triangles of one plane
+    NonPlanarQuads,  // quads whose corners do not lie in a plane
+    EyeInside,       // a closed box and a ball about the eye
+    FarFromOrigin,   // everything 1e6 away from the origin, eye too
+    TinyScale,       // everything in units of 1e-6
+    Huge,            // triangles 3,000 times the view
+    Slivers,         // long and thinner than a pixel, down to nothing
+    NearCrossing,    // corners in front of, on, behind the near plane and behind the eye
+    OnTheGrid,       // corners on pixel centres, pixel corners and snapping midpoints
+    Dust,            // triangles smaller than a pixel
+    Turned,          // instances with rotation, scale and reflection
+    Repeated,        // the same triangles again and again, in both senses of turning
+    BeyondTheGuard,  // corners 2^20 to 2^58 pixels away, and out of range
+    BeyondFar,       // depths about the far plane, some exactly on it
 };
 std::span<const SoupKind> soupKinds();
 std::string_view          nameOf(SoupKind kind);

@@ -1,12 +1,12 @@
-// Transparent surfaces: the sorted list draws the colours of the reference whatever crosses what, and for any cut of the
-// picture into stripes; back faces before front faces does so for one convex body, and not where bodies overlap.
+// Transparent surfaces: the sorted list draws the colours of the reference whatever crosses what, and for any cut of
+// the picture into stripes; back faces before front faces does so for one convex body, and not where bodies overlap.
 #include <gtest/gtest.h>
 
 #include <memory>
 
 #include "core/frame/renderer.h"
-#include "core/measure/reference_colours.h"
 #include "core/measure/reference.h"
+#include "core/measure/reference_colours.h"
 #include "core/scene/load.h"
 #include "core/shade/colour_table.h"
 #include "tests/agreement/agreement_support.h"
@@ -54,7 +54,8 @@ std::shared_ptr<const Scene> ofGlass(const Scene& scene, float opacity)
 
 ColourFigures figuresOf(const Shown& all, BlendOrder order, int threads = 1, FaceCulling culling = FaceCulling::None)
 {
-    DrawRequest request{.scene = all.scene, .camera = all.camera, .faceCulling = culling, .pipeline = {}, .threads = threads};
+    DrawRequest request{
+        .scene = all.scene, .camera = all.camera, .faceCulling = culling, .pipeline = {}, .threads = threads};
     request.pipeline.transparency = order;
     Frame    frame;
     Renderer renderer;
@@ -68,23 +69,24 @@ TEST(Transparency, SurfacesThatCrossAreBlendedAsTheReferenceBlendsThem)
     const auto scene = builtin("glass");
     for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
         const Shown all = shown(scene, cameraFor(*scene, 211, 157), culling);
-        for (const int threads : {1, 2, 3}) EXPECT_EQ(figuresOf(all, BlendOrder::Sorted, threads, culling), ColourFigures{}) << threads;
+        for (const int threads : {1, 2, 3})
+            EXPECT_EQ(figuresOf(all, BlendOrder::Sorted, threads, culling), ColourFigures{}) << threads;
     }
 }
 
 TEST(Transparency, BackFacesBeforeFrontFacesIsRightForOneConvexBodyAndWrongWhereBodiesOverlap)
 {
-    const auto  ball = ofGlass(*builtin("cubes"), 0.5f);
-    Scene       one  = *ball;
+    const auto ball = ofGlass(*builtin("cubes"), 0.5f);
+    Scene      one  = *ball;
     one.instances.resize(1);
-    auto        alone  = assemble(std::move(one));
+    auto alone = assemble(std::move(one));
     ASSERT_TRUE(alone);
     const auto  single = std::make_shared<const Scene>(*std::move(alone));
     const Shown convex = shown(single, cameraFor(*single, 211, 157));
     EXPECT_EQ(figuresOf(convex, BlendOrder::BackThenFront), ColourFigures{});
 
-    const auto          glass  = builtin("glass");
-    const ColourFigures wrong  = figuresOf(shown(glass, cameraFor(*glass, 211, 157)), BlendOrder::BackThenFront);
+    const auto          glass = builtin("glass");
+    const ColourFigures wrong = figuresOf(shown(glass, cameraFor(*glass, 211, 157)), BlendOrder::BackThenFront);
     EXPECT_GT(wrong.wrong, 500u);
     EXPECT_GT(wrong.maxChannel, 20);
 }
@@ -92,11 +94,12 @@ TEST(Transparency, BackFacesBeforeFrontFacesIsRightForOneConvexBodyAndWrongWhere
 TEST(Transparency, AColourIsMixedByOpacityOverWhatIsBehind)
 {
     // A white pane of opacity 1/4 over the background, seen head-on: every channel a quarter of the way.
-    const auto pane = ofGlass(*builtin("layers?count=1"), 0.25f);
-    const Shown all = shown(pane, cameraFor(*pane, 31, 17));
+    const auto          pane  = ofGlass(*builtin("layers?count=1"), 0.25f);
+    const Shown         all   = shown(pane, cameraFor(*pane, 31, 17));
     const std::uint32_t mixed = all.colours.at(15, 8), source = colourOf(*pane, InstanceId{0}, 0);
     for (const int shift : {0, 8, 16}) {
-        const double before = static_cast<double>(kBackgroundColour >> shift & 0xFFu), over = static_cast<double>(source >> shift & 0xFFu);
+        const double before = static_cast<double>(kBackgroundColour >> shift & 0xFFu),
+                     over   = static_cast<double>(source >> shift & 0xFFu);
         EXPECT_NEAR(static_cast<double>(mixed >> shift & 0xFFu), before + 0.25 * (over - before), 0.51) << shift;
     }
     EXPECT_EQ(figuresOf(all, BlendOrder::Sorted), ColourFigures{});
@@ -112,10 +115,11 @@ TEST(Transparency, ALineOfMoreFragmentsThanAreKeptAtOnceIsBlendedInParts)
 TEST(Transparency, ASceneWithoutItBlendsNothingAndSaysSo)
 {
     const auto  scene = builtin("cubes");
-    DrawRequest request{.scene = std::make_shared<const PreparedScene>(scene), .camera = cameraFor(*scene, 64, 48), .pipeline = {}};
-    Frame       frame;
-    Renderer    renderer;
-    const auto  report = renderer.draw(request, frame);
+    DrawRequest request{
+        .scene = std::make_shared<const PreparedScene>(scene), .camera = cameraFor(*scene, 64, 48), .pipeline = {}};
+    Frame      frame;
+    Renderer   renderer;
+    const auto report = renderer.draw(request, frame);
     ASSERT_TRUE(report);
     for (const NamedCount& bytes : report->bytes) {
         if (bytes.name == "transparent_batches") {

@@ -15,15 +15,13 @@ namespace {
 class VisitRecorder {
 public:
     void observe(const NodeJudged& e) { m_when[keyOf(e.place, e.place.node)] = m_count++; }
-    void observe(const NodeOpened& e)
-    {
-        m_opened.push_back({e.place, {e.children.begin(), e.children.end()}, {}});
-    }
+    void observe(const NodeOpened& e) { m_opened.push_back({e.place, {e.children.begin(), e.children.end()}, {}}); }
 
     std::vector<OpenedNode> finish()
     {
         for (OpenedNode& opened : m_opened)
-            for (const TreeNode* child : opened.children) opened.judgedWhen.push_back(m_when.at(keyOf(opened.place, *child)));
+            for (const TreeNode* child : opened.children)
+                opened.judgedWhen.push_back(m_when.at(keyOf(opened.place, *child)));
         return std::move(m_opened);
     }
 
@@ -38,7 +36,7 @@ private:
     std::map<Key, std::uint64_t> m_when;
     std::vector<OpenedNode>      m_opened;
 };
-static_assert(observes<VisitRecorder, NodeJudged> && observes<VisitRecorder, NodeOpened>);
+static_assert(observesAll<VisitRecorder, NodeJudged, NodeOpened>);
 
 class AskedRecorder {
 public:
@@ -59,7 +57,7 @@ private:
     std::set<std::uint32_t> m_asked;
     AskedTriangles          m_all;
 };
-static_assert(observes<AskedRecorder, PyramidAsked> && observes<AskedRecorder, TriangleReached>);
+static_assert(observesAll<AskedRecorder, PyramidAsked, TriangleReached>);
 
 template <class Recorder>
 auto recorded(const DrawRequest& request)

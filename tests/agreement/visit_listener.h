@@ -1,4 +1,5 @@
-// Draws one frame with one thread and one lane and keeps the order in which nodes were opened and judged, or who was asked about.
+// Draws one frame with one thread and one lane and keeps the order in which nodes were opened and judged, or who was
+// asked about.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +13,8 @@ namespace zscope::tests {
 /// How the children of every octree node were ordered, and in which order nodes were judged.
 struct OpenedNode {
     NodePlace                    place;
-    std::vector<const TreeNode*> children;   // in the order announced
-    std::vector<std::uint64_t>   judgedWhen; // position of each child's verdict among all verdicts
+    std::vector<const TreeNode*> children;    // in the order announced
+    std::vector<std::uint64_t>   judgedWhen;  // position of each child's verdict among all verdicts
 };
 std::vector<OpenedNode> visitOf(const DrawRequest& request);
 

@@ -1,6 +1,7 @@
-// Front to back, exactly: of two children of an octree node, the later one never lies between the eye and the earlier one.
-// A ray from the eye crosses each splitting plane at most once, from the eye's side to the other: the later child can hide
-// the earlier one only if it is on the eye's side of every plane between them. Hard case E7 of docs/correctness.md.
+// Front to back, exactly: of two children of an octree node, the later one never lies between the eye and the earlier
+// one. A ray from the eye crosses each splitting plane at most once, from the eye's side to the other: the later child
+// can hide the earlier one only if it is on the eye's side of every plane between them. Hard case E7 of
+// docs/correctness.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,29 +14,30 @@
 #include "core/hierarchy/scene_trees.h"
 #include "core/scene/generators/random.h"
 #include "core/scene/load.h"
-#include "tests/agreement/visit_listener.h"
 #include "tests/agreement/soups.h"
+#include "tests/agreement/visit_listener.h"
 
 namespace zscope::tests {
 namespace {
 
-/// On which side of each splitting plane the eye is: +1 the upper, -1 the lower, 0 in the plane (up to rounding). Judged in
-/// world space, by volumes, without turning the placement round.
+/// On which side of each splitting plane the eye is: +1 the upper, -1 the lower, 0 in the plane (up to rounding).
+/// Judged in world space, by volumes, without turning the placement round.
 std::array<int, 3> sidesOf(const dvec3& eye, const Bounds& cell, const Affine& toWorld)
 {
-    const dvec3 centre = 0.5 * cell.min + 0.5 * cell.max;
-    const dvec3 origin = toWorld(centre);
+    const dvec3          centre = 0.5 * cell.min + 0.5 * cell.max;
+    const dvec3          origin = toWorld(centre);
     std::array<dvec3, 3> axis;
     for (int k = 0; k < 3; ++k) {
         const auto column = static_cast<std::size_t>(k);
-        axis[column] = {toWorld.rows[0][column], toWorld.rows[1][column], toWorld.rows[2][column]};
+        axis[column]      = {toWorld.rows[0][column], toWorld.rows[1][column], toWorld.rows[2][column]};
     }
     const dvec3        away = eye - origin;
     std::array<int, 3> sides{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const dvec3  normal  = glm::cross(axis[(k + 1) % 3], axis[(k + 2) % 3]);
-        const double reach   = glm::dot(normal, away), upper = glm::dot(normal, axis[k]);
-        const double doubt   = 1e-9 * glm::length(normal) * (glm::length(away) + 1e-6 * (glm::length(eye) + glm::length(origin)));
+        const dvec3  normal = glm::cross(axis[(k + 1) % 3], axis[(k + 2) % 3]);
+        const double reach = glm::dot(normal, away), upper = glm::dot(normal, axis[k]);
+        const double doubt =
+            1e-9 * glm::length(normal) * (glm::length(away) + 1e-6 * (glm::length(eye) + glm::length(origin)));
         sides[k] = std::abs(reach) <= doubt ? 0 : (reach > 0) == (upper > 0) ? 1 : -1;
     }
     return sides;
@@ -50,7 +52,8 @@ bool mayHide(unsigned front, unsigned behind, const std::array<int, 3>& eye)
     return true;
 }
 
-std::uint64_t expectFrontToBack(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera, const std::string& what)
+std::uint64_t expectFrontToBack(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera,
+                                const std::string& what)
 {
     std::uint64_t pairs = 0;
     for (const char* name : {"octree-frustum", "hzb-octree"}) {
@@ -60,13 +63,17 @@ std::uint64_t expectFrontToBack(const std::shared_ptr<const PreparedScene>& scen
         request.pipeline = findPreset(name)->pipeline;
         for (const OpenedNode& opened : visitOf(request)) {
             EXPECT_TRUE(std::ranges::is_sorted(opened.judgedWhen)) << "visited as announced";
-            const Affine toWorld = opened.place.isInstanceTree ? Affine{} : scene->scene().instances[opened.place.instance.value].toWorld;
-            const auto   eye     = sidesOf(camera.eye, opened.place.node.cell, toWorld);
+            const Affine toWorld =
+                opened.place.isInstanceTree ? Affine{} : scene->scene().instances[opened.place.instance.value].toWorld;
+            const auto eye = sidesOf(camera.eye, opened.place.node.cell, toWorld);
             for (std::size_t i = 0; i < opened.children.size(); ++i)
                 for (std::size_t j = i + 1; j < opened.children.size(); ++j) {
-                    if (opened.children[i]->straddles || opened.children[j]->straddles) continue;  // no place is exact for them
-                    const auto earlier = static_cast<unsigned>(opened.children[i]->slot), later = static_cast<unsigned>(opened.children[j]->slot);
-                    EXPECT_FALSE(mayHide(later, earlier, eye)) << what << " by " << name << ": octant " << later << " before " << earlier;
+                    // no place is exact for them
+                    if (opened.children[i]->straddles || opened.children[j]->straddles) continue;
+                    const auto earlier = static_cast<unsigned>(opened.children[i]->slot),
+                               later   = static_cast<unsigned>(opened.children[j]->slot);
+                    EXPECT_FALSE(mayHide(later, earlier, eye))
+                        << what << " by " << name << ": octant " << later << " before " << earlier;
                     ++pairs;
                 }
         }
@@ -79,7 +86,7 @@ Camera cameraAt(const dvec3& eye, const dvec3& target)
     ViewRequest view;
     view.eye = eye, view.target = target;
     view.near = 0.01, view.far = 1e4, view.verticalFov = 100;
-    view.up = {0.1, 1, 0.2};
+    view.up    = {0.1, 1, 0.2};
     view.width = 96, view.height = 72;
     return *makeCamera(view, Bounds{{-1, -1, -1}, {1, 1, 1}});
 }
@@ -110,19 +117,21 @@ TEST(VisitOrder, OfAnOctreeIsFrontToBackWhereverTheEyeIsAndHoweverTheMeshIsPlace
     ASSERT_TRUE(ball.ok());
     Random              random(8);
     std::vector<Affine> places{Affine{}, Affine::translation({1e5, -2e5, 3e5}), random.rotation()};
-    Affine mirrored = random.rotation(), sheared;
+    Affine              mirrored = random.rotation(), sheared;
     for (double& m : mirrored.rows[1]) m = -m;
     sheared.rows = {{{1, 2.5, 0.3, 4}, {0, 0.2, -1.5, 1}, {0.7, 0, 3, -2}}};
     places.push_back(mirrored);
     places.push_back(sheared);
     std::uint64_t pairs = 0;
     for (std::size_t p = 0; p < places.size(); ++p) {
-        const auto prepared = std::make_shared<const PreparedScene>(sceneOf(*ball->meshes[0], std::array{places[p]}));
-        const Bounds cell   = treesOf(*prepared, TreeKind::Octree).mesh(MeshId{0}).root().cell;
+        const auto   prepared = std::make_shared<const PreparedScene>(sceneOf(*ball->meshes[0], std::array{places[p]}));
+        const Bounds cell     = treesOf(*prepared, TreeKind::Octree).mesh(MeshId{0}).root().cell;
         for (const dvec3& eye : eyesAbout(cell)) {
             const dvec3 world = places[p](eye);
-            pairs += expectFrontToBack(prepared, cameraAt(world, world + dvec3{0.3, -0.2, 1}), "placement " + std::to_string(p));
-            pairs += expectFrontToBack(prepared, cameraAt(world, places[p]({0.01, 0.02, 0.03})), "placement " + std::to_string(p));
+            pairs += expectFrontToBack(prepared, cameraAt(world, world + dvec3{0.3, -0.2, 1}),
+                                       "placement " + std::to_string(p));
+            pairs += expectFrontToBack(prepared, cameraAt(world, places[p]({0.01, 0.02, 0.03})),
+                                       "placement " + std::to_string(p));
         }
     }
     EXPECT_GT(pairs, 10'000u);
@@ -132,9 +141,9 @@ TEST(VisitOrder, OfTheInstancesIsFrontToBackToo)
 {
     auto loaded = loadScene("builtin:soccer-field?count=200");
     ASSERT_TRUE(loaded.ok());
-    const auto   shared   = std::make_shared<const Scene>(*std::move(loaded));
-    const auto   prepared = std::make_shared<const PreparedScene>(shared);
-    std::uint64_t pairs   = 0;
+    const auto    shared   = std::make_shared<const Scene>(*std::move(loaded));
+    const auto    prepared = std::make_shared<const PreparedScene>(shared);
+    std::uint64_t pairs    = 0;
     for (const dvec3& eye : eyesAbout(treesOf(*prepared, TreeKind::Octree).instances().root().cell))
         pairs += expectFrontToBack(prepared, cameraAt(eye, eye + dvec3{-1, 0.1, -0.4}), "field");
     EXPECT_GT(pairs, 1000u);

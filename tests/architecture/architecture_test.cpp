@@ -28,10 +28,7 @@ std::string textOf(const fs::path& file)
     return text.str();
 }
 
-bool isSource(const fs::path& file)
-{
-    return file.extension() == ".h" || file.extension() == ".cpp";
-}
+bool isSource(const fs::path& file) { return file.extension() == ".h" || file.extension() == ".cpp"; }
 
 /// Sources below a folder, as paths from the root.
 std::vector<std::string> sourcesIn(const std::string& folder)
@@ -45,7 +42,8 @@ std::vector<std::string> sourcesIn(const std::string& folder)
     return files;
 }
 
-/// Where the comment or the string literal ends that begins there; `at` itself if none does. A regex would go as deep as they are long.
+/// Where the comment or the string literal ends that begins there; `at` itself if none does. A regex would go as deep
+/// as they are long.
 std::size_t endOfNoise(const std::string& text, std::size_t at)
 {
     const auto behind = [&](std::string_view last, std::size_t from) {
@@ -75,13 +73,13 @@ std::string codeOf(const std::string& text)
 }
 
 struct Includes {
-    std::vector<std::string> ours;     // "a/b.h"
-    std::vector<std::string> system;   // <a>
+    std::vector<std::string> ours;    // "a/b.h"
+    std::vector<std::string> system;  // <a>
 };
 Includes includesOf(const std::string& text)
 {
     static const std::regex include(R"re((^|\n)[ \t]*#[ \t]*include[ \t]*(["<])([^">\n]+)[">])re");
-    Includes includes;
+    Includes                includes;
     for (std::sregex_iterator at(text.begin(), text.end(), include), end; at != end; ++at)
         ((*at)[2] == "\"" ? includes.ours : includes.system).push_back((*at)[3]);
     return includes;
@@ -93,12 +91,12 @@ Table tableOf(const std::string& document)
 {
     static const std::regex row(R"re(\n\| `([a-z/]+)` \|([^|\n]*)\|(?=\n))re");
     static const std::regex word("`([a-z/]+)`");
-    const std::size_t start = document.find("| Folder | May include |");
+    const std::size_t       start = document.find("| Folder | May include |");
     if (start == std::string::npos) return {};
     const std::string table = document.substr(start, document.find("\n\n", start) + 1 - start);
     Table             rules;
     for (std::sregex_iterator at(table.begin(), table.end(), row), end; at != end; ++at) {
-        const std::string       cell    = (*at)[2];
+        const std::string      cell    = (*at)[2];
         std::set<std::string>& allowed = rules[(*at)[1]];
         for (std::sregex_iterator w(cell.begin(), cell.end(), word); w != end; ++w) allowed.insert((*w)[1]);
     }
@@ -179,7 +177,7 @@ TEST(Architecture, IncludesAreWrittenFromTheRoot)
 
 TEST(Architecture, CoreAndCommandLineKnowNoQt)
 {
-    static const std::regex qt("Q[A-Z][A-Za-z]*(/.*)?|qt.*|qcustomplot.*");
+    static const std::regex  qt("Q[A-Z][A-Za-z]*(/.*)?|qt.*|qcustomplot.*");
     std::vector<std::string> files = sourcesIn("core");
     std::ranges::copy_if(sourcesIn("app"), std::back_inserter(files),
                          [](const std::string& file) { return isIn(file, "app/cli"); });
@@ -226,7 +224,8 @@ TEST(Architecture, WindowFilesSayThatTheyAreGpl)
 /// Kernels are written for any number of lanes: a processor's own names stand in the files that are named for them.
 TEST(Architecture, IntrinsicsStandInTheFilesNamedForThem)
 {
-    static const std::regex     intrinsic(R"re(\b(_mm\d*_\w+|_MM_\w+|__m(128|256|512)\w*|__builtin_ia32_\w+|v(ld|st)\d\w*q_\w+)\b)re");
+    static const std::regex intrinsic(
+        R"re(\b(_mm\d*_\w+|_MM_\w+|__m(128|256|512)\w*|__builtin_ia32_\w+|v(ld|st)\d\w*q_\w+)\b)re");
     const std::set<std::string> allowed{"core/base/ticks.h", "core/scan/avx512_words-inl.h"};
     std::set<std::string>       found;
     for (const char* top : {"core", "app", "ui"})

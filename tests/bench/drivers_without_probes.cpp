@@ -1,6 +1,6 @@
-// How the statements go: `probe(Event{...});` is a call, so a macro of that name removes every one of them from the very
-// text that everybody else compiles. Headers of other libraries come first and stay as they are. A probe type of its own
-// keeps the templates made here apart from those of the library.
+// How the statements go: `probe(Event{...});` is a call, so a macro of that name removes every one of them from the
+// very text that everybody else compiles. Headers of other libraries come first and stay as they are. A probe type of
+// its own keeps the templates made here apart from those of the library.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -23,11 +23,11 @@
 #include <variant>
 #include <vector>
 
+#include <hwy/base.h>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
-#include <hwy/base.h>
 
 // Events take values with them when they go.
 #pragma GCC diagnostic ignored "-Wunused-parameter"
@@ -70,7 +70,8 @@ namespace zscope {
 
 HWY_EXPORT(drawStripeSilently);
 
-void bench::drawStripeWithoutProbes(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock)
+void bench::drawStripeWithoutProbes(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch,
+                                    StageClock& clock)
 {
     HWY_DYNAMIC_DISPATCH(drawStripeSilently)(pipeline, stripe, scratch, clock);
 }

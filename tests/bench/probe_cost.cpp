@@ -1,5 +1,6 @@
-// What a silent probe costs: every preset drawn with NoProbe and with its probe statements removed from the text, turn and
-// turn about on one thread, and the quotient of each pair of frames. No test: it prints, a reader judges. 1.00 is free.
+// What a silent probe costs: every preset drawn with NoProbe and with its probe statements removed from the text, turn
+// and turn about on one thread, and the quotient of each pair of frames. No test: it prints, a reader judges. 1.00 is
+// free.
 //
 //     probe_cost [SCENE [WIDTHxHEIGHT [PAIRS]]]
 #include <algorithm>
@@ -33,7 +34,8 @@ struct Subject {
 
 /// One frame without shading; milliseconds.
 template <class Draw>
-double timed(const Draw& draw, const Subject& subject, const Pipeline& pipeline, VisibilityBuffer& visible, StripeScratch& scratch)
+double timed(const Draw& draw, const Subject& subject, const Pipeline& pipeline, VisibilityBuffer& visible,
+             StripeScratch& scratch)
 {
     const Projection projection(subject.camera);
     const Stripe     whole{*subject.scene, projection, FaceCulling::None, visible, 0, subject.camera.height, {}};
@@ -46,16 +48,18 @@ double timed(const Draw& draw, const Subject& subject, const Pipeline& pipeline,
 /// False if the two pictures differ: then there is nothing to compare.
 bool measure(const Subject& subject, const Preset& preset, int pairs)
 {
-    const auto       silent = kernelsOf(resolved(Simd::Auto)).drawStripe;
+    const auto       silent  = kernelsOf(resolved(Simd::Auto)).drawStripe;
     const auto       removed = bench::drawStripeWithoutProbes;
-    const Camera&    camera = subject.camera;
+    const Camera&    camera  = subject.camera;
     VisibilityBuffer first, second;
-    for (VisibilityBuffer* buffer : {&first, &second}) buffer->resize(camera.width, camera.height, DepthEncoding(DepthFormat::ReversedFloat32, camera.near, camera.far));
+    for (VisibilityBuffer* buffer : {&first, &second})
+        buffer->resize(camera.width, camera.height,
+                       DepthEncoding(DepthFormat::ReversedFloat32, camera.near, camera.far));
     StripeScratch       scratch;  // shared, so that neither has the better place in memory
     std::vector<double> ratios, silentMs, removedMs;
     for (int i = -kWarmUp; i < pairs; ++i) {
-        const bool   swapped = i % 2 != 0;
-        double       one = 0, other = 0;
+        const bool swapped = i % 2 != 0;
+        double     one = 0, other = 0;
         if (swapped) other = timed(removed, subject, preset.pipeline, second, scratch);
         one = timed(silent, subject, preset.pipeline, first, scratch);
         if (!swapped) other = timed(removed, subject, preset.pipeline, second, scratch);

@@ -25,14 +25,19 @@ TEST_F(Cli, TheTimesOfLoadingAreToldApartWhereTheyAreAskedFor)
     const std::string files[] = {path("m.obj"), path("s.json")};
     for (const std::string& file : files) {
         const json info = json::parse(run({"info", file, "--json", "--times"}).out);
-        for (const char* part : {"read_ms", "parse_ms", "check_ms", "prepare_ms"}) EXPECT_GT(info["times"][part], 0) << file << ' ' << part;
+        for (const char* part : {"read_ms", "parse_ms", "check_ms", "prepare_ms"})
+            EXPECT_GT(info["times"][part], 0) << file << ' ' << part;
         EXPECT_FALSE(json::parse(run({"info", file, "--json"}).out).contains("times"));
         for (const char* part : {"read", "parse", "check", "prepare"})
             EXPECT_NE(run({"info", file, "--times"}).out.find(part), std::string::npos);
-        ASSERT_EQ(run({"bench", file, "--size", "32x24", "--frames", "1", "--algorithms", "zbuffer", "--json", path("t.json")}).status, 0);
+        ASSERT_EQ(run({"bench", file, "--size", "32x24", "--frames", "1", "--algorithms", "zbuffer", "--json",
+                       path("t.json")})
+                      .status,
+                  0);
         std::ifstream stream(path("t.json"));
         for (const json& row : json::parse(stream))
-            for (const char* part : {"read_ms", "parse_ms", "check_ms", "build_ms"}) EXPECT_GT(row[part], 0) << file << ' ' << part;
+            for (const char* part : {"read_ms", "parse_ms", "check_ms", "build_ms"})
+                EXPECT_GT(row[part], 0) << file << ' ' << part;
     }
 }
 
@@ -159,11 +164,18 @@ TEST_F(Cli, AnInputThatCannotBeUsedEndsWithThree)
     const std::string broken  = write("broken.json", "{\"meshes\": ");
     const std::string camera  = write("camera.json", "{\"eye\":[0,0,0]}");
     const std::string nothing = path("nothing.obj");
-    const std::string flat    = write("flat.json", R"({"materials": {"m": {"colour": [1, 0, 0], "relief": {"pattern": "bricks", "size": 1, "depth": 0}}}})");
-    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-             {"render", nothing}, {"info", nothing}, {"render", empty}, {"render", broken}, {"render", flat},
-             {"render", path("")}, {"render", kScene, "--camera", nothing},
-             {"render", kScene, "--camera", camera}}) {
+    const std::string flat =
+        write("flat.json",
+              R"({"materials": {"m": {"colour": [1, 0, 0], "relief": {"pattern": "bricks", "size": 1, "depth": 0}}}})");
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"render", nothing},
+                                               {"info", nothing},
+                                               {"render", empty},
+                                               {"render", broken},
+                                               {"render", flat},
+                                               {"render", path("")},
+                                               {"render", kScene, "--camera", nothing},
+                                               {"render", kScene, "--camera", camera}}) {
         const Answer answer = run(arguments);
         EXPECT_EQ(answer.status, 3) << arguments[0] << ' ' << arguments[1] << '\n' << answer.err;
         EXPECT_NE(answer.err.find("error: "), std::string::npos) << answer.err;
@@ -188,7 +200,8 @@ TEST_F(Cli, ALimitThatIsExceededEndsWithFive)
 TEST_F(Cli, WhatAFrameTakesTogetherIsHeldAgainstTheLimit)
 {
     const auto drawn = [this](const char* algorithm, const char* limit) {
-        return run({"render", "builtin:million", "--size", "1280x960", "--threads", "2", "--algorithm", algorithm, "--memory-limit", limit, "--stats", path("s.json")});
+        return run({"render", "builtin:million", "--size", "1280x960", "--threads", "2", "--algorithm", algorithm,
+                    "--memory-limit", limit, "--stats", path("s.json")});
     };
     const Answer whole = drawn("interval", "1000");
     ASSERT_EQ(whole.status, 0) << whole.err;
@@ -205,9 +218,11 @@ TEST_F(Cli, WhatAFrameTakesTogetherIsHeldAgainstTheLimit)
     EXPECT_EQ(drawn("zbuffer", "120").status, 0) << "what it takes is less";
     std::filesystem::remove(path("s.json"));
     // Far below, it does not come so far as to know what the whole would have taken.
-    const Answer soon = run({"render", "builtin:soccer-field", "--size", "320x240", "--threads", "2", "--algorithm", "interval", "--memory-limit", "40", "-o", path("x.png")});
+    const Answer soon = run({"render", "builtin:soccer-field", "--size", "320x240", "--threads", "2", "--algorithm",
+                             "interval", "--memory-limit", "40", "-o", path("x.png")});
     EXPECT_EQ(soon.status, 5) << soon.err;
-    EXPECT_NE(soon.err.find("takes more memory than there is, or than the limit of 40 MiB"), std::string::npos) << soon.err;
+    EXPECT_NE(soon.err.find("takes more memory than there is, or than the limit of 40 MiB"), std::string::npos)
+        << soon.err;
     EXPECT_EQ(filesInFolder(), 0u);
 }
 
@@ -230,7 +245,8 @@ TEST_F(Cli, AnInterruptEndsWithOneHundredAndThirtyAndLeavesNothing)
 
 TEST_F(Cli, AnExportIsInterruptedAmongTheTrianglesOfAMesh)
 {
-    const Answer answer = runIntoFifoAndSignal(path("t"), {"export", "builtin:million", "--triangles", path("t")}, SIGINT);
+    const Answer answer =
+        runIntoFifoAndSignal(path("t"), {"export", "builtin:million", "--triangles", path("t")}, SIGINT);
     EXPECT_EQ(answer.status, 130) << answer.err;
     EXPECT_LT(answer.out.size(), 1'000'000u * 72 / 2);
 }
@@ -250,48 +266,63 @@ TEST_F(Cli, OutputsOfOneRunMayNotReplaceEachOtherOrWhatIsRead)
     };
     const std::string replaced = " would replace '" + obj + "', which is read";
     refused({"render", obj, "-o", path("same"), "--ids", path("same")}, "-o and --ids name the same file");
-    refused({"render", obj, "--depth", path("same"), "--stats", path("./no/../same")}, "--depth and --stats name the same file");
+    refused({"render", obj, "--depth", path("same"), "--stats", path("./no/../same")},
+            "--depth and --stats name the same file");
     refused({"render", obj, "-o", obj}, "-o" + replaced);
     refused({"render", path("link.obj"), "--ids", obj}, "--ids would replace '" + path("link.obj"));
     refused({"render", obj, "--depth", path("link.obj")}, "--depth" + replaced);
     refused({"render", obj, "--camera", camera, "--stats", camera}, "--stats would replace '" + camera);
-    refused({"step", obj, "--grain", "frame", "--at", "0", "--state", path("same"), "-o", path("same")}, "--state and -o");
+    refused({"step", obj, "--grain", "frame", "--at", "0", "--state", path("same"), "-o", path("same")},
+            "--state and -o");
     refused({"step", obj, "--grain", "frame", "--at", "0", "--state", obj}, "--state" + replaced);
     refused({"export", obj, "--triangles", obj}, "--triangles" + replaced);
     refused({"compare", obj, "--algorithms", "zbuffer,scanline", "-o", obj}, "-o" + replaced);
     refused({"bench", obj, "--csv", path("same"), "--json", path("same")}, "--json and --csv");
     refused({"bench", kScene, obj, "--csv", obj}, "--csv" + replaced);
-    const std::string experiment = write("e.json", R"({"title":"t","parts":[{"title":"p","scenes":[")" + obj + R"("],"algorithms":["zbuffer"]}]})");
+    const std::string experiment = write(
+        "e.json", R"({"title":"t","parts":[{"title":"p","scenes":[")" + obj + R"("],"algorithms":["zbuffer"]}]})");
     refused({"bench", "--experiment", experiment, "--csv", experiment}, "--csv would replace '" + experiment);
     refused({"bench", "--experiment", experiment, "--csv", obj}, "--csv" + replaced);
     refused({"render", obj, "--print-camera", "-o", path("x.png")}, "--print-camera draws nothing");
-    for (const char* option : {"-o", "--ids", "--depth", "--stats"}) refused({"render", obj, option, ""}, std::string(option) + " wants the name of a file");
+    for (const char* option : {"-o", "--ids", "--depth", "--stats"})
+        refused({"render", obj, option, ""}, std::string(option) + " wants the name of a file");
     refused({"export", obj, "--triangles", ""}, "--triangles wants");
     refused({"merge", experiment, "-o", ""}, "-o wants");
 
     // Nor what a scene leads to: the models of a scene file, the material libraries of a model.
-    const std::string library = write("m.mtl", "newmtl a\n"), dressed = write("d.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string library = write("m.mtl", "newmtl a\n"),
+                      dressed = write("d.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const std::string scene   = write("s.json", R"({"meshes":{"a":{"obj":"d.obj"}},"instances":[{"mesh":"a"}]})");
-    const std::string later   = write("l.json", R"({"title":"t","parts":[{"title":"p","scenes":[")" + scene + R"("],"algorithms":["zbuffer"],"frames":2,"rounds":1,"size":"32x24"}]})");
+    const std::string later =
+        write("l.json", R"({"title":"t","parts":[{"title":"p","scenes":[")" + scene
+                            + R"("],"algorithms":["zbuffer"],"frames":2,"rounds":1,"size":"32x24"}]})");
     for (const std::string& led : {library, dressed}) {
-        const auto taken = [&](const std::string& option) { return option + " would replace '" + std::filesystem::canonical(led).string() + "', which is read"; };
-        for (const char* option : {"-o", "--ids", "--depth", "--stats"}) refused({"render", scene, "--size", "32x24", option, led}, taken(option));
+        const auto taken = [&](const std::string& option) {
+            return option + " would replace '" + std::filesystem::canonical(led).string() + "', which is read";
+        };
+        for (const char* option : {"-o", "--ids", "--depth", "--stats"})
+            refused({"render", scene, "--size", "32x24", option, led}, taken(option));
         refused({"step", scene, "--size", "32x24", "--grain", "frame", "--at", "0", "--state", led}, taken("--state"));
         refused({"export", scene, "--triangles", led}, taken("--triangles"));
         refused({"compare", scene, "--size", "32x24", "--algorithms", "zbuffer,scanline", "-o", led}, taken("-o"));
-        refused({"bench", kScene, scene, "--size", "32x24", "--frames", "2", "--algorithms", "zbuffer", "--csv", led}, taken("--csv"));
+        refused({"bench", kScene, scene, "--size", "32x24", "--frames", "2", "--algorithms", "zbuffer", "--csv", led},
+                taken("--csv"));
         refused({"bench", "--experiment", later, "--csv", led}, taken("--csv"));
     }
 
-    EXPECT_EQ(run({"render", obj, "--size", "32x24", "--ids", "/dev/null", "--depth", "/dev/null"}).status, 0) << "nothing is lost in it";
-    EXPECT_EQ(run({"render", obj, "--size", "32x24", "-o", path("nowhere.png"), "--ids", path("new.png")}).status, 0) << "a link to nowhere is replaced itself";
+    EXPECT_EQ(run({"render", obj, "--size", "32x24", "--ids", "/dev/null", "--depth", "/dev/null"}).status, 0)
+        << "nothing is lost in it";
+    EXPECT_EQ(run({"render", obj, "--size", "32x24", "-o", path("nowhere.png"), "--ids", path("new.png")}).status, 0)
+        << "a link to nowhere is replaced itself";
 }
 
 TEST_F(Cli, WhatASceneHoldsIsToldOnOneLineWithoutControlBytes)
 {
     const std::string cube = R"({"meshes":{"c":{"builtin":"cube"}},"instances":[{"mesh":")";
-    for (const std::string& text : {cube + R"(\u001b[31m\u0000\n"}]})", cube + R"(c","\u001b]0;\u0007":1}]})", std::string(R"({"meshes":{"c":{"obj":"\u001b/\u0007.obj"}}})"),
-                                    cube + R"(c"}],"cameras":{"v":{"\u001b[2J":1}}})", cube + R"(c"}],"\u001b":1,"\u001b":2})"}) {
+    for (const std::string& text :
+         {cube + R"(\u001b[31m\u0000\n"}]})", cube + R"(c","\u001b]0;\u0007":1}]})",
+          std::string(R"({"meshes":{"c":{"obj":"\u001b/\u0007.obj"}}})"),
+          cube + R"(c"}],"cameras":{"v":{"\u001b[2J":1}}})", cube + R"(c"}],"\u001b":1,"\u001b":2})"}) {
         const Answer answer = run({"info", write("s.json", text)});
         EXPECT_EQ(answer.status, 3) << answer.err;
         EXPECT_EQ(answer.err.find_first_of(std::string("\x1b\a\0", 3)), std::string::npos) << answer.err;
@@ -303,30 +334,40 @@ TEST_F(Cli, WhatIsTooFarInASceneOrAPathIsToldWithItsLine)
 {
     write("big.obj", "v 1e308 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n");
     const auto told = [this](const std::string& instance, const std::string& line) {
-        const Answer answer = run({"info", write("s.json", R"({"meshes":{"c":{"builtin":"cube"},"b":{"obj":"big.obj"}},)"
-                                                           "\n\"instances\":[{\"mesh\":\"b\"},\n{" + instance + "}]}")});
+        const Answer answer =
+            run({"info", write("s.json", R"({"meshes":{"c":{"builtin":"cube"},"b":{"obj":"big.obj"}},)"
+                                         "\n\"instances\":[{\"mesh\":\"b\"},\n{"
+                                             + instance + "}]}")});
         EXPECT_EQ(answer.status, 3) << instance;
-        EXPECT_NE(answer.err.find("s.json:" + line + ": error: an instance reaches beyond the largest number"), std::string::npos) << answer.err;
+        EXPECT_NE(answer.err.find("s.json:" + line + ": error: an instance reaches beyond the largest number"),
+                  std::string::npos)
+            << answer.err;
     };
     told("\"mesh\":\"c\",\"grid\":{\"count\":[4,1,1],\n\"step\":[1e308,0,0]}", "4");
     told("\"mesh\":\"c\",\"matrix\":[1.5e308,1e308,0,0, 0,1,0,0, 0,0,1,0]", "3");
     told("\"mesh\":\"b\",\"random\":{\"count\":3,\"min\":[1e308,0,0],\"max\":[1.1e308,0,0]}", "3");
 
     const auto flown = [this](const std::string& keys, const std::string& said) {
-        const Answer answer = run({"bench", kScene, "--algorithms", "zbuffer", "--size", "20x20", "--path", write("way.json", "{\"keys\":[\n" + keys + "]}")});
+        const Answer answer = run({"bench", kScene, "--algorithms", "zbuffer", "--size", "20x20", "--path",
+                                   write("way.json", "{\"keys\":[\n" + keys + "]}")});
         EXPECT_EQ(answer.status, 3) << keys;
         EXPECT_NE(answer.err.find(said), std::string::npos) << answer.err;
     };
-    flown("{\"frame\":0,\"eye\":[0,0,9],\"target\":[0,0,0]},\n{\"frame\":8,\"eye\":[1e308,0,0],\"target\":[0,0,0]}", "way.json:3: error: eye and target are too far apart");
+    flown("{\"frame\":0,\"eye\":[0,0,9],\"target\":[0,0,0]},\n{\"frame\":8,\"eye\":[1e308,0,0],\"target\":[0,0,0]}",
+          "way.json:3: error: eye and target are too far apart");
     flown("{\"frame\":0,\"eye\":[0,0,9],\"target\":[0,0,0]}],\n\"near\":1e300,\"unused\":[", "way.json:3: error: ");
-    flown("{\"frame\":0,\"eye\":[0,0,9],\"target\":[0,0,0]},\n{\"frame\":2,\"eye\":[1e300,0,0],\"target\":[1.001e300,0,0]}", "way.json:3: error: ");
+    flown(
+        "{\"frame\":0,\"eye\":[0,0,9],\"target\":[0,0,0]},\n{\"frame\":2,\"eye\":[1e300,0,0],\"target\":[1.001e300,0,0]"
+        "}",
+        "way.json:3: error: ");
 }
 
 TEST_F(Cli, HelpAndVersionAreNoMistake)
 {
     EXPECT_EQ(run({"--help"}).status, 0);
     EXPECT_EQ(run({"--version"}).status, 0);
-    for (const char* command : {"render", "info", "export", "verify", "step", "explain", "lesson", "compare", "bench", "merge", "list"}) {
+    for (const char* command :
+         {"render", "info", "export", "verify", "step", "explain", "lesson", "compare", "bench", "merge", "list"}) {
         const Answer answer = run({command, "--help"});
         EXPECT_EQ(answer.status, 0);
         EXPECT_NE(answer.out.find("--quiet"), std::string::npos) << command;
@@ -336,13 +377,16 @@ TEST_F(Cli, HelpAndVersionAreNoMistake)
 TEST_F(Cli, HelpNamesWhatEachCommandIsAskedWith)
 {
     const std::vector<std::pair<std::string, std::vector<std::string>>> words{
-        {"bench", {"--algorithms", "--threads", "--frames", "--path", "--sample", "--suite", "--experiment", "--peers", "--shard", "--json", "--csv"}},
+        {"bench",
+         {"--algorithms", "--threads", "--frames", "--path", "--sample", "--suite", "--experiment", "--peers",
+          "--shard", "--json", "--csv"}},
         {"compare", {"--algorithms", "--require-equal"}},
         {"step", {"--grain", "--count", "--at", "--state"}},
         {"verify", {"--algorithm", "--sample", "--set", "--fault"}}};
     for (const auto& [command, options] : words) {
         const std::string help = run({command, "--help"}).out;
-        for (const std::string& option : options) EXPECT_NE(help.find(option), std::string::npos) << command << " " << option;
+        for (const std::string& option : options)
+            EXPECT_NE(help.find(option), std::string::npos) << command << " " << option;
     }
 }
 
@@ -384,9 +428,10 @@ TEST_F(Cli, EverySceneOfTheListCanBeCounted)
 
 TEST_F(Cli, InfoCountsWhatTheFileHolds)
 {
-    const std::string file = write("counts.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0.5\n"
-                                                 "g left\nf 1 2 3 4\ng right\nf 1 2 5\nf 1 2 77\n");
-    const Answer answer = run({"info", file, "--json"});
+    const std::string file   = write("counts.obj",
+                                     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0.5\n"
+                                       "g left\nf 1 2 3 4\ng right\nf 1 2 5\nf 1 2 77\n");
+    const Answer      answer = run({"info", file, "--json"});
     ASSERT_EQ(answer.status, 0) << answer.err;
     const json info = json::parse(answer.out);
     EXPECT_EQ(info["vertices"], 5);

@@ -11,9 +11,11 @@
 namespace zscope::cli_test {
 namespace {
 
-std::vector<std::string> comparing(const std::string& scene, const std::string& algorithms, const std::vector<std::string>& more)
+std::vector<std::string> comparing(const std::string& scene, const std::string& algorithms,
+                                   const std::vector<std::string>& more)
 {
-    std::vector<std::string> arguments{"compare", scene, "--size", "97x61", "--algorithms", algorithms, "--frames", "1"};
+    std::vector<std::string> arguments{"compare",      scene,      "--size",   "97x61",
+                                       "--algorithms", algorithms, "--frames", "1"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -38,7 +40,8 @@ TEST_F(Cli, CompareFindsThatEveryPresetDrawsTheSamePicture)
 {
     const Answer answer = run(comparing("builtin:cubes", "all", {"--require-equal"}));
     EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
-    for (const Preset& preset : presets()) EXPECT_NE(answer.out.find(std::string(preset.name) + ' '), std::string::npos) << preset.name;
+    for (const Preset& preset : presets())
+        EXPECT_NE(answer.out.find(std::string(preset.name) + ' '), std::string::npos) << preset.name;
     EXPECT_EQ(answer.out.find("DIFFERS"), std::string::npos) << answer.out;
 }
 
@@ -63,12 +66,15 @@ TEST_F(Cli, ASheetWhoseNameEndsInPdfIsAPageWithTextAndPictures)
     EXPECT_TRUE(bytes.starts_with("%PDF-"));
     EXPECT_NE(bytes.find("%%EOF"), std::string::npos);
     std::size_t pictures = 0;
-    for (std::size_t at = bytes.find("/Subtype /Image"); at != std::string::npos; at = bytes.find("/Subtype /Image", at + 1)) ++pictures;
+    for (std::size_t at = bytes.find("/Subtype /Image"); at != std::string::npos;
+         at             = bytes.find("/Subtype /Image", at + 1))
+        ++pictures;
     EXPECT_EQ(pictures, 3u) << "two pictures and a difference";
     if (std::system("command -v pdftotext > /dev/null 2>&1") != 0) return;
     ASSERT_EQ(std::system(("pdftotext -layout '" + path("sheet.pdf") + "' '" + path("sheet.txt") + "'").c_str()), 0);
     const std::string text = contentsOf(path("sheet.txt"));
-    for (const char* word : {"zbuffer", "scanline", "Reference: same to the bit", "raster", "zscope-cli compare builtin:cubes"})
+    for (const char* word :
+         {"zbuffer", "scanline", "Reference: same to the bit", "raster", "zscope-cli compare builtin:cubes"})
         EXPECT_NE(text.find(word), std::string::npos) << word << '\n' << text;
 }
 
@@ -78,7 +84,8 @@ TEST_F(Cli, CompareRefusesToCallDifferentPicturesEqual)
     const std::string scene = "builtin:glass";
     ASSERT_EQ(run(comparing(scene, "zbuffer,scanline", {"--require-equal"})).status, 0);
     ASSERT_EQ(run({"render", scene, "--size", "97x61", "-o", path("whole.png")}).status, 0);
-    const Answer answer = run(comparing(scene, "zbuffer,zbuffer+transparency=back-then-front", {"--require-equal", "-o", path("sheet.png")}));
+    const Answer answer = run(
+        comparing(scene, "zbuffer,zbuffer+transparency=back-then-front", {"--require-equal", "-o", path("sheet.png")}));
     EXPECT_EQ(answer.status, 1) << answer.out << answer.err;
     EXPECT_NE(answer.out.find("DIFFERS"), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(path("sheet.png"))) << "the sheet is what shows how they differ";
@@ -86,7 +93,8 @@ TEST_F(Cli, CompareRefusesToCallDifferentPicturesEqual)
 
 TEST_F(Cli, CompareThatFindsADifferenceIsNoFailureUnlessEqualityIsRequired)
 {
-    const Answer answer = run(comparing("builtin:cubes", "edge-walk,edge-walk+fault=x-truncated", {"-o", path("sheet.png")}));
+    const Answer answer =
+        run(comparing("builtin:cubes", "edge-walk,edge-walk+fault=x-truncated", {"-o", path("sheet.png")}));
     EXPECT_EQ(answer.status, 0) << answer.err;
     EXPECT_NE(answer.out.find("DIFFERS"), std::string::npos);
     const Sheet sheet = sheetOf(path("sheet.png"));

@@ -1,4 +1,5 @@
-// Experiments from the command line: records that outlive an interruption, shards that join to the whole, bundled files that run.
+// Experiments from the command line: records that outlive an interruption, shards that join to the whole, bundled files
+// that run.
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -16,8 +17,10 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kSmall = R"({"title":"small","question":"which?","baseline":"zbuffer","parts":[
- {"title":"one","size":"40x30","frames":4,"rounds":2,"scenes":["builtin:cubes","builtin:layers?count=3"],"algorithms":["zbuffer","scanline","zbuffer+snap=4-bits"]},
- {"title":"two","size":"20x20","frames":2,"rounds":1,"scenes":[{"scene":"builtin:teapot","x":3,"title":"pot"}],"algorithms":["zbuffer"]}]})";
+ {"title":"one","size":"40x30","frames":4,"rounds":2,"scenes":["builtin:cubes","builtin:layers?count=3"],
+     "algorithms":["zbuffer","scanline","zbuffer+snap=4-bits"]},
+ {"title":"two","size":"20x20","frames":2,"rounds":1,"scenes":[{"scene":"builtin:teapot","x":3,"title":"pot"}],
+     "algorithms":["zbuffer"]}]})";
 
 /// What a program says that was built without Embree and OSMesa.
 constexpr const char* kNobody = "nobody to compare with";
@@ -28,7 +31,8 @@ Json timeless(const std::string& file)
     Json record = Json::parse(contentsOf(file));
     for (Json& each : record["cases"])
         for (Json& row : each["rows"])
-            for (const char* timed : {"best_ms", "median_ms", "q1_ms", "q3_ms", "read_ms", "parse_ms", "check_ms", "build_ms", "stages", "stage_quartiles", "round_ms"})
+            for (const char* timed : {"best_ms", "median_ms", "q1_ms", "q3_ms", "read_ms", "parse_ms", "check_ms",
+                                      "build_ms", "stages", "stage_quartiles", "round_ms"})
                 row.erase(timed);
     return record;
 }
@@ -47,13 +51,16 @@ TEST_F(Cli, AnExperimentIsMeasuredAndItsRecordHoldsEveryCase)
     EXPECT_EQ(record["cases"][2]["scene"], "pot");
     EXPECT_EQ(record["cases"][2]["place"], 3);
     EXPECT_GT(record["cases"][0]["rows"][2]["wrong_pixels"], 0);  // said to be approximate: no failure
-    EXPECT_TRUE(contentsOf(path("r.csv")).starts_with("scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,"));
+    EXPECT_TRUE(contentsOf(path("r.csv"))
+                    .starts_with("scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,"));
 }
 
 TEST_F(Cli, ABenchTimesItsRunsInTurnIfTold)
 {
     const auto rounds = [this](const std::vector<std::string>& said) {
-        std::vector<std::string> words{"bench", "builtin:cubes", "--size", "40x30", "--algorithms", "zbuffer,scanline", "--threads", "1,2", "--json", path("r.json")};
+        std::vector<std::string> words{"bench",        "builtin:cubes",    "--size",    "40x30",
+                                       "--algorithms", "zbuffer,scanline", "--threads", "1,2",
+                                       "--json",       path("r.json")};
         words.insert(words.end(), said.begin(), said.end());
         const Answer answer = run(words);
         EXPECT_EQ(answer.status, 0) << answer.err;
@@ -68,26 +75,31 @@ TEST_F(Cli, ABenchTimesItsRunsInTurnIfTold)
 
 TEST_F(Cli, SecondsAreFilledByTheRunsAndByThePeers)
 {
-    const Answer answer = run({"bench", "builtin:cubes", "--peers", "--size", "40x30", "--algorithms", "zbuffer", "--threads", "2", "--frames", "1", "--seconds", "0.05", "--json", path("r.json")});
+    const Answer answer = run({"bench", "builtin:cubes", "--peers", "--size", "40x30", "--algorithms", "zbuffer",
+                               "--threads", "2", "--frames", "1", "--seconds", "0.05", "--json", path("r.json")});
     if (answer.err.find(kNobody) != std::string::npos) GTEST_SKIP() << answer.err;
     ASSERT_EQ(answer.status, 0) << answer.err;
     for (const Json& row : Json::parse(contentsOf(path("r.json"))))
-        EXPECT_TRUE(row["frames"].get<int>() > 1 || row["median_ms"].get<double>() >= 50) << row["algorithm"] << " drew " << row["frames"] << " frames of " << row["median_ms"] << " ms";
+        EXPECT_TRUE(row["frames"].get<int>() > 1 || row["median_ms"].get<double>() >= 50)
+            << row["algorithm"] << " drew " << row["frames"] << " frames of " << row["median_ms"] << " ms";
 }
 
 TEST_F(Cli, ABenchTellsOfEachSceneItsOwnRunsFirstAndThePeersThen)
 {
     const std::vector<std::string> scenes{"builtin:cubes", "builtin:teapot"};
-    const Answer answer = run({"bench", scenes[0], scenes[1], "--peers", "--size", "40x30", "--algorithms", "zbuffer", "--threads", "1", "--frames", "1", "--json", path("r.json")});
+    const Answer answer = run({"bench", scenes[0], scenes[1], "--peers", "--size", "40x30", "--algorithms", "zbuffer",
+                               "--threads", "1", "--frames", "1", "--json", path("r.json")});
     if (answer.err.find(kNobody) != std::string::npos) GTEST_SKIP() << answer.err;
     ASSERT_EQ(answer.status, 0) << answer.err;
     std::vector<std::pair<std::string, bool>> told;  // scene, whether by a peer; the same ones side by side once
-    const Json rows = Json::parse(contentsOf(path("r.json")));
+    const Json                                rows = Json::parse(contentsOf(path("r.json")));
     for (const Json& row : rows) {
-        const std::pair<std::string, bool> next{row["scene"].get<std::string>(), row["algorithm"].get<std::string>().starts_with("peer:")};
+        const std::pair<std::string, bool> next{row["scene"].get<std::string>(),
+                                                row["algorithm"].get<std::string>().starts_with("peer:")};
         if (told.empty() || told.back() != next) told.push_back(next);
     }
-    const std::vector<std::pair<std::string, bool>> expected{{scenes[0], false}, {scenes[0], true}, {scenes[1], false}, {scenes[1], true}};
+    const std::vector<std::pair<std::string, bool>> expected{
+        {scenes[0], false}, {scenes[0], true}, {scenes[1], false}, {scenes[1], true}};
     EXPECT_EQ(told, expected);
 }
 
@@ -96,9 +108,10 @@ constexpr const char* kTurn = R"({"unit":"scene","keys":[{"frame":0,"eye":[0,0.4
 
 TEST_F(Cli, ABenchAlongACameraPathTellsEveryFrame)
 {
-    const std::string way    = write("way.json", kTurn);
-    const Answer      answer = run({"bench", "builtin:soccer-field?count=60", "--path", way, "--size", "80x60", "--frames", "7", "--threads", "1", "--algorithms",
-                                    "two-pass,hzb-octree+coherence=last-pyramid", "--json", path("r.json"), "--csv", path("r.csv")});
+    const std::string way = write("way.json", kTurn);
+    const Answer answer   = run({"bench", "builtin:soccer-field?count=60", "--path", way, "--size", "80x60", "--frames",
+                                 "7", "--threads", "1", "--algorithms", "two-pass,hzb-octree+coherence=last-pyramid",
+                                 "--json", path("r.json"), "--csv", path("r.csv")});
     ASSERT_EQ(answer.status, 1) << answer.err;  // a picture was wrong
     EXPECT_NE(answer.out.find("after cuts"), std::string::npos) << answer.out;
     const Json rows = Json::parse(contentsOf(path("r.json")));
@@ -131,7 +144,7 @@ TEST_F(Cli, APathThatCannotBeFlownIsRefused)
 
 TEST_F(Cli, AnExperimentAlongAPathGoesOnOnlyAlongTheSamePath)
 {
-    const std::string way  = write("way.json", kTurn);
+    const std::string way = write("way.json", kTurn);
     const std::string file = write("e.json", "{\"title\":\"t\",\"baseline\":\"zbuffer\",\"parts\":[{\"title\":\"p\",\"path\":\"" + way +
                                                  "\",\"size\":\"40x30\",\"rounds\":2,\"sample\":300,\"scenes\":[\"builtin:cubes\",\"builtin:teapot\"],\"algorithms\":[\"zbuffer\",\"two-pass\"]}]}");
     ASSERT_EQ(run({"bench", "--experiment", file, "--shard", "1/2", "--json", path("r.json")}).status, 0);
@@ -150,7 +163,10 @@ TEST_F(Cli, AnExperimentAlongAPathGoesOnOnlyAlongTheSamePath)
 
 TEST_F(Cli, ASceneOfAnExperimentMayHaveASizeAndChoicesOfItsOwn)
 {
-    const std::string file = write("e.json", R"({"title":"t","baseline":"zbuffer-early","parts":[{"title":"p","x":"operations","size":"40x30","frames":2,"sample":50,
+    const std::string file = write(
+        "e.json",
+        R"({"title":"t","baseline":"zbuffer-early","parts":[{"title":"p","x":"operations","size":"40x30","frames":2,
+            "sample":50,
         "algorithms":["zbuffer-early","zbuffer-prepass"],"scenes":[{"scene":"builtin:cubes","x":1},
         {"scene":"builtin:cubes","size":"20x10","choices":["shading-cost=100-operations"],"x":100}]}]})");
     ASSERT_EQ(run({"bench", "--experiment", file, "--json", path("r.json")}).status, 0);
@@ -169,9 +185,11 @@ TEST_F(Cli, ASceneOfAnExperimentMayHaveASizeAndChoicesOfItsOwn)
 
 TEST_F(Cli, PeersOfAnExperimentAreInItsRecordAndStayThereWhenItGoesOn)
 {
-    const std::string file = write("e.json", R"({"title":"t","baseline":"zbuffer","parts":[{"title":"p","peers":true,"size":"40x30","frames":2,"rounds":1,
+    const std::string file = write(
+        "e.json",
+        R"({"title":"t","baseline":"zbuffer","parts":[{"title":"p","peers":true,"size":"40x30","frames":2,"rounds":1,
         "threads":[1,2],"scenes":["builtin:cubes","builtin:teapot"],"algorithms":["zbuffer"]}]})");
-    const Answer      first = run({"bench", "--experiment", file, "--shard", "1/2", "--json", path("a.json")});
+    const Answer first = run({"bench", "--experiment", file, "--shard", "1/2", "--json", path("a.json")});
     if (first.err.find(kNobody) != std::string::npos) GTEST_SKIP() << first.err;
     ASSERT_EQ(first.status, 0) << first.err;
     ASSERT_EQ(run({"bench", "--experiment", file, "--shard", "2/2", "--json", path("b.json")}).status, 0);
@@ -183,7 +201,9 @@ TEST_F(Cli, PeersOfAnExperimentAreInItsRecordAndStayThereWhenItGoesOn)
     ASSERT_EQ(record["cases"].size(), 2u);
     for (const Json& each : record["cases"]) {
         int peers = 0;
-        for (const Json& row : each["rows"]) peers += std::string(row["algorithm"]).starts_with("peer:") && row["counters"].contains("pixels_that_differ");
+        for (const Json& row : each["rows"])
+            peers +=
+                std::string(row["algorithm"]).starts_with("peer:") && row["counters"].contains("pixels_that_differ");
         EXPECT_GE(peers, 2);  // one and two threads of at least one
         EXPECT_EQ(peers % 2, 0);
     }
@@ -194,8 +214,8 @@ TEST_F(Cli, ShardsUnderGnuParallelJoinToWhatOneRunWrites)
     if (std::system("command -v parallel > /dev/null 2>&1") != 0) GTEST_SKIP() << "GNU parallel is not installed";
     const std::string file = write("e.json", kSmall);
     ASSERT_EQ(run({"bench", "--experiment", file, "--json", path("whole.json")}).status, 0);
-    const std::string shards = "parallel --will-cite --jobs 1 " ZSCOPE_CLI " bench --experiment '" + file + "' --shard {}/2 --json '" + path("part-{}.json") +
-                               "' ::: 1 2 > /dev/null 2>&1";
+    const std::string shards = "parallel --will-cite --jobs 1 " ZSCOPE_CLI " bench --experiment '" + file
+                               + "' --shard {}/2 --json '" + path("part-{}.json") + "' ::: 1 2 > /dev/null 2>&1";
     ASSERT_EQ(std::system(shards.c_str()), 0);
     EXPECT_EQ(timeless(path("part-1.json"))["cases"].size(), 2u);
     EXPECT_EQ(timeless(path("part-2.json"))["cases"].size(), 1u);
@@ -205,8 +225,8 @@ TEST_F(Cli, ShardsUnderGnuParallelJoinToWhatOneRunWrites)
 
 TEST_F(Cli, AnInterruptedExperimentLeavesARecordAndGoesOn)
 {
-    std::string endless = kSmall;
-    const std::string quick = "\"size\":\"20x20\",\"frames\":2";
+    std::string       endless = kSmall;
+    const std::string quick   = "\"size\":\"20x20\",\"frames\":2";
     endless.replace(endless.find(quick), quick.size(), "\"size\":\"1280x960\",\"frames\":90000");
     const std::string file = write("e.json", endless);
     EXPECT_EQ(run({"bench", "--experiment", file, "--shard", "1/3", "--json", path("r.json")}).status, 0);
@@ -267,25 +287,40 @@ TEST_F(Cli, AnExperimentWithWordsNobodyKnowsIsRefusedBeforeItRuns)
         EXPECT_EQ(answer.status, status) << answer.err;
         EXPECT_NE(answer.err.find(word), std::string::npos) << answer.err;
     };
-    refused(R"("scenes":["builtin:cubes"],"algorithms":["nonsense"])", 3, "e.json:1: error: unknown algorithm 'nonsense'");
-    refused("\"scenes\":[\"builtin:cubes\"],\"algorithms\":[\"zbuffer\",\n\"nonsense\"]", 3, "e.json:2: error: unknown algorithm 'nonsense'");
-    refused("\"scenes\":[\n{\"scene\":\"builtin:cubes\",\"choices\":[\"no=such\"]}],\"algorithms\":[\n\"zbuffer\"]", 3, "e.json:2: error: ");
-    refused("\"scenes\":[\"builtin:cubes\"],\"algorithms\":[\"zbuffer\"],\n\"path\":\"nowhere.json\"", 3, "e.json:2: error: ");
+    refused(R"("scenes":["builtin:cubes"],"algorithms":["nonsense"])", 3,
+            "e.json:1: error: unknown algorithm 'nonsense'");
+    refused("\"scenes\":[\"builtin:cubes\"],\"algorithms\":[\"zbuffer\",\n\"nonsense\"]", 3,
+            "e.json:2: error: unknown algorithm 'nonsense'");
+    refused("\"scenes\":[\n{\"scene\":\"builtin:cubes\",\"choices\":[\"no=such\"]}],\"algorithms\":[\n\"zbuffer\"]", 3,
+            "e.json:2: error: ");
+    refused("\"scenes\":[\"builtin:cubes\"],\"algorithms\":[\"zbuffer\"],\n\"path\":\"nowhere.json\"", 3,
+            "e.json:2: error: ");
     refused(R"("scenes":["builtin:cubes"],"algorithms":["zbuffer+cull=nodes"])", 3, "cannot be drawn");
     refused(R"("scenes":["builtin:nowhere"],"algorithms":["zbuffer"])", 3, "nowhere");
-    refused("\"algorithms\":[\"zbuffer\"],\n\"scenes\":[\"builtin:cubes\",\n{\"scene\":\"builtin:city?blocks=2\",\"view\":\"aboev\"}]", 3,
-            "e.json:3: error: 'builtin:city?blocks=2' has no view 'aboev': it has above, street");
+    refused(
+        "\"algorithms\":[\"zbuffer\"],\n\"scenes\":[\"builtin:cubes\",\n{\"scene\":\"builtin:city?blocks=2\",\"view\":"
+        "\"aboev\"}]",
+        3, "e.json:3: error: 'builtin:city?blocks=2' has no view 'aboev': it has above, street");
     refused("\"algorithms\":[\"zbuffer\"],\n\"scenes\":[{\"scene\":\"builtin:cubes\",\"camera\":\"no/cam.json\"}]", 3,
             "e.json:2: error: 'no/cam.json': this file of the project was not found");
-    refused("\"algorithms\":[\"zbuffer\"],\n\"scenes\":[{\"scene\":\"builtin:cubes\",\"camera\":\"" + write("cam.json", "{\n\"eyes\":1}") + "\"}]", 3,
-            "cam.json:2: error: ");
-    refused(R"("algorithms":["zbuffer"],"scenes":["builtin:cubes"],"path":"no/way.json")", 3, "e.json:1: error: 'no/way.json': this camera path was not found");
+    refused("\"algorithms\":[\"zbuffer\"],\n\"scenes\":[{\"scene\":\"builtin:cubes\",\"camera\":\""
+                + write("cam.json", "{\n\"eyes\":1}") + "\"}]",
+            3, "cam.json:2: error: ");
+    refused(R"("algorithms":["zbuffer"],"scenes":["builtin:cubes"],"path":"no/way.json")", 3,
+            "e.json:1: error: 'no/way.json': this camera path was not found");
     for (const char* baseline : {"zbufer", "scanline", "all", "auto"}) {
-        const std::string wrong = R"({"title":"t",)" "\n" R"("baseline":")" + std::string(baseline) +
-                                  R"(","parts":[{"title":"p","scenes":["builtin:cubes"],"algorithms":["zbuffer","zbuffer+depth=late"]}]})";
-        const Answer      answer = run({"bench", "--experiment", write("e.json", wrong)});
+        const std::string wrong =
+            R"({"title":"t",)"
+            "\n"
+            R"("baseline":")"
+            + std::string(baseline)
+            + R"(","parts":[{"title":"p","scenes":["builtin:cubes"],"algorithms":["zbuffer","zbuffer+depth=late"]}]})";
+        const Answer answer = run({"bench", "--experiment", write("e.json", wrong)});
         EXPECT_EQ(answer.status, 3) << baseline;
-        EXPECT_NE(answer.err.find("e.json:2: error: unknown baseline '" + std::string(baseline) + "': choose zbuffer or zbuffer"), std::string::npos) << answer.err;
+        EXPECT_NE(answer.err.find("e.json:2: error: unknown baseline '" + std::string(baseline)
+                                  + "': choose zbuffer or zbuffer"),
+                  std::string::npos)
+            << answer.err;
     }
     EXPECT_EQ(run({"bench", "builtin:cubes", "--experiment", "x.json"}).status, 2);
     EXPECT_EQ(run({"bench", "builtin:cubes", "--shard", "1/2"}).status, 2);
@@ -296,7 +331,8 @@ TEST_F(Cli, AnExperimentWithWordsNobodyKnowsIsRefusedBeforeItRuns)
 /// What a still picture's ids and depths do not show: order of blending is a matter of colours.
 TEST(BundledExperiments, SpeedAgainstErrorHasEveryApproximateSwitchOnAtLeastFourScenes)
 {
-    const auto experiment = experimentFromJson(contentsOf(ZSCOPE_ROOT "/assets/experiments/speed-against-error.json"), "speed-against-error.json");
+    const auto experiment = experimentFromJson(contentsOf(ZSCOPE_ROOT "/assets/experiments/speed-against-error.json"),
+                                               "speed-against-error.json");
     ASSERT_TRUE(experiment) << experiment.error().text();
     std::size_t switches = 0;
     for (const char* base : {"zbuffer", "hzb-octree"})
@@ -307,7 +343,9 @@ TEST(BundledExperiments, SpeedAgainstErrorHasEveryApproximateSwitchOnAtLeastFour
             const std::string setting = each.name.substr(plus);
             std::size_t       scenes  = 0;
             for (const ExperimentPart& part : experiment->parts)
-                if (std::ranges::any_of(part.algorithms, [&](const std::string& word) { return word.ends_with(setting); })) scenes += part.scenes.size();
+                if (std::ranges::any_of(part.algorithms,
+                                        [&](const std::string& word) { return word.ends_with(setting); }))
+                    scenes += part.scenes.size();
             EXPECT_GE(scenes, 4u) << setting;
         }
     EXPECT_GE(switches, 12u);

@@ -11,7 +11,8 @@ using nlohmann::json;
 
 std::vector<std::string> explaining(std::string_view algorithm, const std::vector<std::string>& what)
 {
-    std::vector<std::string> arguments{"explain", "builtin:cubes", "--size", "97x61", "--algorithm", std::string(algorithm)};
+    std::vector<std::string> arguments{"explain", "builtin:cubes", "--size",
+                                       "97x61",   "--algorithm",   std::string(algorithm)};
     arguments.insert(arguments.end(), what.begin(), what.end());
     return arguments;
 }
@@ -29,15 +30,20 @@ std::int64_t idAt(const std::string& file, int x, int y)
 TEST_F(Cli, ExplainNamesTheWinnerThatRenderDraws)
 {
     for (const Preset& preset : presets()) {
-        ASSERT_EQ(run({"render", "builtin:cubes", "--size", "97x61", "--algorithm", std::string(preset.name), "--ids", path("ids.npy")}).status, 0);
+        ASSERT_EQ(run({"render", "builtin:cubes", "--size", "97x61", "--algorithm", std::string(preset.name), "--ids",
+                       path("ids.npy")})
+                      .status,
+                  0);
         for (const auto& [x, y] : {std::pair(48, 30), std::pair(20, 40), std::pair(0, 0)}) {
-            const Answer answer = run(explaining(preset.name, {"--pixel", std::to_string(x) + ',' + std::to_string(y), "--json"}));
+            const Answer answer =
+                run(explaining(preset.name, {"--pixel", std::to_string(x) + ',' + std::to_string(y), "--json"}));
             ASSERT_EQ(answer.status, 0) << answer.err;
             const json explanation = json::parse(answer.out);
             EXPECT_EQ(explanation["winner"], idAt(path("ids.npy"), x, y)) << preset.name;
             EXPECT_EQ(explanation["pixel"], json::array({x, y}));
             int winners = 0;
-            for (const json& triangle : explanation["triangles"]) winners += triangle["fate"] == "winner" && triangle["drawn_as"] == explanation["winner"];
+            for (const json& triangle : explanation["triangles"])
+                winners += triangle["fate"] == "winner" && triangle["drawn_as"] == explanation["winner"];
             EXPECT_EQ(winners > 0, explanation["winner"] != -1) << preset.name;
         }
     }
@@ -55,7 +61,8 @@ TEST_F(Cli, ExplainAnswersInTextWithTheStepsToGoTo)
 TEST_F(Cli, ExplainSaysWhatBecameOfATriangle)
 {
     const json pixel    = json::parse(run(explaining("zbuffer", {"--pixel", "48,30", "--json"})).out);
-    const json triangle = json::parse(run(explaining("zbuffer", {"--triangle", std::to_string(pixel["winner"].get<long>()), "--json"})).out);
+    const json triangle = json::parse(
+        run(explaining("zbuffer", {"--triangle", std::to_string(pixel["winner"].get<long>()), "--json"})).out);
     EXPECT_EQ(triangle["fate"], "winner");
     EXPECT_GT(triangle["pixels"]["shown"].get<long>(), 0);
     EXPECT_GE(triangle["pixels"]["covered"].get<long>(), triangle["pixels"]["shown"].get<long>());

@@ -8,7 +8,8 @@ namespace {
 
 constexpr const char* kGood =
     "=== lesson\n{\"title\": \"Good\"}\n"
-    "=== page\n{\"scene\": \"builtin:cube\", \"size\": [64, 36], \"algorithm\": \"scanline\",\n\"stop\": {\"grain\": \"line\", \"line\": 12}}\n"
+    "=== page\n{\"scene\": \"builtin:cube\", \"size\": [64, 36], \"algorithm\": \"scanline\",\n\"stop\": {\"grain\": "
+    "\"line\", \"line\": 12}}\n"
     "=== en\nText\n"
     "=== question\n{\"kind\": \"number\", \"fact\": \"line\", \"ask\": \"Which line?\", \"why\": \"So.\"}\n";
 

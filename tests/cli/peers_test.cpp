@@ -1,4 +1,5 @@
-// What is said about other renderers: how their pictures differ from ours, and how ratios are formed. None of them is needed.
+// What is said about other renderers: how their pictures differ from ours, and how ratios are formed. None of them is
+// needed.
 #include "app/cli/peers/peer.h"
 #include "app/cli/peers/peer_tables.h"
 
@@ -22,12 +23,12 @@ TEST(PeerDifference, CountsIdsThatDifferAndWhetherOurPictureShowsThemNextToThePi
 {
     Grid<std::int64_t> ours(8, 4, -1);
     const Grid<float>  depth(8, 4, 0.5f);
-    ours.at(2, 1) = 7;
+    ours.at(2, 1)             = 7;
     Grid<std::int64_t> theirs = ours;
     EXPECT_EQ(differenceOf(shows(theirs, depth), ours, depth).pixels, 0u);
-    theirs.at(3, 2) = 7;  // beside our 7
-    theirs.at(6, 3) = 7;  // far from it
-    theirs.at(0, 0) = 9;  // nowhere in our picture
+    theirs.at(3, 2)                 = 7;  // beside our 7
+    theirs.at(6, 3)                 = 7;  // far from it
+    theirs.at(0, 0)                 = 9;  // nowhere in our picture
     const PeerDifference difference = differenceOf(shows(theirs, depth), ours, depth);
     EXPECT_EQ(difference.pixels, 3u);
     EXPECT_EQ(difference.besideEdges, 1u);
@@ -39,12 +40,12 @@ TEST(PeerDifference, WithoutIdsComparesCoverageAndDistanceToOnePartInAHundred)
     Grid<float>              ours(8, 4, 0.5f);
     for (int y = 0; y < 4; ++y) ours.at(7, y) = 0;
     Grid<float> theirs = ours;
-    theirs.at(1, 1) = 0.504f;
+    theirs.at(1, 1)    = 0.504f;
     EXPECT_EQ(differenceOf(shows({}, theirs), ids, ours).pixels, 0u);
-    theirs.at(1, 1) = 0.51f;  // too near, and nothing of ours is there
-    theirs.at(6, 2) = 0;      // a hole beside our background
-    theirs.at(7, 3) = 0.5f;   // covered beside our surface
-    theirs.at(3, 2) = 0;      // a hole in the middle of ours
+    theirs.at(1, 1)                 = 0.51f;  // too near, and nothing of ours is there
+    theirs.at(6, 2)                 = 0;      // a hole beside our background
+    theirs.at(7, 3)                 = 0.5f;   // covered beside our surface
+    theirs.at(3, 2)                 = 0;      // a hole in the middle of ours
     const PeerDifference difference = differenceOf(shows({}, theirs), ids, ours);
     EXPECT_EQ(difference.pixels, 4u);
     EXPECT_EQ(difference.besideEdges, 2u);
@@ -52,7 +53,8 @@ TEST(PeerDifference, WithoutIdsComparesCoverageAndDistanceToOnePartInAHundred)
 
 TEST(Peers, RefuseScenesWithTransparentOrCutOutSurfacesOnly)
 {
-    for (const auto& [word, isDrawable] : {std::pair{"builtin:cubes", true}, {"builtin:glass", false}, {"builtin:cutouts", false}}) {
+    for (const auto& [word, isDrawable] :
+         {std::pair{"builtin:cubes", true}, {"builtin:glass", false}, {"builtin:cutouts", false}}) {
         const auto scene = loadScene(word);
         ASSERT_TRUE(scene.ok()) << word;
         EXPECT_EQ(explainUndrawable(*scene).empty(), isDrawable) << word;
@@ -73,13 +75,18 @@ BenchRow row(const char* scene, const char* algorithm, bool shaded, double ms, s
 
 TEST(PeerTables, HoldTheFastestRightPresetOfEachSceneAgainstThePeerThatDrawsTheSame)
 {
-    const std::vector<BenchRow> rows{row("a", "zbuffer", true, 4),      row("a", "two-pass", true, 1),       row("a", "scanline", true, 0.1, 5),
-                                     row("a", "zbuffer", false, 10),    row("a", "peer:llvmpipe", true, 2, 3), row("a", "peer:embree", false, 50),
-                                     row("b", "zbuffer", true, 2),      row("b", "two-pass", true, 3),       row("b", "peer:llvmpipe", true, 16)};
+    const std::vector<BenchRow> rows{
+        row("a", "zbuffer", true, 4),   row("a", "two-pass", true, 1),         row("a", "scanline", true, 0.1, 5),
+        row("a", "zbuffer", false, 10), row("a", "peer:llvmpipe", true, 2, 3), row("a", "peer:embree", false, 50),
+        row("b", "zbuffer", true, 2),   row("b", "two-pass", true, 3),         row("b", "peer:llvmpipe", true, 16)};
     const std::string text    = peerTablesOf(rows);
     const auto        summary = text.substr(text.find("Shaded, 1 thread"));
-    EXPECT_NE(summary.find("a               two-pass            1.000  peer:llvmpipe      2.000           2.00"), std::string::npos) << summary;
-    EXPECT_NE(summary.find("b               zbuffer             2.000  peer:llvmpipe     16.000           8.00"), std::string::npos) << summary;
+    EXPECT_NE(summary.find("a               two-pass            1.000  peer:llvmpipe      2.000           2.00"),
+              std::string::npos)
+        << summary;
+    EXPECT_NE(summary.find("b               zbuffer             2.000  peer:llvmpipe     16.000           8.00"),
+              std::string::npos)
+        << summary;
     const auto lineOf = [&](std::string_view title, std::size_t from) {
         const std::size_t start = summary.find(title, from);
         return summary.substr(start, summary.find('\n', start) - start);

@@ -70,8 +70,7 @@ bool catches(pid_t process, int signal)
 {
     std::istringstream lines(contentsOf("/proc/" + std::to_string(process) + "/status"));
     for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("SigCgt:"))
-            return (std::strtoull(line.c_str() + 7, nullptr, 16) >> (signal - 1) & 1) != 0;
+        if (line.starts_with("SigCgt:")) return (std::strtoull(line.c_str() + 7, nullptr, 16) >> (signal - 1) & 1) != 0;
     return false;
 }
 
@@ -117,7 +116,8 @@ Answer runIntoFifoAndSignal(const std::string& fifo, const std::vector<std::stri
     ::fcntl(in, F_SETFL, 0);
     std::string            text;
     std::array<char, 4096> part;
-    for (ssize_t n = 0; (n = ::read(in, part.data(), part.size())) > 0;) text.append(part.data(), static_cast<std::size_t>(n));
+    for (ssize_t n = 0; (n = ::read(in, part.data(), part.size())) > 0;)
+        text.append(part.data(), static_cast<std::size_t>(n));
     ::close(in);
     return {statusOf(child), text, err.text()};
 }
@@ -135,10 +135,7 @@ void Cli::SetUp()
     m_folder = pattern;
 }
 
-void Cli::TearDown()
-{
-    fs::remove_all(m_folder);
-}
+void Cli::TearDown() { fs::remove_all(m_folder); }
 
 std::string Cli::write(const std::string& name, const std::string& contents) const
 {

@@ -18,7 +18,8 @@ struct Answer {
 Answer run(const std::vector<std::string>& arguments);
 /// Starts it, waits until it catches `signal`, a little longer, and sends it.
 Answer runAndSignal(const std::vector<std::string>& arguments, int signal, int milliseconds);
-/// Starts it with an output into this FIFO, sends `signal` once the first bytes are there, then reads them all: they are `out`.
+/// Starts it with an output into this FIFO, sends `signal` once the first bytes are there, then reads them all: they
+/// are `out`.
 Answer runIntoFifoAndSignal(const std::string& fifo, const std::vector<std::string>& arguments, int signal);
 /// Runs it with standard output connected to a file or device.
 Answer runInto(const std::string& outFile, const std::vector<std::string>& arguments);

@@ -5,8 +5,8 @@
 #include <map>
 #include <random>
 
-#include <nlohmann/json.hpp>
 #include <png.h>
+#include <nlohmann/json.hpp>
 
 #include "core/frame/pipeline.h"
 #include "tests/cli/run_cli.h"
@@ -104,11 +104,13 @@ TEST_F(Cli, AStepIsTheSameBytesForwardsBackwardsAndAtRandom)
         std::mt19937                random(7);
         for (const char* order : {"forwards", "backwards", "at random"}) {
             for (const long k : steps) {
-                ASSERT_EQ(run(stepping(name, word, {"--at", std::to_string(k), "--state", path("s.json"), "-o", path("p.png")}))
+                ASSERT_EQ(run(stepping(name, word,
+                                       {"--at", std::to_string(k), "--state", path("s.json"), "-o", path("p.png")}))
                               .status,
                           0);
                 const std::string bytes = contentsOf(path("s.json")) + contentsOf(path("p.png"));
-                EXPECT_EQ(first.try_emplace(k, bytes).first->second, bytes) << name << ' ' << word << ' ' << k << ' ' << order;
+                EXPECT_EQ(first.try_emplace(k, bytes).first->second, bytes)
+                    << name << ' ' << word << ' ' << k << ' ' << order;
             }
             std::ranges::reverse(steps);
             if (std::string(order) == "backwards") std::ranges::shuffle(steps, random);
@@ -119,7 +121,7 @@ TEST_F(Cli, AStepIsTheSameBytesForwardsBackwardsAndAtRandom)
 
 TEST_F(Cli, TheScanlineStateHoldsItsTables)
 {
-    const long count = countOf("scanline", "line");
+    const long count    = countOf("scanline", "line");
     bool       sawEdges = false;
     for (long k = 0; k < count; k += 3) {
         ASSERT_EQ(run(stepping("scanline", "line", {"--at", std::to_string(k), "--state", path("s.json")})).status, 0);
@@ -149,7 +151,7 @@ TEST_F(Cli, TheScanlineStateHoldsItsTables)
 
 TEST_F(Cli, LevelsPutsTheValuesOfThePyramidIntoTheState)
 {
-    const long last = countOf("hzb-octree", "query") - 1;
+    const long last      = countOf("hzb-octree", "query") - 1;
     const auto stateWith = [&](std::vector<std::string> more) {
         std::vector<std::string> words{"--at", std::to_string(last), "--state", path("s.json")};
         words.insert(words.end(), more.begin(), more.end());

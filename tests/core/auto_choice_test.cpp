@@ -23,10 +23,10 @@ constexpr SceneNumbers kLarge{.trianglesInView = 1'000'000, .pixels = 1'000'000}
 
 /// Draws frames that take what `times` says.
 struct Drawing {
-    AutoChoice choice;
-    double     ms    = 0;
-    double     least = 0;  // by the fastest, every time
-    int        frames = 0;
+    AutoChoice                 choice;
+    double                     ms     = 0;
+    double                     least  = 0;  // by the fastest, every time
+    int                        frames = 0;
     std::map<std::string, int> drawnBy;
 
     explicit Drawing(const SceneNumbers& numbers) : choice(numbers) {}
@@ -54,7 +54,8 @@ TEST(AutoChoice, TheFirstFrameDependsOnTheTrianglesInViewAlone)
     EXPECT_EQ(AutoChoice(kSmall).preset().name, "zbuffer");
     EXPECT_EQ(AutoChoice(kLarge).preset().name, "hzb-octree");
     EXPECT_EQ(AutoChoice({.trianglesInView = AutoChoice::kFewTriangles}).preset().name, "zbuffer");
-    EXPECT_EQ(AutoChoice({.trianglesInView = AutoChoice::kFewTriangles + 1, .threads = 64}).preset().name, "hzb-octree");
+    EXPECT_EQ(AutoChoice({.trianglesInView = AutoChoice::kFewTriangles + 1, .threads = 64}).preset().name,
+              "hzb-octree");
     EXPECT_TRUE(AutoChoice(kSmall).isTrial());
 }
 
@@ -75,12 +76,13 @@ TEST(AutoChoice, TrialsEndHoweverCloseAllAre)
     Drawing few({.trianglesInView = 12, .pixels = 100});
     few.settle({{"zbuffer", 3}, {"hzb-octree", 3}, {"hzb-bvh", 3}, {"two-pass", 3}, {"scanline", 3}});
     EXPECT_EQ(few.frames, AutoChoice::kMostTrialFrames);
-    for (const auto& [name, frames] : few.drawnBy) EXPECT_EQ(frames, AutoChoice::kMostTrialFrames / AutoChoice::kCandidates) << name;
+    for (const auto& [name, frames] : few.drawnBy)
+        EXPECT_EQ(frames, AutoChoice::kMostTrialFrames / AutoChoice::kCandidates) << name;
 }
 
 TEST(AutoChoice, AFrameThatWarmsUpDoesNotCountAndTheShorterOfTwoDoes)
 {
-    Drawing drawing(kSmall);
+    Drawing                    drawing(kSmall);
     std::map<std::string, int> frames;
     while (drawing.choice.isTrial()) {
         const std::string name(drawing.choice.preset().name);
@@ -112,19 +114,21 @@ TEST(AutoChoice, OneFrameThatWasHeldUpDropsNobody)
 
 TEST(AutoChoice, ThoseThatAreCloseToTheFastestTakeTurns)
 {
-    Drawing drawing(kSmall);
+    Drawing                    drawing(kSmall);
     std::map<std::string, int> frames;
     while (drawing.choice.isTrial()) {
         const std::string name(drawing.choice.preset().name);
         Times             times = kAlike;
-        if (name == "zbuffer" && frames[name]++ < AutoChoice::kWarmUp + AutoChoice::kTimed) times[name] += 0.5;  // somebody else was busy
+        // somebody else was busy
+        if (name == "zbuffer" && frames[name]++ < AutoChoice::kWarmUp + AutoChoice::kTimed) times[name] += 0.5;
         drawing.draw(times);
         ASSERT_LT(drawing.frames, 100);
     }
     EXPECT_EQ(drawing.choice.preset().name, "zbuffer");
     Drawing apart(kSmall);
     Times   times = kTreesDoNot;
-    for (const char* name : {"hzb-octree", "hzb-bvh", "two-pass"}) times[name] = 1.1 * AutoChoice::kClose * times["zbuffer"];
+    for (const char* name : {"hzb-octree", "hzb-bvh", "two-pass"})
+        times[name] = 1.1 * AutoChoice::kClose * times["zbuffer"];
     apart.settle(times);
     EXPECT_EQ(apart.drawnBy["zbuffer"], AutoChoice::kWarmUp + AutoChoice::kTimed) << "nobody is close";
 }
@@ -132,7 +136,7 @@ TEST(AutoChoice, ThoseThatAreCloseToTheFastestTakeTurns)
 TEST(AutoChoice, AMachineWithOtherWorkDoesNotHideTheFastest)
 {
     struct Share {
-        std::uint32_t busyOf100 = 0;  // frames, in no order
+        std::uint32_t busyOf100  = 0;  // frames, in no order
         int           leastRight = 0;  // of 1000
     };
     for (const Share& share : {Share{50, 995}, Share{75, 930}}) {
@@ -141,10 +145,10 @@ TEST(AutoChoice, AMachineWithOtherWorkDoesNotHideTheFastest)
             Drawing       drawing(kLarge);
             std::uint32_t state = 2654435761u * static_cast<std::uint32_t>(seed + 1);
             while (drawing.choice.isTrial()) {
-                Times times = kTreesPay;
+                Times times       = kTreesPay;
                 times["two-pass"] = 4.9;
                 times["hzb-bvh"]  = 4;
-                state = state * 1664525u + 1013904223u;
+                state             = state * 1664525u + 1013904223u;
                 const bool isBusy = (state >> 16) % 100 < share.busyOf100;
                 for (auto& [name, time] : times) time *= isBusy ? 1.5 : 1;
                 drawing.draw(times);
@@ -152,7 +156,8 @@ TEST(AutoChoice, AMachineWithOtherWorkDoesNotHideTheFastest)
             }
             right += drawing.choice.preset().name == "hzb-bvh";
         }
-        EXPECT_GE(right, share.leastRight) << share.busyOf100 << " %: it loses only if all of its frames come when the machine is busy";
+        EXPECT_GE(right, share.leastRight)
+            << share.busyOf100 << " %: it loses only if all of its frames come when the machine is busy";
     }
 }
 
@@ -161,8 +166,8 @@ TEST(AutoChoice, ASlowPhaseDoesNotHideTheFastest)
     int right = 0;
     for (int seed = 0; seed < 1000; ++seed) {
         Drawing       drawing(kLarge);
-        std::uint32_t state = 2654435761u * static_cast<std::uint32_t>(seed + 1);
-        int           left  = 0;  // frames of the phase at hand
+        std::uint32_t state  = 2654435761u * static_cast<std::uint32_t>(seed + 1);
+        int           left   = 0;  // frames of the phase at hand
         bool          isSlow = false;
         while (drawing.choice.isTrial()) {
             if (left-- == 0) {
@@ -170,7 +175,7 @@ TEST(AutoChoice, ASlowPhaseDoesNotHideTheFastest)
                 left   = 5 + static_cast<int>(state >> 16) % 10;  // longer than a trial
                 isSlow = !isSlow;
             }
-            Times times = kTreesPay;
+            Times times       = kTreesPay;
             times["two-pass"] = 4.9;
             times["hzb-bvh"]  = 4;
             for (auto& [name, time] : times) time *= isSlow ? 1.5 : 1;
@@ -185,7 +190,7 @@ TEST(AutoChoice, ASlowPhaseDoesNotHideTheFastest)
 TEST(AutoChoice, WhatCannotPayIsNeverTried)
 {
     Drawing tower({.trianglesInView = 538'000'000, .pixels = 1'000'000, .threads = 2});
-    Times   times = kTreesPay;
+    Times   times    = kTreesPay;
     times["zbuffer"] = times["scanline"] = 1e6;
     tower.settle(times);
     EXPECT_FALSE(tower.drawnBy.contains("zbuffer")) << "2.7 seconds at least";
@@ -254,7 +259,8 @@ TEST(AutoChoice, TheSentenceNamesTheChoiceItsTimeAndTheOthers)
     EXPECT_NE(drawing.choice.why().find("70000 triangles"), std::string::npos) << drawing.choice.why();
     drawing.settle(kTreesPay);
     const std::string why = drawing.choice.why();
-    for (const char* part : {"two-pass", "4.00 ms", "culling takes 0.40 ms", "80 % of the work on triangles", "1.6 ns", "zbuffer 20.00 ms", "hzb-octree 5.00 ms"})
+    for (const char* part : {"two-pass", "4.00 ms", "culling takes 0.40 ms", "80 % of the work on triangles", "1.6 ns",
+                             "zbuffer 20.00 ms", "hzb-octree 5.00 ms"})
         EXPECT_NE(why.find(part), std::string::npos) << part << " in: " << why;
 }
 

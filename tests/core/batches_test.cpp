@@ -19,11 +19,14 @@ Mesh anyMesh(std::uint64_t seed, std::uint32_t vertices, std::uint32_t triangles
     Mesh            mesh;
     mesh.materials = {Material{}, Material{.name = "glass", .diffuse = {}, .opacity = 0.5f}};
     for (std::uint32_t v = 0; v < vertices; ++v)
-        mesh.positions.push_back({static_cast<double>(random() % 1000), static_cast<double>(random() % 1000), static_cast<double>(v)});
+        mesh.positions.push_back(
+            {static_cast<double>(random() % 1000), static_cast<double>(random() % 1000), static_cast<double>(v)});
     for (std::uint32_t t = 0; t < triangles; ++t) {
         const std::uint64_t around = isLocal ? std::uint64_t{t} * vertices / triangles : random();
-        const auto          corner = [&] { return static_cast<std::uint32_t>((around + random() % (isLocal ? 40 : vertices)) % vertices); };
-        const std::array    outline{corner(), corner(), corner()};  // repeated corners occur
+        const auto          corner = [&] {
+            return static_cast<std::uint32_t>((around + random() % (isLocal ? 40 : vertices)) % vertices);
+        };
+        const std::array outline{corner(), corner(), corner()};  // repeated corners occur
         mesh.triangles.push_back(outline);
         mesh.trianglePolygon.push_back(PolygonId{t});
         mesh.corners.insert(mesh.corners.end(), outline.begin(), outline.end());
@@ -79,8 +82,8 @@ TEST(Batches, HoldEveryOpaqueTriangleOnceWithItsCorners)
 {
     expectFaithful(anyMesh(1, 3000, 6000, true, false));
     expectFaithful(anyMesh(2, 3000, 6000, true, true));
-    expectFaithful(anyMesh(3, 3000, 2000, false, true));   // hardly a vertex shared: batches end by vertices
-    expectFaithful(anyMesh(4, 10, 5000, false, false));    // all shared: batches end by triangles
+    expectFaithful(anyMesh(3, 3000, 2000, false, true));  // hardly a vertex shared: batches end by vertices
+    expectFaithful(anyMesh(4, 10, 5000, false, false));   // all shared: batches end by triangles
     expectFaithful(anyMesh(5, 257, 1, false, false));
     expectFaithful(anyMesh(6, 1, 3, false, false));
     expectFaithful(anyMesh(10, 300, kBatchTriangles, false, true));
@@ -102,7 +105,8 @@ Mesh sheet(bool isShuffled)
     std::vector<std::uint32_t> place(2 * 4096);
     std::iota(place.begin(), place.end(), 0u);
     if (isShuffled) std::ranges::shuffle(place, std::mt19937_64(12));
-    for (std::uint32_t v = 0; v < 65 * 65; ++v) mesh.positions[v] = {static_cast<double>(v % 65), static_cast<double>(v / 65), 0};
+    for (std::uint32_t v = 0; v < 65 * 65; ++v)
+        mesh.positions[v] = {static_cast<double>(v % 65), static_cast<double>(v / 65), 0};
     for (std::uint32_t t = 0; t < place.size(); ++t) {
         const std::uint32_t square = place[t] / 2, corner = square / 64 * 65 + square % 64;
         if (place[t] % 2 == 0)
@@ -117,7 +121,8 @@ TEST(Batches, AMeshInNoOrderIsCutIntoPatches)
 {
     const MeshBatches made = makeBatches(sheet(true));
     double            area = 0;
-    for (const Batch& batch : made.batches) area += (batch.bounds.max.x - batch.bounds.min.x) * (batch.bounds.max.y - batch.bounds.min.y);
+    for (const Batch& batch : made.batches)
+        area += (batch.bounds.max.x - batch.bounds.min.x) * (batch.bounds.max.y - batch.bounds.min.y);
     EXPECT_LE(area, 3 * 64.0 * 64.0);  // in load order each of them would reach over the whole sheet
     EXPECT_LE(made.vertexCount(), 2 * 65u * 65u);
     EXPECT_FALSE(std::ranges::is_sorted(made.meshTriangles()));
@@ -149,7 +154,9 @@ TEST(Batches, OfAMeshThatFacesEveryWayMayStandPatchByPatch)
     ASSERT_GE(made.batches.size(), 17u) << "more than are tried";
     ASSERT_EQ(made.batches.size(), whole.batches.size());
     for (std::size_t b = 0; b < made.batches.size(); ++b) {
-        const auto of = [b](const MeshBatches& batches) { return batches.meshTriangles().subspan(batches.batches[b].firstTriangle, batches.batches[b].triangleCount); };
+        const auto of = [b](const MeshBatches& batches) {
+            return batches.meshTriangles().subspan(batches.batches[b].firstTriangle, batches.batches[b].triangleCount);
+        };
         ASSERT_TRUE(std::ranges::is_permutation(of(made), of(whole))) << b;
     }
     std::size_t blocks = 0;
@@ -161,8 +168,10 @@ TEST(Batches, OfAMeshThatFacesEveryWayMayStandPatchByPatch)
             const PatchBlock& block = made.patchesOf(batch)[patch / PatchBlock::kPatches];
             EXPECT_GT(block.altitude[patch % PatchBlock::kPatches], 0);
             std::uint64_t groups = 0;  // of the vertices of its triangles
-            for (std::uint32_t t = patch * kPatchTriangles; t < std::min(batch.triangleCount, (patch + 1) * kPatchTriangles); ++t)
-                for (const auto& corner : made.corners) groups |= std::uint64_t{1} << corner[batch.firstTriangle + t] / kVertexGroup;
+            for (std::uint32_t t = patch * kPatchTriangles;
+                 t < std::min(batch.triangleCount, (patch + 1) * kPatchTriangles); ++t)
+                for (const auto& corner : made.corners)
+                    groups |= std::uint64_t{1} << corner[batch.firstTriangle + t] / kVertexGroup;
             EXPECT_EQ(block.vertexGroups[patch % PatchBlock::kPatches], groups);
         }
     }
@@ -171,7 +180,7 @@ TEST(Batches, OfAMeshThatFacesEveryWayMayStandPatchByPatch)
 
 TEST(Batches, AMeshWithNothingOpaqueHasNone)
 {
-    Mesh mesh = anyMesh(7, 30, 20, false, false);
+    Mesh mesh                 = anyMesh(7, 30, 20, false, false);
     mesh.materials[0].opacity = 0.25f;
     EXPECT_TRUE(makeBatches(mesh).batches.empty());
     EXPECT_TRUE(makeBatches(mesh).bounds.isEmpty());

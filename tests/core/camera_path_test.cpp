@@ -80,7 +80,8 @@ TEST(CameraPath, AHalfTurnGoesToTheLeftEvenly)
 
 TEST(CameraPath, TurnsTheShorterWayAboutAnyAxis)
 {
-    const auto cameras = camerasIn(pathOf(R"({"keys":[{"frame":0,"eye":[0,0,0],"target":[0,0,-1]},{"frame":2,"eye":[0,0,0],"target":[1,0,0]},
+    const auto cameras = camerasIn(
+        pathOf(R"({"keys":[{"frame":0,"eye":[0,0,0],"target":[0,0,-1]},{"frame":2,"eye":[0,0,0],"target":[1,0,0]},
         {"frame":4,"eye":[0,0,0],"target":[0,1,0],"up":[-1,0,0]}]})"));
     const double root = std::sqrt(0.5);
     EXPECT_LT(apart(cameras[1].forward, {root, 0, -root}), 1e-12);  // to the right
@@ -90,15 +91,16 @@ TEST(CameraPath, TurnsTheShorterWayAboutAnyAxis)
 
 TEST(CameraPath, InUnitsOfTheSceneFitsEveryScene)
 {
-    const CameraPath path    = pathOf(R"({"unit":"scene","keys":[{"frame":0,"eye":[0,0,2],"target":[0,0,0]}]})");
-    const auto       cameras = camerasIn(path, box({10, 0, 0}, {14, 4, 2}));  // the middle is (12, 2, 1), half the diagonal 3
+    const CameraPath path = pathOf(R"({"unit":"scene","keys":[{"frame":0,"eye":[0,0,2],"target":[0,0,0]}]})");
+    // the middle is (12, 2, 1), half the diagonal 3
+    const auto cameras = camerasIn(path, box({10, 0, 0}, {14, 4, 2}));
     EXPECT_LT(apart(cameras[0].eye, {12, 2, 7}), 1e-12);
     EXPECT_LT(apart(cameras[0].forward, {0, 0, -1}), 1e-12);
 }
 
 TEST(CameraPath, IsReadBackAsItWasWritten)
 {
-    CameraPath path = pathOf(kPath);
+    CameraPath path    = pathOf(kPath);
     path.keys[0].eye.x = 0.1;
     EXPECT_EQ(pathOf(cameraPathToJson(path)), path);
     EXPECT_EQ(cameraPathToJson(pathOf(cameraPathToJson(path))), cameraPathToJson(path));

@@ -13,8 +13,8 @@ namespace {
 
 Scene oneTriangle(const dvec3& light, std::optional<Rgb> colour = {})
 {
-    auto mesh       = std::make_shared<Mesh>();
-    mesh->positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
+    auto mesh                  = std::make_shared<Mesh>();
+    mesh->positions            = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
     mesh->materials[0].diffuse = {1, 0.5f, 0};
     const std::array<std::uint32_t, 3> face{0, 1, 2}, point{3, 3, 3};
     mesh->addPolygon(face);
@@ -43,7 +43,8 @@ Scene sheets(std::uint32_t side, std::uint32_t spare, int instances)
 {
     auto mesh = std::make_shared<Mesh>();
     for (std::uint32_t y = 0; y <= side; ++y)
-        for (std::uint32_t x = 0; x <= side; ++x) mesh->positions.push_back({x * 0.37, y * 0.41, std::sin(x * 0.9) + std::cos(y * 1.7)});
+        for (std::uint32_t x = 0; x <= side; ++x)
+            mesh->positions.push_back({x * 0.37, y * 0.41, std::sin(x * 0.9) + std::cos(y * 1.7)});
     for (std::uint32_t i = 0; i < spare; ++i) mesh->positions.push_back({i * 1.0, 7, 7});
     mesh->materials[0].diffuse = {0.3f, 0.6f, 0.9f};
     for (std::uint32_t y = 0; y < side; ++y)
@@ -54,19 +55,22 @@ Scene sheets(std::uint32_t side, std::uint32_t spare, int instances)
         }
     Scene scene;
     scene.meshes = {mesh};
-    for (int i = 0; i < instances; ++i) scene.instances.push_back({.mesh = {}, .toWorld = Affine::translation({i * 3.0, i * 0.1, 0}), .colour = {}});
+    for (int i = 0; i < instances; ++i)
+        scene.instances.push_back({.mesh = {}, .toWorld = Affine::translation({i * 3.0, i * 0.1, 0}), .colour = {}});
     scene.light.direction = {0.3, -0.7, -1.1};
     return *assemble(std::move(scene));
 }
 
 TEST(ColourTable, IsTheSameForLargeMeshesManyInstancesAndMeshesWithUnusedCorners)
 {
-    for (const auto& [side, spare, instances] : {std::array{3u, 0u, 40u}, {200u, 0u, 2u}, {4u, 500u, 7u}, {190u, 300'000u, 1u}}) {
+    for (const auto& [side, spare, instances] :
+         {std::array{3u, 0u, 40u}, {200u, 0u, 2u}, {4u, 500u, 7u}, {190u, 300'000u, 1u}}) {
         const Scene       scene = sheets(side, spare, static_cast<int>(instances));
         const ColourTable table(scene);
         for (std::uint32_t i = 0; i < instances; ++i)
             for (std::uint32_t t = 0; t < 2 * side * side; ++t)
-                ASSERT_EQ(table.data()[scene.firstTriangle[i] + t + 1], colourOf(scene, InstanceId{i}, t)) << side << ' ' << spare << ' ' << i << ' ' << t;
+                ASSERT_EQ(table.data()[scene.firstTriangle[i] + t + 1], colourOf(scene, InstanceId{i}, t))
+                    << side << ' ' << spare << ' ' << i << ' ' << t;
     }
 }
 

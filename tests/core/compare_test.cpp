@@ -19,7 +19,8 @@ CompareRequest requestFor(const std::string& word, const std::vector<Pipeline>& 
     CompareRequest request;
     request.camera = *makeCamera(view, scene->bounds);
     request.scene  = std::make_shared<PreparedScene>(std::make_shared<const Scene>(*scene));
-    for (const Pipeline& pipeline : pipelines) request.algorithms.push_back({nameOf(pipeline), pipeline, claimOf(pipeline)});
+    for (const Pipeline& pipeline : pipelines)
+        request.algorithms.push_back({nameOf(pipeline), pipeline, claimOf(pipeline)});
     request.threads = 1;
     request.frames  = 1;
     return request;
@@ -45,8 +46,8 @@ TEST(Compare, EveryPresetIsEqualToTheFirstAndToTheReference)
 
 TEST(Compare, AFaultDiffersFromTheFirstAndFromTheReferenceAtTheSamePixels)
 {
-    Pipeline faulty = presetNamed("edge-walk");
-    faulty.fault    = Fault::XTruncated;
+    Pipeline faulty       = presetNamed("edge-walk");
+    faulty.fault          = Fault::XTruncated;
     const auto request    = requestFor("cubes", {presetNamed("zbuffer"), faulty});
     const auto comparison = compareAlgorithms(request);
     ASSERT_TRUE(comparison.ok()) << comparison.error().sentence;
@@ -57,14 +58,16 @@ TEST(Compare, AFaultDiffersFromTheFirstAndFromTheReferenceAtTheSamePixels)
     EXPECT_EQ(second.againstFirst.wrongPixels(), second.againstReference->wrongPixels());
 
     const Grid<std::uint32_t> picture = paintDifference(first.frame, second.frame, request.scene->scene(), false);
-    std::uint64_t shown = 0, otherDepth = 0;
+    std::uint64_t             shown = 0, otherDepth = 0;
     for (const std::uint32_t colour : picture.values())
         for (const DifferenceEntry& entry : differences()) {
-            shown += colour == entry.colour && entry.difference != DrawnDifference::Depth && entry.difference != DrawnDifference::Colour;
+            shown += colour == entry.colour && entry.difference != DrawnDifference::Depth
+                     && entry.difference != DrawnDifference::Colour;
             otherDepth += colour == entry.colour && entry.difference == DrawnDifference::Depth;
         }
     EXPECT_EQ(shown, second.againstFirst.wrongPixels());
-    EXPECT_GE(shown + otherDepth, second.againstFirst.depthBitsDiffer) << "another depth of another triangle is shown as the latter";
+    EXPECT_GE(shown + otherDepth, second.againstFirst.depthBitsDiffer)
+        << "another depth of another triangle is shown as the latter";
 }
 
 TEST(Compare, OtherColoursOfTheSameTrianglesAreADifferenceToo)
@@ -79,7 +82,8 @@ TEST(Compare, OtherColoursOfTheSameTrianglesAreADifferenceToo)
     EXPECT_TRUE(third.againstFirst.isExact());
     EXPECT_GT(third.coloursDiffer, 0u);
     EXPECT_FALSE(third.isEqualToFirst);
-    const Grid<std::uint32_t> picture = paintDifference(comparison->algorithms[0].frame, third.frame, request.scene->scene(), false);
+    const Grid<std::uint32_t> picture =
+        paintDifference(comparison->algorithms[0].frame, third.frame, request.scene->scene(), false);
     const auto colour = std::ranges::find(differences(), DrawnDifference::Colour, &DifferenceEntry::difference)->colour;
     EXPECT_EQ(static_cast<std::uint64_t>(std::ranges::count(picture.values(), colour)), third.coloursDiffer);
 }

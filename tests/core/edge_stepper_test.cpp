@@ -27,13 +27,14 @@ void expectExact(const Edge& e, int height)
     if (first >= end) return;
     EdgeStepper<Integer> stepper(static_cast<double>(e.xa), static_cast<double>(e.ya), static_cast<double>(e.xb),
                                  static_cast<double>(e.yb), first, end - 1);
-    const Wide dx = Wide{e.xb} - e.xa, dy = Wide{e.yb} - e.ya;
+    const Wide           dx = Wide{e.xb} - e.xa, dy = Wide{e.yb} - e.ya;
     for (int y = first; y < end; ++y, stepper.nextLine()) {
         const Wide run = dx * (Wide{256} * y + 128 - e.ya);
-        const Wide x   = e.xa + floorOf(run, dy), rest = run - floorOf(run, dy) * dy;
+        const Wide x = e.xa + floorOf(run, dy), rest = run - floorOf(run, dy) * dy;
         ASSERT_TRUE(x == Wide{stepper.x()} && rest == Wide{stepper.fraction()} && dy == Wide{stepper.dy()})
-            << "edge (" << e.xa << ", " << e.ya << ") to (" << e.xb << ", " << e.yb << "), line " << y << ": x is " << stepper.x()
-            << " + " << stepper.fraction() << " / " << stepper.dy() << ", and should be " << static_cast<std::int64_t>(x);
+            << "edge (" << e.xa << ", " << e.ya << ") to (" << e.xb << ", " << e.yb << "), line " << y << ": x is "
+            << stepper.x() << " + " << stepper.fraction() << " / " << stepper.dy() << ", and should be "
+            << static_cast<std::int64_t>(x);
         // First pixel: 256 i + 128 >= x + rest / dy, so i = ceil((x + rest / dy - 128) / 256).
         const Wide pixel = -floorOf(-((x - 128) * dy + rest), 256 * dy);
         ASSERT_EQ(stepper.firstPixel(), static_cast<std::int64_t>(std::clamp<Wide>(pixel, -(1 << 30), 1 << 30)))
@@ -54,7 +55,8 @@ void expectRandomEdgesExact(int bits, std::int64_t limit, int edges, std::uint64
 {
     std::mt19937_64 random(seed);
     for (int i = 0; i < edges; ++i) {
-        Edge e{anyCoordinate(random, bits), anyCoordinate(random, bits), anyCoordinate(random, bits), anyCoordinate(random, bits)};
+        Edge                e{anyCoordinate(random, bits), anyCoordinate(random, bits), anyCoordinate(random, bits),
+               anyCoordinate(random, bits)};
         const std::uint64_t corner = random() % 8;  // some corners at the very limit
         if (corner & 1) e.xa = random() % 2 ? limit : -limit;
         if (corner & 2) e.xb = random() % 2 ? limit : -limit;
@@ -82,14 +84,15 @@ TEST(EdgeStepper, In64BitsEqualsExactDivisionUpToTheSnapLimit)
 TEST(EdgeStepper, ExtremesAreExact)
 {
     constexpr std::int64_t g = 1 << 24;
-    for (const Edge& e : {Edge{-g, -g, g, g}, Edge{g, -g, -g, g}, Edge{-g, 0, g, 256 * 3}, Edge{g, 0, -g, 256 * 3}, Edge{-g, 127, g, 129},
-                          Edge{g, 128, -g, 129}, Edge{-g, 128, g, 128 + 257}, Edge{g, 127, -g, 127 + 258}, Edge{0, -g, 1, g},
-                          Edge{g, -g, g, g}, Edge{-g, g - 1, g, g}}) {
+    for (const Edge& e : {Edge{-g, -g, g, g}, Edge{g, -g, -g, g}, Edge{-g, 0, g, 256 * 3}, Edge{g, 0, -g, 256 * 3},
+                          Edge{-g, 127, g, 129}, Edge{g, 128, -g, 129}, Edge{-g, 128, g, 128 + 257},
+                          Edge{g, 127, -g, 127 + 258}, Edge{0, -g, 1, g}, Edge{g, -g, g, g}, Edge{-g, g - 1, g, g}}) {
         expectExact<std::int32_t>(e, 16384);
         expectExact<std::int64_t>(e, 16384);
     }
     const auto l = static_cast<std::int64_t>(std::nextafter(0x1p61, 0.0));
-    for (const Edge& e : {Edge{-l, -l, l, l}, Edge{l, -l, -l, l}, Edge{-l, 0, l, 600}, Edge{l, 0, -l, 600}, Edge{0, -l, 0, l}, Edge{l, -l, l, l}})
+    for (const Edge& e : {Edge{-l, -l, l, l}, Edge{l, -l, -l, l}, Edge{-l, 0, l, 600}, Edge{l, 0, -l, 600},
+                          Edge{0, -l, 0, l}, Edge{l, -l, l, l}})
         expectExact<std::int64_t>(e, 16384);
 }
 

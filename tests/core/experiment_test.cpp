@@ -1,4 +1,5 @@
-// Experiments are read as they are written, records are gone on with and joined, and nothing that cannot be compared is mixed.
+// Experiments are read as they are written, records are gone on with and joined, and nothing that cannot be compared is
+// mixed.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -13,7 +14,8 @@ constexpr const char* kTwoParts = R"({
   "title": {"en": "Growth", "zh_CN": "增长"},
   "baseline": "zbuffer",
   "parts": [
-    {"title": "one", "scenes": ["builtin:cubes", {"scene": "builtin:city", "view": "street", "x": 2.5}], "algorithms": ["zbuffer", "scanline"],
+    {"title": "one", "scenes": ["builtin:cubes", {"scene": "builtin:city", "view": "street", "x": 2.5}],
+        "algorithms": ["zbuffer", "scanline"],
      "threads": [1, 2], "size": "64x48", "frames": 6, "rounds": 3, "cull": "back", "shade": false, "x": "count"},
     {"title": "two", "scenes": ["builtin:teapot"], "algorithms": ["zbuffer"]}
   ]
@@ -69,14 +71,15 @@ TEST(Experiment, KeepsItsDigestWhenOnlyItsTitlesChange)
 TEST(Experiment, APartGoesAlongAPathOrIsTimedWithPeers)
 {
     const std::string begin = R"({"title":"t","parts":[{"title":"p","algorithms":["zbuffer"],"scenes":["s"],)";
-    const auto path = experimentOf(begin + R"("path":"p.json","sample":100,"rounds":40}]})").parts.front();
+    const auto        path  = experimentOf(begin + R"("path":"p.json","sample":100,"rounds":40}]})").parts.front();
     EXPECT_EQ(path.path, "p.json");
     EXPECT_EQ(path.samples, 100u);
     EXPECT_EQ(path.rounds, 40);  // passes, however few frames one view would have
     const auto peers = experimentOf(begin + R"("peers":true}]})").parts.front();
     EXPECT_TRUE(peers.peers);
     EXPECT_FALSE(peers.shade.has_value());
-    EXPECT_NE(experimentOf(begin + R"("path":"p.json"}]})").digest, experimentOf(begin + R"("path":"q.json"}]})").digest);
+    EXPECT_NE(experimentOf(begin + R"("path":"p.json"}]})").digest,
+              experimentOf(begin + R"("path":"q.json"}]})").digest);
     EXPECT_NE(experimentOf(begin + R"("peers":true}]})").digest, experimentOf(begin + R"("peers":false}]})").digest);
 }
 
@@ -102,20 +105,31 @@ TEST(Experiment, ThatIsWrongIsRefusedWithItsLine)
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"view\":\"v\"}]}"), 4, "no word");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"size\":\"640x\"}"), 4, "WxH");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"size\":\"0x9\"}"), 4, "WxH");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"cull\":\"front\"}"), 4, "none or back");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"frames\":0}"), 4, "'frames' must be a whole number from 1 to");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"frames\":4,\n\"rounds\":5}"), 4, "'rounds' are parts of the 'frames', so at most 4: only along a 'path'");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"threads\":[-1]}"), 4, "'threads' must be a whole number from 0 to 256");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"threads\":[1,\n257]}"), 4, "'threads' must be a whole number from 0 to 256");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"cull\":\"front\"}"), 4,
+            "none or back");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"frames\":0}"), 4,
+            "'frames' must be a whole number from 1 to");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"frames\":4,\n\"rounds\":5}"), 4,
+            "'rounds' are parts of the 'frames', so at most 4: only along a 'path'");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"threads\":[-1]}"), 4,
+            "'threads' must be a whole number from 0 to 256");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"threads\":[1,\n257]}"), 4,
+            "'threads' must be a whole number from 0 to 256");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"shade\":1}"), 4, "'shade'");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"sample\":0}"), 4, "'sample'");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"size\":\"9\"}]}"), 5, "WxH");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"x\":\"a\"}]}"), 5, "'x': 'a' is not a number");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"x\":\"inf\"}]}"), 5, "'x' must be finite");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"size\":\"9\"}]}"), 5,
+            "WxH");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"x\":\"a\"}]}"), 5,
+            "'x': 'a' is not a number");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"x\":\"inf\"}]}"), 5,
+            "'x' must be finite");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"size\":\"16385x20\"}"), 4, "WxH");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"choices\":[\"depth\"]}]}"), 5, "axis=choice");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"frames\":9}"), 4, "as many frames as the path");
-    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"peers\":true}"), 4, "one view");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\n{\"scene\":\"s\",\n\"choices\":[\"depth\"]}]}"),
+            5, "axis=choice");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"frames\":9}"), 4,
+            "as many frames as the path");
+    refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\"path\":\"f\",\n\"peers\":true}"), 4,
+            "one view");
     refused(part("{\"title\":\"p\",\"algorithms\":[\"a\"],\"scenes\":[\"s\"],\n\"peers\":1}"), 4, "'peers'");
     refused("{\"title\":\"t\",\n", 2, "");
 }
@@ -125,7 +139,9 @@ TEST(PairedRatio, IsTheMedianAndAnIntervalThatFewRoundsWiden)
     const std::vector<double> ones(21, 1.0);
     std::vector<double>       ramp;
     for (int i = 0; i < 21; ++i) ramp.push_back(1 + i);
-    const auto of = [&](std::size_t count) { return pairedRatio(std::span(ramp).first(count), std::span(ones).first(count)); };
+    const auto of = [&](std::size_t count) {
+        return pairedRatio(std::span(ramp).first(count), std::span(ones).first(count));
+    };
     EXPECT_EQ(of(1).median, 1);
     EXPECT_EQ(of(5).median, 3);
     EXPECT_EQ(of(5).low, 1);
@@ -137,7 +153,15 @@ TEST(PairedRatio, IsTheMedianAndAnIntervalThatFewRoundsWiden)
 
 RecordCase caseOf(std::size_t index, const std::string& digest)
 {
-    return {.index = index, .part = {"p", "p"}, .x = {}, .scene = "s" + std::to_string(index), .sceneDigest = digest, .place = 1, .width = 4, .height = 3, .rows = "[]"};
+    return {.index       = index,
+            .part        = {"p", "p"},
+            .x           = {},
+            .scene       = "s" + std::to_string(index),
+            .sceneDigest = digest,
+            .place       = 1,
+            .width       = 4,
+            .height      = 3,
+            .rows        = "[]"};
 }
 
 Record recordWith(std::vector<RecordCase> cases)
@@ -162,7 +186,8 @@ TEST(Record, IsReadBackAsItWasWrittenWhateverTheOrderOfItsCases)
 TEST(Record, KnowsTheViewOfACaseToTheBit)
 {
     RecordCase one = caseOf(0, "a");
-    one.word = "builtin:cubes", one.camera.eye = {0.1, 0.2, 0.3}, one.camera.width = 4, one.camera.height = 3, one.faceCulling = FaceCulling::Back;
+    one.word = "builtin:cubes", one.camera.eye = {0.1, 0.2, 0.3}, one.camera.width = 4, one.camera.height = 3,
+    one.faceCulling = FaceCulling::Back;
     const auto read = recordFromJson(recordToJson(recordWith({one})), "r.json");
     ASSERT_TRUE(read) << read.error().sentence;
     EXPECT_EQ(read->cases[0].word, "builtin:cubes");
@@ -173,18 +198,21 @@ TEST(Record, KnowsTheViewOfACaseToTheBit)
 TEST(Record, NamesOfRunsLeadBackToTheirPipelines)
 {
     for (const Preset& preset : presets()) EXPECT_EQ(pipelineNamed(preset.name), preset.pipeline) << preset.name;
-    for (const char* name : {"zbuffer+snap=4-bits+near=drop", "hzb-octree+coherence=last-pyramid", "edge-walk+fault=x-truncated"}) {
+    for (const char* name :
+         {"zbuffer+snap=4-bits+near=drop", "hzb-octree+coherence=last-pyramid", "edge-walk+fault=x-truncated"}) {
         const auto pipeline = pipelineNamed(name);
         ASSERT_TRUE(pipeline) << name;
         EXPECT_EQ(nameOf(*pipeline), name);
     }
-    for (const char* name : {"", "peer:embree", "zbuffer+", "zbuffer+snap=5-bits", "zbuffer+fault=none-such"}) EXPECT_FALSE(pipelineNamed(name)) << name;
+    for (const char* name : {"", "peer:embree", "zbuffer+", "zbuffer+snap=5-bits", "zbuffer+fault=none-such"})
+        EXPECT_FALSE(pipelineNamed(name)) << name;
 }
 
 TEST(Record, OfAPieceOfAFileOrOfSomethingElseIsRefused)
 {
     const std::string whole = recordToJson(recordWith({caseOf(0, "a")}));
-    for (const std::string& text : {whole.substr(0, whole.size() / 2), std::string("[]"), std::string("{\"record\":1}"), std::string("{\"record\":99}"), std::string()}) {
+    for (const std::string& text : {whole.substr(0, whole.size() / 2), std::string("[]"), std::string("{\"record\":1}"),
+                                    std::string("{\"record\":99}"), std::string()}) {
         const auto read = recordFromJson(text, "r.json");
         ASSERT_FALSE(read);
         EXPECT_EQ(read.error().file, "r.json");
@@ -202,7 +230,8 @@ TEST(Record, NestedDeeperThanAnyOneIsIsRefusedWhereItIs)
         const auto read = recordFromJson(text, "r.json");
         ASSERT_FALSE(read);
         EXPECT_EQ(read.error().kind, Trouble::Input);
-        EXPECT_EQ(read.error().line, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
+        EXPECT_EQ(read.error().line,
+                  1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
         EXPECT_NE(read.error().sentence.find("nested deeper"), std::string::npos) << read.error().sentence;
     }
 }
@@ -210,13 +239,15 @@ TEST(Record, NestedDeeperThanAnyOneIsIsRefusedWhereItIs)
 TEST(Record, WithAValueThatNobodyWroteIsRefusedWithItsLine)
 {
     BenchRow row;
-    row.simd        = Simd::Scalar;
-    row.wrongPixels = 0;
-    RecordCase one  = caseOf(1, "a");
-    one.rows        = benchToJson(std::vector{row});
+    row.simd                = Simd::Scalar;
+    row.wrongPixels         = 0;
+    RecordCase one          = caseOf(1, "a");
+    one.rows                = benchToJson(std::vector{row});
     const std::string whole = recordToJson(recordWith({caseOf(0, "a"), one}));
     ASSERT_TRUE(recordFromJson(whole, "r.json"));
-    const auto lineOf = [&](const std::string& text, std::size_t at) { return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'); };
+    const auto lineOf = [&](const std::string& text, std::size_t at) {
+        return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    };
     // `from` stands in the case of index 1; or before all cases, then the whole record is named.
     const auto refused = [&](const std::string& from, const std::string& to, bool isInCase = true) {
         std::string       text  = whole;
@@ -226,10 +257,13 @@ TEST(Record, WithAValueThatNobodyWroteIsRefusedWithItsLine)
         const auto read = recordFromJson(text, "r.json");
         ASSERT_FALSE(read) << to;
         EXPECT_EQ(read.error().file, "r.json");
-        EXPECT_EQ(read.error().line, isInCase ? lineOf(text, text.rfind("  {\n   \"index\"")) : 1) << to << '\n' << text;
+        EXPECT_EQ(read.error().line, isInCase ? lineOf(text, text.rfind("  {\n   \"index\"")) : 1) << to << '\n'
+                                                                                                   << text;
     };
-    for (const char* count : {"-1", "0", "1.5", "1", "1e30", "null"}) refused("\"case_count\": 3", std::string("\"case_count\": ") + count, std::string(count) == "1");
-    for (const char* index : {"-1", "3", "0", "1.5", "\"1\""}) refused("\"index\": 1", std::string("\"index\": ") + index);
+    for (const char* count : {"-1", "0", "1.5", "1", "1e30", "null"})
+        refused("\"case_count\": 3", std::string("\"case_count\": ") + count, std::string(count) == "1");
+    for (const char* index : {"-1", "3", "0", "1.5", "\"1\""})
+        refused("\"index\": 1", std::string("\"index\": ") + index);
     refused("\"height\": 3", "\"height\": 1e308");
     refused("\"width\": 4", "\"width\": 0");
     refused("\"best_ms\": 0.0", "\"best_ms\": \"x\"");
@@ -248,8 +282,9 @@ TEST(Record, WithAValueThatNobodyWroteIsRefusedWithItsLine)
 
 TEST(Record, JoinsWhatCanBeComparedAndNothingElse)
 {
-    const NamedRecord a{"a.json", recordWith({caseOf(0, "a"), caseOf(2, "c")})}, b{"b.json", recordWith({caseOf(1, "b"), caseOf(2, "c")})};
-    const auto        all = joined(std::vector{a, b});
+    const NamedRecord a{"a.json", recordWith({caseOf(0, "a"), caseOf(2, "c")})},
+        b{"b.json", recordWith({caseOf(1, "b"), caseOf(2, "c")})};
+    const auto all = joined(std::vector{a, b});
     ASSERT_TRUE(all) << all.error().sentence;
     EXPECT_EQ(all->cases.size(), 3u);
     EXPECT_EQ(recordToJson(*all), recordToJson(recordWith({caseOf(0, "a"), caseOf(1, "b"), caseOf(2, "c")})));
@@ -259,14 +294,16 @@ TEST(Record, JoinsWhatCanBeComparedAndNothingElse)
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence.find("digests are other and c"), std::string::npos) << refused.error().sentence;
 
-    NamedRecord otherPath = otherScene;
+    NamedRecord otherPath                 = otherScene;
     otherPath.record.cases[0].sceneDigest = "c", otherPath.record.cases[0].pathDigest = "p";
     const auto otherWay = joined(std::vector{a, otherPath});
     ASSERT_FALSE(otherWay);
     EXPECT_NE(otherWay.error().sentence.find("camera path"), std::string::npos) << otherWay.error().sentence;
 
-    for (auto change : {+[](RecordHead& head) { head.digest = "0"; }, +[](RecordHead& head) { head.version = "0"; }, +[](RecordHead& head) { head.compiler = "0"; },
-                        +[](RecordHead& head) { head.processor = "abacus"; }, +[](RecordHead& head) { ++head.cores; }, +[](RecordHead& head) { ++head.caseCount; }}) {
+    for (auto change :
+         {+[](RecordHead& head) { head.digest = "0"; }, +[](RecordHead& head) { head.version = "0"; },
+          +[](RecordHead& head) { head.compiler = "0"; }, +[](RecordHead& head) { head.processor = "abacus"; },
+          +[](RecordHead& head) { ++head.cores; }, +[](RecordHead& head) { ++head.caseCount; }}) {
         NamedRecord other = b;
         change(other.record.head);
         EXPECT_FALSE(joined(std::vector{a, other}));
@@ -277,14 +314,15 @@ TEST(BenchRows, AreReadBackAsTheyWereWritten)
 {
     BenchRow row;
     row.scene = "s", row.algorithm = "zbuffer+snap=4-bits", row.claim = Claim::Approximate, row.chosen = "scanline";
-    row.threads = 2, row.simd = Simd::Avx2, row.shaded = false, row.pixels = 12, row.wrongPixels = 3, row.roundMs = {1.5, 2.5};
+    row.threads = 2, row.simd = Simd::Avx2, row.shaded = false, row.pixels = 12, row.wrongPixels = 3,
+    row.roundMs = {1.5, 2.5};
     row.figures.emplace();
     row.figures->pixels = 12, row.figures->holes = 1, row.figures->maxDepthSteps = 7;
     row.figures->distanceOnWrongSurface.max = std::numeric_limits<double>::infinity();
-    row.counters = {{"triangles_in", 9}};
+    row.counters                            = {{"triangles_in", 9}};
     row.stageMs[2] = 0.25, row.stageQuartiles[2] = {1, 2, 3};
     BenchRow plain;
-    plain.simd           = Simd::Scalar;
+    plain.simd             = Simd::Scalar;
     const std::string json = benchToJson(std::vector{row, plain});
     const auto        read = benchFromJson(json);
     ASSERT_TRUE(read) << read.error().sentence;

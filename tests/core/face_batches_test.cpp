@@ -1,5 +1,5 @@
-// Batches of whole faces: every opaque face once, in load order, with its triangles, and with sides that go round what they
-// cover.
+// Batches of whole faces: every opaque face once, in load order, with its triangles, and with sides that go round what
+// they cover.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,12 +41,14 @@ void expectFaithful(const Mesh& mesh)
     ASSERT_EQ(made.batches.size(), made.points.batches.size());
     std::vector<std::uint32_t> expected, found;
     for (std::uint32_t p = 0; p < mesh.polygonCount(); ++p)
-        if (mesh.materialOf(PolygonId{p}).opacity >= 1 && mesh.firstTriangle[p] < mesh.firstTriangle[p + 1]) expected.push_back(mesh.firstTriangle[p]);
+        if (mesh.materialOf(PolygonId{p}).opacity >= 1 && mesh.firstTriangle[p] < mesh.firstTriangle[p + 1])
+            expected.push_back(mesh.firstTriangle[p]);
     std::uint32_t face = 0;
     for (std::uint32_t b = 0; b < made.batches.size(); ++b) {
         const Batch& points = made.points.batches[b];
         ASSERT_EQ(made.batches[b].firstFace, face);
-        EXPECT_TRUE(made.batches[b].faceCount == 1 || (points.vertexCount <= kBatchVertices && points.triangleCount <= kBatchTriangles));
+        EXPECT_TRUE(made.batches[b].faceCount == 1
+                    || (points.vertexCount <= kBatchVertices && points.triangleCount <= kBatchTriangles));
         std::uint32_t triangles = 0;
         for (std::uint32_t i = 0; i < made.batches[b].faceCount; ++i, ++face) {
             found.push_back(made.faces[face].firstTriangle);
@@ -55,7 +57,8 @@ void expectFaithful(const Mesh& mesh)
             for (std::uint32_t e = 0; e < ears.size(); ++e)
                 for (std::size_t corner = 0; corner < 3; ++corner) {
                     ASSERT_LT(ears[e][corner], points.vertexCount);
-                    EXPECT_EQ(cornerOf(made, b, ears[e][corner]), mesh.positions[mesh.triangles[made.faces[face].firstTriangle + e][corner]]);
+                    EXPECT_EQ(cornerOf(made, b, ears[e][corner]),
+                              mesh.positions[mesh.triangles[made.faces[face].firstTriangle + e][corner]]);
                 }
         }
         EXPECT_EQ(triangles, points.triangleCount);
@@ -63,7 +66,10 @@ void expectFaithful(const Mesh& mesh)
     EXPECT_EQ(face + 1, made.faces.size());
     EXPECT_EQ(found, expected);
     EXPECT_EQ(made.points.x.size(), made.points.y.size());
-    EXPECT_GE(made.points.x.size(), made.points.batches.empty() ? 0u : made.points.batches.back().firstVertex + made.points.batches.back().vertexCount + kBatchPadding);
+    EXPECT_GE(made.points.x.size(),
+              made.points.batches.empty()
+                  ? 0u
+                  : made.points.batches.back().firstVertex + made.points.batches.back().vertexCount + kBatchPadding);
 }
 
 TEST(FaceBatches, HoldEveryOpaqueFaceOnceInLoadOrderWithItsTriangles)
@@ -111,7 +117,9 @@ TEST(FaceBatches, SidesWindRoundAPointAsTheOutlineDoesAndAreClosed)
         }
         int inside = 0;
         for (int i = 0; i < 500; ++i) {
-            const auto any = [&](std::int64_t from, std::int64_t to) { return from + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(to - from + 1)); };
+            const auto any = [&](std::int64_t from, std::int64_t to) {
+                return from + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(to - from + 1));
+            };
             const GridPoint p{any(low.x, high.x), any(low.y, high.y)};
             const bool      isOnASide = [&] {
                 for (std::size_t c = 0; c < finer.size(); ++c) {
@@ -144,7 +152,9 @@ TEST(FaceBatches, PlanesHaveTheNormalOfTheOutlineAndGoThroughItsMiddle)
 
 TEST(FaceBatches, AFaceLargerThanABatchHasOneOfItsOwn)
 {
-    const FaceBatches made = makeFaceBatches(meshOf({{"triangle", {{0, 0}, {9, 1}, {0, 7}}}, test::star(300, 100000, 60000), {"triangle", {{0, 0}, {9, 1}, {0, 7}}}}));
+    const FaceBatches made = makeFaceBatches(meshOf({{"triangle", {{0, 0}, {9, 1}, {0, 7}}},
+                                                     test::star(300, 100000, 60000),
+                                                     {"triangle", {{0, 0}, {9, 1}, {0, 7}}}}));
     ASSERT_EQ(made.batches.size(), 3u);
     EXPECT_EQ(made.points.batches[1].vertexCount, 600u);
 }

@@ -1,5 +1,5 @@
-// Pictures of whole faces, judged pixel by pixel on a scene that can be read off: a square before a wall, a sheet that crosses
-// the square, and a bow tie.
+// Pictures of whole faces, judged pixel by pixel on a scene that can be read off: a square before a wall, a sheet that
+// crosses the square, and a bow tie.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -59,8 +59,8 @@ Shown squareBeforeAWall() { return shown({square(4, 12, 2), square(0, 16, 4)}); 
 
 TEST(FaceFigures, OfTheReferenceAreNone)
 {
-    const Shown   seen    = squareBeforeAWall();
-    const auto    figures = seen.figures(seen.reference);
+    const Shown seen    = squareBeforeAWall();
+    const auto  figures = seen.figures(seen.reference);
     EXPECT_TRUE(figures.isExact());
     EXPECT_EQ(figures.covered, 256u);
     EXPECT_EQ(figures.falseCulls, 0u);
@@ -111,7 +111,8 @@ TEST(FaceFigures, AFaceWhereItDoesNotCoverIsASpill)
 
 TEST(FaceFigures, WhoIsNearerOfTwoFacesWhoseDepthsOverlapIsAFigureAndNoHole)
 {
-    // From depth 1/2 at the left to 1/8 at the right, through the square at 1/4: which of the two leads depends on the place.
+    // From depth 1/2 at the left to 1/8 at the right, through the square at 1/4: which of the two leads depends on the
+    // place.
     const Shown seen = shown({{{0, 0, 2}, {0, 16, 2}, {16, 16, 8}, {16, 0, 8}}, square(0, 16, 4)});
     EXPECT_EQ(seen.reference.ids.at(2, 8) < 2, true);
     EXPECT_EQ(seen.reference.ids.at(13, 8) >= 2, true);
@@ -124,11 +125,20 @@ TEST(FaceFigures, WhoIsNearerOfTwoFacesWhoseDepthsOverlapIsAFigureAndNoHole)
 TEST(FaceFigures, AMendedFaceIsJudgedByTheEvenOddRule)
 {
     // A frame walked twice round, the second time on a smaller way: the fan covers its middle twice.
-    const Shown seen = shown({{{1, 1, 2}, {1, 15, 2}, {15, 15, 2}, {15, 1, 2}, {1, 1, 2}, {5, 5, 2}, {5, 11, 2}, {11, 11, 2}, {11, 5, 2}, {5, 5, 2}},
+    const Shown seen = shown({{{1, 1, 2},
+                               {1, 15, 2},
+                               {15, 15, 2},
+                               {15, 1, 2},
+                               {1, 1, 2},
+                               {5, 5, 2},
+                               {5, 11, 2},
+                               {11, 11, 2},
+                               {11, 5, 2},
+                               {5, 5, 2}},
                               square(0, 16, 4)});
     const Mesh& mesh = *seen.scene->meshes[0];
     ASSERT_TRUE(mesh.isMended(PolygonId{0}));
-    const auto  wall = static_cast<std::int64_t>(mesh.firstTriangle[1]);
+    const auto wall = static_cast<std::int64_t>(mesh.firstTriangle[1]);
     ASSERT_LT(seen.reference.ids.at(8, 8), wall) << "its triangles cover the middle";
     Picture test = seen.reference;
     for (int y = 5; y < 11; ++y)
@@ -145,7 +155,8 @@ TEST(FaceFigures, AMendedFaceIsJudgedByTheEvenOddRule)
 
 TEST(FaceFigures, CulledBacksCoverNothing)
 {
-    const Shown seen  = shown({{{4, 4, 2}, {12, 4, 2}, {12, 12, 2}, {4, 12, 2}}, square(0, 16, 4)});  // clockwise: its back
+    // clockwise: its back
+    const Shown seen  = shown({{{4, 4, 2}, {12, 4, 2}, {12, 12, 2}, {4, 12, 2}}, square(0, 16, 4)});
     Shown       front = seen;
     front.reference   = *referencePicture(*seen.scene, seen.camera, FaceCulling::Back);
     EXPECT_TRUE(front.figures(front.reference, FaceCulling::Back).isExact());

@@ -66,24 +66,37 @@ TEST(Generators, EverySceneLoadsByItsWordAndByItsWrittenDefaults)
         }
         EXPECT_EQ(made(name).digest, plain.digest) << name << " is another scene the second time";
     }
-    for (const char* name : {"cubes", "cube", "teapot", "soccer-ball", "icosphere", "soccer-field", "city", "soup", "layers", "wall-and-city", "hole-in-wall",
-                             "rows", "million", "office-tower"})
+    for (const char* name : {"cubes", "cube", "teapot", "soccer-ball", "icosphere", "soccer-field", "city", "soup",
+                             "layers", "wall-and-city", "hole-in-wall", "rows", "million", "office-tower"})
         EXPECT_TRUE(names.contains(name)) << name;
 }
 
 TEST(Generators, WrongWordsAreRefusedWithWhatWouldHaveBeenRight)
 {
-    struct Case { const char* word; const char* says; };
-    for (const auto& [word, words] : {Case{"teapott", "teapot"}, Case{"soccer", "soccer-ball"}, Case{"zzzzzzzzzzzz", "cubes"},
-                                      Case{"teapot?size=3", "tessellation=10"}, Case{"teapot?tessellation", "needs a value"},
-                                      Case{"teapot?tessellation=", "from 1 to 1000"}, Case{"teapot?tessellation=ten", "from 1 to 1000"},
-                                      Case{"teapot?tessellation=1001", "from 1 to 1000"}, Case{"teapot?tessellation=0", "from 1 to 1000"},
-                                      Case{"teapot?tessellation=3.5", "whole number"}, Case{"teapot?tessellation= 3", "whole number"},
+    struct Case {
+        const char* word;
+        const char* says;
+    };
+    for (const auto& [word, words] : {Case{"teapott", "teapot"},
+                                      Case{"soccer", "soccer-ball"},
+                                      Case{"zzzzzzzzzzzz", "cubes"},
+                                      Case{"teapot?size=3", "tessellation=10"},
+                                      Case{"teapot?tessellation", "needs a value"},
+                                      Case{"teapot?tessellation=", "from 1 to 1000"},
+                                      Case{"teapot?tessellation=ten", "from 1 to 1000"},
+                                      Case{"teapot?tessellation=1001", "from 1 to 1000"},
+                                      Case{"teapot?tessellation=0", "from 1 to 1000"},
+                                      Case{"teapot?tessellation=3.5", "whole number"},
+                                      Case{"teapot?tessellation= 3", "whole number"},
                                       Case{"teapot?tessellation=99999999999999999999", "whole number"},
-                                      Case{"teapot?tessellation=3&tessellation=3", "twice"}, Case{"teapot?tessellation=3&", "x"},
-                                      Case{"cubes?count=3", "no parameters"}, Case{"layers?order=left", "front, back"},
-                                      Case{"soup?size=nan", "a number from"}, Case{"soup?size=inf", "a number from"},
-                                      Case{"soup?size=1e-7", "a number from"}, Case{"soup?seed=-1", "from 0"}}) {
+                                      Case{"teapot?tessellation=3&tessellation=3", "twice"},
+                                      Case{"teapot?tessellation=3&", "x"},
+                                      Case{"cubes?count=3", "no parameters"},
+                                      Case{"layers?order=left", "front, back"},
+                                      Case{"soup?size=nan", "a number from"},
+                                      Case{"soup?size=inf", "a number from"},
+                                      Case{"soup?size=1e-7", "a number from"},
+                                      Case{"soup?seed=-1", "from 0"}}) {
         const auto scene = loadScene(std::string("builtin:") + word);
         if (std::string_view(words) == "x") {  // an '&' at the end gives nothing more
             EXPECT_TRUE(scene.ok()) << word;
@@ -98,7 +111,8 @@ TEST(Generators, WrongWordsAreRefusedWithWhatWouldHaveBeenRight)
 TEST(Generators, SeedsMakeDifferentScenes)
 {
     for (const char* name : {"soccer-field", "soup", "city"}) {
-        const std::string word = std::string(name) + (std::string(name) == "city" ? "?blocks=3&seed=" : "?count=50&seed=");
+        const std::string word =
+            std::string(name) + (std::string(name) == "city" ? "?blocks=3&seed=" : "?count=50&seed=");
         EXPECT_NE(made(word + "1").digest, made(word + "2").digest) << name;
     }
 }
@@ -106,9 +120,10 @@ TEST(Generators, SeedsMakeDifferentScenes)
 TEST(Generators, MemoryLimitIsToldBeforeMemoryIsTaken)
 {
     const auto before = std::chrono::steady_clock::now();
-    for (const char* word : {"teapot?tessellation=1000", "soccer-field?count=1200000", "city?blocks=200", "soup?count=50000000",
-                             "layers?count=1000000", "wall-and-city?blocks=200", "rows?nx=500&ny=500&nz=500", "million?faces=50000000", "icosphere?frequency=700",
-                             "office-tower?n=65"}) {
+    for (const char* word :
+         {"teapot?tessellation=1000", "soccer-field?count=1200000", "city?blocks=200", "soup?count=50000000",
+          "layers?count=1000000", "wall-and-city?blocks=200", "rows?nx=500&ny=500&nz=500", "million?faces=50000000",
+          "icosphere?frequency=700", "office-tower?n=65"}) {
         const auto scene = loadScene(std::string("builtin:") + word, {.memoryLimit = 16 << 20});
         ASSERT_FALSE(scene.ok()) << word;
         EXPECT_EQ(scene.error().kind, Trouble::Limit) << word;
@@ -119,7 +134,8 @@ TEST(Generators, MemoryLimitIsToldBeforeMemoryIsTaken)
 TEST(Generators, CancelledWorkStops)
 {
     std::atomic<bool> cancel = true;
-    for (const char* word : {"city", "soccer-field", "teapot", "soup", "wall-and-city", "rows", "million", "office-tower"}) {
+    for (const char* word :
+         {"city", "soccer-field", "teapot", "soup", "wall-and-city", "rows", "million", "office-tower"}) {
         const auto scene = loadScene(std::string("builtin:") + word, {.progress = {.cancel = &cancel}});
         ASSERT_FALSE(scene.ok());
         EXPECT_EQ(scene.error().kind, Trouble::Cancelled);
@@ -144,19 +160,23 @@ TEST(Teapot, HasNoCracksBetweenPatches)
     for (int cells : {2, 3, 10, 17}) {  // with 1 the halves of handle and spout lie on each other
         const Scene pot = made("teapot?tessellation=" + std::to_string(cells));
         // Open rims: the rim's inner circle and the lid's edge, both ends of the handle and of the spout.
-        EXPECT_EQ(openEdges(*pot.meshes[0]), static_cast<std::size_t>(4 + 4 + 2 + 2 + 2 + 2) * static_cast<std::size_t>(cells)) << cells;
+        EXPECT_EQ(openEdges(*pot.meshes[0]),
+                  static_cast<std::size_t>(4 + 4 + 2 + 2 + 2 + 2) * static_cast<std::size_t>(cells))
+            << cells;
     }
 }
 
 TEST(Teapot, BodyFacesOutwards)
 {
-    const Scene pot  = made("teapot");
-    const Mesh& mesh = *pot.meshes[0];
+    const Scene pot    = made("teapot");
+    const Mesh& mesh   = *pot.meshes[0];
     int         inward = 0, faces = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const std::string& group = mesh.groups[mesh.polygonGroup[mesh.trianglePolygon[t].value].value];
         if (group != "body" && group != "bottom") continue;
-        const dvec3 middle = (mesh.positions[mesh.triangles[t][0]] + mesh.positions[mesh.triangles[t][1]] + mesh.positions[mesh.triangles[t][2]]) * (1.0 / 3);
+        const dvec3 middle = (mesh.positions[mesh.triangles[t][0]] + mesh.positions[mesh.triangles[t][1]]
+                              + mesh.positions[mesh.triangles[t][2]])
+                             * (1.0 / 3);
         ++faces;
         inward += dot(normalOf(mesh, mesh.triangles[t]), middle - dvec3{0, 1.2, 0}) <= 0;
     }
@@ -196,7 +216,8 @@ TEST(SoccerField, HoldsOneBallOnceAndEveryBallHasAPlaceAndAColour)
 
 TEST(Icosphere, HasTwentyTimesTheSquareOfItsFrequencyAllTurnedOutwardsAndClosed)
 {
-    for (const char* word : {"icosphere?frequency=1", "icosphere?frequency=2", "icosphere?frequency=7&bumps=0.3", "icosphere"}) {
+    for (const char* word :
+         {"icosphere?frequency=1", "icosphere?frequency=2", "icosphere?frequency=7&bumps=0.3", "icosphere"}) {
         const Scene       scene = made(word);
         const Mesh&       ball  = *scene.meshes[0];
         const std::size_t n     = std::string(word) == "icosphere" ? 16 : std::string(word)[20] - std::size_t{'0'};
@@ -217,7 +238,8 @@ TEST(Icosphere, HasTwentyTimesTheSquareOfItsFrequencyAllTurnedOutwardsAndClosed)
 
 TEST(Icosphere, LeavesTrianglesOutAroundTheBottomOnly)
 {
-    const Scene whole = made("icosphere?frequency=59&bumps=0.25"), open = made("icosphere?frequency=59&bumps=0.25&left-out=169");
+    const Scene whole = made("icosphere?frequency=59&bumps=0.25"),
+                open  = made("icosphere?frequency=59&bumps=0.25&left-out=169");
     EXPECT_EQ(whole.triangleCount(), 69'620u);
     EXPECT_EQ(open.triangleCount(), 69'451u);
     EXPECT_EQ(openEdges(*open.meshes[0]), 3u * 13);
@@ -235,7 +257,8 @@ TEST(SoccerField, TakesTheOtherBallToTheSamePlaces)
 {
     const Scene soccer = made("soccer-field"), other = made("soccer-field?ball=icosphere");
     EXPECT_EQ(other.triangleCount(), 5'120'000u);
-    for (std::size_t i = 0; i < soccer.instances.size(); ++i) EXPECT_EQ(other.instances[i].toWorld, soccer.instances[i].toWorld);
+    for (std::size_t i = 0; i < soccer.instances.size(); ++i)
+        EXPECT_EQ(other.instances[i].toWorld, soccer.instances[i].toWorld);
 }
 
 TEST(Million, OneGentleSheetFacesTheEyeEverywhere)
@@ -244,7 +267,9 @@ TEST(Million, OneGentleSheetFacesTheEyeEverywhere)
     const Mesh& sheet = *scene.meshes[0];
     EXPECT_EQ(sheet.triangles.size(), 1'000'000u);
     std::size_t away = 0;
-    for (const auto& triangle : sheet.triangles) away += dot(normalOf(sheet, triangle), sheet.positions[triangle[0]]) >= 0;  // the eye is at 0
+    // the eye is at 0
+    for (const auto& triangle : sheet.triangles)
+        away += dot(normalOf(sheet, triangle), sheet.positions[triangle[0]]) >= 0;
     EXPECT_EQ(away, 0u);
 }
 
@@ -257,7 +282,8 @@ TEST(SoccerField, GoodPartOfTheBallsIsInTheDefaultView)
     for (const Instance& ball : field.instances) {
         const dvec3  d = ball.toWorld({0, 0, 0}) - camera->eye;
         const double z = dot(camera->forward, d);
-        inside += z > 1 && std::abs(dot(camera->right, d)) * camera->focal < z * 4 / 3 && std::abs(dot(camera->up, d)) * camera->focal < z;
+        inside += z > 1 && std::abs(dot(camera->right, d)) * camera->focal < z * 4 / 3
+                  && std::abs(dot(camera->up, d)) * camera->focal < z;
     }
     EXPECT_GT(inside, 200);
     EXPECT_LT(inside, 600);
@@ -268,10 +294,11 @@ TEST(SoccerField, AMillionBallsFitInAGibibyteEachInAColourOfItsOwn)
     const auto field = loadScene("builtin:soccer-field?count=1000000", {.memoryLimit = std::uint64_t{1} << 30});
     ASSERT_TRUE(field.ok()) << field.error().text();
     EXPECT_EQ(field->triangleCount(), 3'536'000'000u);
-    const std::size_t bytes = field->instances.capacity() * sizeof(Instance) + field->firstTriangle.capacity() * sizeof(std::uint32_t);
+    const std::size_t bytes =
+        field->instances.capacity() * sizeof(Instance) + field->firstTriangle.capacity() * sizeof(std::uint32_t);
     EXPECT_LT(bytes, std::size_t{200} << 20);
 
-    const auto byte = [](float level) { return static_cast<std::size_t>(std::lround(level * 255)); };
+    const auto        byte = [](float level) { return static_cast<std::size_t>(std::lround(level * 255)); };
     std::vector<bool> isTaken(std::size_t{1} << 24);
     std::size_t       colours = 0;
     for (const Instance& ball : field->instances) {
@@ -292,8 +319,8 @@ TEST(City, HasAboutHalfAMillionTrianglesAndTheMemoryCheckIsNotBelowThem)
 
 TEST(City, IsMadeOfPolygonsOfManyKindsAndMaterialsWithTwoViews)
 {
-    const Scene scene = made("city?blocks=6");
-    const Mesh& city  = *scene.meshes[0];
+    const Scene                scene = made("city?blocks=6");
+    const Mesh&                city  = *scene.meshes[0];
     std::map<std::size_t, int> corners;
     std::set<std::uint32_t>    materials;
     for (std::uint32_t p = 0; p < city.polygonCount(); ++p) {
@@ -324,10 +351,10 @@ TEST(Soup, HasWhatItPromises)
     for (const auto& t : soup.triangles) {
         double low = 1e9, high = -1e9, size = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            low  = std::min(low, soup.positions[t[k]].z);
-            high = std::max(high, soup.positions[t[k]].z);
+            low              = std::min(low, soup.positions[t[k]].z);
+            high             = std::max(high, soup.positions[t[k]].z);
             const dvec3 edge = soup.positions[t[(k + 1) % 3]] - soup.positions[t[k]];
-            size = std::max(size, std::sqrt(dot(edge, edge)));
+            size             = std::max(size, std::sqrt(dot(edge, edge)));
         }
         crossing += low < 23 && high > 23;  // the near plane of the default view
         least = std::min(least, size);
@@ -376,9 +403,9 @@ TEST(WallAndCity, TheWallHidesAlmostTheWholePicture)
         if (p.y < 13) continue;
         const dvec3  d = p - camera->eye;
         const double z = dot(camera->forward, d);
-        left  = std::min(left, dot(camera->right, d) / z * camera->focal);
-        right = std::max(right, dot(camera->right, d) / z * camera->focal);
-        top   = std::max(top, dot(camera->up, d) / z * camera->focal);
+        left           = std::min(left, dot(camera->right, d) / z * camera->focal);
+        right          = std::max(right, dot(camera->right, d) / z * camera->focal);
+        top            = std::max(top, dot(camera->up, d) / z * camera->focal);
     }
     EXPECT_LT(left, -16.0 / 9);
     EXPECT_GT(top, 1);
@@ -405,7 +432,8 @@ TEST(Rows, HoldTheModelOnceAndAsManyInstancesAsAskedFor)
         EXPECT_EQ(rows.meshes.size(), 1u);
         EXPECT_EQ(rows.instances.size(), 60u);
         EXPECT_EQ(rows.triangleCount(), 60 * made(model).triangleCount());
-        EXPECT_LT(rows.instances.front().toWorld.rows[2][3], rows.instances.back().toWorld.rows[2][3]) << "the farthest row first";
+        EXPECT_LT(rows.instances.front().toWorld.rows[2][3], rows.instances.back().toWorld.rows[2][3])
+            << "the farthest row first";
     }
 }
 
@@ -443,7 +471,8 @@ TEST(OfficeTower, IsHalfABillionTrianglesInAFewMebibytes)
     EXPECT_NEAR(static_cast<double>(tower->meshes[0]->triangles.size()), 15'000, 100);
     EXPECT_LT(tower->instances.capacity() * sizeof(Instance), std::size_t{6} << 20);
     EXPECT_EQ(openEdges(*tower->meshes[0]), 0u) << "all of it boxes and posts";
-    EXPECT_TRUE(loadScene("builtin:office-tower?n=65").ok()) << "the largest one has fewer triangles than there are ids";
+    EXPECT_TRUE(loadScene("builtin:office-tower?n=65").ok())
+        << "the largest one has fewer triangles than there are ids";
 }
 
 TEST(Random, IsTheSequenceOfSplitMix64)
@@ -457,7 +486,7 @@ TEST(Random, IsTheSequenceOfSplitMix64)
 TEST(Circle, PointsAreWithinAFewUnitsOfTheLastPlace)
 {
     for (int i = -720; i <= 720; ++i) {
-        const auto [c, s] = pointOnCircle(i / 360.0);
+        const auto [c, s]       = pointOnCircle(i / 360.0);
         const long double angle = 2 * 3.14159265358979323846264338327950288L * i / 360;
         EXPECT_NEAR(c, static_cast<double>(std::cos(angle)), 1e-15) << i;
         EXPECT_NEAR(s, static_cast<double>(std::sin(angle)), 1e-15) << i;

@@ -27,12 +27,16 @@ TEST(HalfPlane, OfAWideTriangleIsTrueOfEveryPixelOfTheTileItWasFoundFor)
     int    inside = 0, outside = 0;
     for (int i = 0; i < 4'000; ++i) {
         ScreenTriangle triangle{};
-        const int      x = static_cast<int>(random.below(16384 / 64)) * 64, y = static_cast<int>(random.below(16384 / 8)) * 8;
+        const int      x = static_cast<int>(random.below(16384 / 64)) * 64,
+                  y      = static_cast<int>(random.below(16384 / 8)) * 8;
         for (std::size_t k = 0; k < 3; ++k) {
-            // Some corners in the tile's neighbourhood, some at the limit, so that edges pass through tiles at any size.
+            // Some corners in the tile's neighbourhood, some at the limit, so that edges pass through tiles at any
+            // size.
             const double reach = random.below(4) == 0 ? 1e4 : std::pow(2.0, random.between(24, 36));
-            triangle.x[k] = std::nearbyint(random.below(6) == 0 ? kWidestByTiles : x * 256.0 + random.between(-reach, reach));
-            triangle.y[k] = std::nearbyint(random.below(6) == 0 ? -kWidestByTiles : y * 256.0 + random.between(-reach, reach));
+            triangle.x[k] =
+                std::nearbyint(random.below(6) == 0 ? kWidestByTiles : x * 256.0 + random.between(-reach, reach));
+            triangle.y[k] =
+                std::nearbyint(random.below(6) == 0 ? -kWidestByTiles : y * 256.0 + random.between(-reach, reach));
         }
         if (!fitsTiles(triangle)) continue;
         const auto planes = wideHalfPlanesOf(triangle, x, y);

@@ -25,14 +25,17 @@ std::vector<std::int32_t> hiddenAmong(const HiddenSquares& squares, const std::v
     const hn::ScalableTag<std::int32_t> d;
     const std::size_t                   padded = boxes.size() + hn::Lanes(d);
     std::vector<std::int32_t>           left(padded), above(padded), right(padded), below(padded), hidden(padded);
-    for (std::size_t i = 0; i < boxes.size(); ++i) left[i] = boxes[i].x0, above[i] = boxes[i].y0, right[i] = boxes[i].x1, below[i] = boxes[i].y1;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        left[i] = boxes[i].x0, above[i] = boxes[i].y0, right[i] = boxes[i].x1, below[i] = boxes[i].y1;
     for (std::size_t i = 0; i < boxes.size(); i += hn::Lanes(d)) {
-        const auto load    = [&](const std::vector<std::int32_t>& column) HWY_ATTR { return hn::LoadU(d, column.data() + i); };
+        const auto load = [&](const std::vector<std::int32_t>& column)
+                              HWY_ATTR { return hn::LoadU(d, column.data() + i); };
         const auto isThere = hn::Iota(d, 0) < hn::Set(d, static_cast<std::int32_t>(boxes.size() - i));
         const auto width = load(right) - load(left), height = load(below) - load(above);
-        const auto byOne   = HiddenBoxes(squares)(isThere, load(left), load(above), width, height);
-        const auto byFour  = HiddenBoxes(squares).ofLarge(isThere, load(left), load(above), width, height);
-        hn::StoreU(hn::IfThenElseZero(byOne, hn::Set(d, 1)) + hn::IfThenElseZero(byFour, hn::Set(d, 2)), d, hidden.data() + i);
+        const auto byOne  = HiddenBoxes(squares)(isThere, load(left), load(above), width, height);
+        const auto byFour = HiddenBoxes(squares).ofLarge(isThere, load(left), load(above), width, height);
+        hn::StoreU(hn::IfThenElseZero(byOne, hn::Set(d, 1)) + hn::IfThenElseZero(byFour, hn::Set(d, 2)), d,
+                   hidden.data() + i);
     }
     hidden.resize(boxes.size());
     return hidden;
@@ -61,19 +64,21 @@ namespace {
 
 constexpr float kNearest = 0.5f;
 
-/// A picture of tiles that nothing was drawn to, that are kept as planes, and of pixels; `share` of a hundred pixels in groups are nearer
-/// than kNearest, the others as near or farther.
+/// A picture of tiles that nothing was drawn to, that are kept as planes, and of pixels; `share` of a hundred pixels in
+/// groups are nearer than kNearest, the others as near or farther.
 void fill(VisibilityBuffer& visible, int share, Random& random)
 {
     const int width = visible.width(), height = visible.height();
     visible.emptyRows(0, height);
     for (int y = 0; y < height; y += VisibilityBuffer::kTileLines)
         for (int x = 0; x < width; x += VisibilityBuffer::kTileWidth) {
-            const PixelBox tile{x, y, std::min(x + VisibilityBuffer::kTileWidth, width), std::min(y + VisibilityBuffer::kTileLines, height)};
+            const PixelBox tile{x, y, std::min(x + VisibilityBuffer::kTileWidth, width),
+                                std::min(y + VisibilityBuffer::kTileLines, height)};
             const auto     kind = random.below(8);
             if (kind == 0) continue;
             if (kind == 1) {
-                // Before kNearest everywhere, just there, or on one side of the tile's middle, where groups of pixels meet.
+                // Before kNearest everywhere, just there, or on one side of the tile's middle, where groups of pixels
+                // meet.
                 const double a = random.below(2) ? 0.001 * random.between(-1, 1) : 0, c = random.below(2) ? 0.7 : 0.5;
                 visible.setPlane(x, y, {{a, 0, c - a * (x + 32), 0.1f, 0.9f}, 5});
                 continue;
@@ -81,11 +86,13 @@ void fill(VisibilityBuffer& visible, int share, Random& random)
             visible.open(tile);
         }
     for (int blob = 0; blob < share * width * height / 3000 + 1; ++blob) {
-        const int left = static_cast<int>(random.below(static_cast<std::uint64_t>(width))), top = static_cast<int>(random.below(static_cast<std::uint64_t>(height)));
+        const int left = static_cast<int>(random.below(static_cast<std::uint64_t>(width))),
+                  top  = static_cast<int>(random.below(static_cast<std::uint64_t>(height)));
         const int side = 1 + static_cast<int>(random.below(24));
         for (int y = top; y < std::min(top + side, height); ++y)
             for (int x = left; x < std::min(left + side, width); ++x)
-                if (visible.isOpen(x, y) && !visible.planeAt(x, y)) visible.row(y)[x] = keyOf(random.below(400) ? 0.75f : kNearest, 3);
+                if (visible.isOpen(x, y) && !visible.planeAt(x, y))
+                    visible.row(y)[x] = keyOf(random.below(400) ? 0.75f : kNearest, 3);
     }
 }
 
@@ -112,8 +119,10 @@ bool noneHidden(const VisibilityBuffer& visible, const PixelBox& box)
 /// A box of up to `most` by `most` pixels inside `frame`.
 PixelBox boxIn(const PixelBox& frame, int most, Random& random)
 {
-    const auto pick = [&](int first, int end) { return first + static_cast<int>(random.below(static_cast<std::uint64_t>(end - first))); };
-    const int  x0 = pick(frame.x0, frame.x1), y0 = pick(frame.y0, frame.y1);
+    const auto pick = [&](int first, int end) {
+        return first + static_cast<int>(random.below(static_cast<std::uint64_t>(end - first)));
+    };
+    const int x0 = pick(frame.x0, frame.x1), y0 = pick(frame.y0, frame.y1);
     return {x0, y0, pick(x0, std::min(x0 + most, frame.x1)) + 1, pick(y0, std::min(y0 + most, frame.y1)) + 1};
 }
 
@@ -121,9 +130,10 @@ PixelBox boxIn(const PixelBox& frame, int most, Random& random)
 PixelBox squareOf(const PixelBox& box, const PixelBox& reach)
 {
     constexpr int kLargest = HiddenSquares::kSides.back();
-    const int     longest = std::max(box.x1 - box.x0, box.y1 - box.y0);
+    const int     longest  = std::max(box.x1 - box.x0, box.y1 - box.y0);
     if (longest > kLargest)
-        return {box.x0, box.y0, std::min(std::max(box.x1, box.x0 + kLargest), reach.x1), std::min(std::max(box.y1, box.y0 + kLargest), reach.y1)};
+        return {box.x0, box.y0, std::min(std::max(box.x1, box.x0 + kLargest), reach.x1),
+                std::min(std::max(box.y1, box.y0 + kLargest), reach.y1)};
     const int side = *std::ranges::lower_bound(HiddenSquares::kSides, longest);
     return {box.x0, box.y0, std::min(box.x0 + side, reach.x1), std::min(box.y0 + side, reach.y1)};
 }
@@ -147,12 +157,14 @@ void expectTrue(const VisibilityBuffer& visible, Random& random, Asked& asked)
         for (PixelBox& box : boxes) box = boxIn(reach, 36, random);
         const std::vector<std::int32_t> answers = HWY_DYNAMIC_DISPATCH(hiddenAmong)(*squares, boxes);
         for (std::size_t b = 0; b < boxes.size(); ++b) {
-            const PixelBox& box = boxes[b];
+            const PixelBox& box  = boxes[b];
             const int       side = std::max(box.x1 - box.x0, box.y1 - box.y0);
-            const int       wanted = side > 2 * HiddenSquares::kSides.back() || !allHidden(visible, squareOf(box, reach)) ? 0 : side > HiddenSquares::kSides.back() ? 2 : 1;
+            const int wanted = side > 2 * HiddenSquares::kSides.back() || !allHidden(visible, squareOf(box, reach)) ? 0
+                               : side > HiddenSquares::kSides.back()                                                ? 2
+                                                                                                                    : 1;
             ++(wanted == 2 ? asked.yesByFour : wanted == 1 ? asked.yes : asked.no);
-            ASSERT_EQ(answers[b], wanted)
-                << box.x0 << ' ' << box.y0 << ' ' << box.x1 << ' ' << box.y1 << " in " << reach.x0 << ' ' << reach.y0 << ' ' << reach.x1 << ' ' << reach.y1;
+            ASSERT_EQ(answers[b], wanted) << box.x0 << ' ' << box.y0 << ' ' << box.x1 << ' ' << box.y1 << " in "
+                                          << reach.x0 << ' ' << reach.y0 << ' ' << reach.x1 << ' ' << reach.y1;
         }
     }
 }
@@ -171,7 +183,8 @@ TEST(HiddenSquares, AreThoseOfWhichEveryPixelIsHiddenInEveryInstructionSet)
                 visible.resize(width, height, DepthEncoding::withBackground(-1.0f));
                 fill(visible, share, random);
                 expectTrue(visible, random, asked);
-                if (testing::Test::HasFatalFailure()) FAIL() << hwy::TargetName(target) << ", " << width << " x " << height << ", " << share;
+                if (testing::Test::HasFatalFailure())
+                    FAIL() << hwy::TargetName(target) << ", " << width << " x " << height << ", " << share;
             }
         EXPECT_GT(asked.yes, 1000u) << hwy::TargetName(target);
         EXPECT_GT(asked.yesByFour, 300u);
@@ -196,10 +209,12 @@ TEST(HiddenSquares, OnePixelThatIsNotHiddenIsSeenWhereverInALargeBoxItLies)
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 48; ++x) {
             visible.row(y)[x] = keyOf(kNearest, 3);
-            ASSERT_EQ(HWY_DYNAMIC_DISPATCH(findHidden)(visible, {0, 0, 64, 64}, kNearest, *squares), HiddenPart::Squares);
+            ASSERT_EQ(HWY_DYNAMIC_DISPATCH(findHidden)(visible, {0, 0, 64, 64}, kNearest, *squares),
+                      HiddenPart::Squares);
             const auto answers = HWY_DYNAMIC_DISPATCH(hiddenAmong)(*squares, boxes);
             for (std::size_t b = 0; b < boxes.size(); ++b)
-                ASSERT_EQ(answers[b], allHidden(visible, squareOf(boxes[b], {0, 0, 64, 64})) ? 2 : 0) << x << ' ' << y << " in box " << b;
+                ASSERT_EQ(answers[b], allHidden(visible, squareOf(boxes[b], {0, 0, 64, 64})) ? 2 : 0)
+                    << x << ' ' << y << " in box " << b;
             visible.row(y)[x] = keyOf(0.75f, 3);
         }
 }
@@ -212,7 +227,9 @@ TEST(HiddenSquares, NobodyLooksAtAReachThatIsTooLarge)
     visible.open({0, 0, 400, 300});
     for (int y = 0; y < 300; ++y) std::fill_n(visible.row(y), 400, keyOf(0.75f, 3));
     const auto squares = std::make_unique<HiddenSquares>();
-    const auto find    = [&](const PixelBox& reach) { return HWY_DYNAMIC_DISPATCH(findHidden)(visible, reach, kNearest, *squares); };
+    const auto find    = [&](const PixelBox& reach) {
+        return HWY_DYNAMIC_DISPATCH(findHidden)(visible, reach, kNearest, *squares);
+    };
     EXPECT_EQ(find({0, 0, 256, HiddenSquares::kMostLines}), HiddenPart::Everything);
     EXPECT_EQ(find({0, 0, 257, HiddenSquares::kMostLines}), HiddenPart::Nothing);
     EXPECT_EQ(find({0, 0, 256, HiddenSquares::kMostLines + 1}), HiddenPart::Nothing);

@@ -26,9 +26,10 @@ LineCrossing crossingOf(const Edge& e, int line, bool opens = false)
 {
     namespace hn = hwy::HWY_NAMESPACE;
     const hn::CappedTag<double, 1> d;
-    const auto set = [d](std::int64_t value) { return hn::Set(d, static_cast<double>(value)); };
-    using V        = hn::Vec<hn::CappedTag<double, 1>>;
-    const auto at  = HWY_NAMESPACE::crossingsOf(d, HWY_NAMESPACE::Falling<V>{set(e.xa), set(e.ya), set(e.xb), set(e.yb)}, set(line), set(opens) > set(0));
+    const auto                     set = [d](std::int64_t value) { return hn::Set(d, static_cast<double>(value)); };
+    using V                            = hn::Vec<hn::CappedTag<double, 1>>;
+    const auto at = HWY_NAMESPACE::crossingsOf(d, HWY_NAMESPACE::Falling<V>{set(e.xa), set(e.ya), set(e.xb), set(e.yb)},
+                                               set(line), set(opens) > set(0));
     return {hn::GetLane(at.x), hn::GetLane(at.step)};
 }
 
@@ -42,7 +43,7 @@ int expectExact(const Edge& e, int height)
     LineCrossing closing = crossingOf(e, first), opening = crossingOf(e, first, true);
     for (int y = first; y < end; ++y, closing = closing.onNextLine(), opening = opening.onNextLine()) {
         const Wide run = dx * (Wide{256} * y + 128 - e.ya);
-        const Wide x   = e.xa + floorOf(run, dy), rest = run - floorOf(run, dy) * dy;
+        const Wide x = e.xa + floorOf(run, dy), rest = run - floorOf(run, dy) * dy;
         const Wide pixel = -floorOf(-((x - 128) * dy + rest), 256 * dy);  // 256 i + 128 >= x + rest / dy
         for (const LineCrossing& crossing : {closing, opening}) {
             EXPECT_EQ(crossing.x(), static_cast<std::int64_t>(x));
@@ -57,15 +58,19 @@ int expectExact(const Edge& e, int height)
     return end - first;
 }
 
-std::int64_t within(std::mt19937_64& random, std::int64_t limit) { return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * limit + 1)) - limit; }
+std::int64_t within(std::mt19937_64& random, std::int64_t limit)
+{
+    return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * limit + 1)) - limit;
+}
 
 TEST(LineCrossing, EqualsExactDivisionOnEveryLine)
 {
     std::mt19937_64 random(1);
     int             lines = 0;
     for (int i = 0; i < 20000; ++i) {
-        const std::int64_t height = 1 + static_cast<std::int64_t>(random() % (random() % 2 ? 3000 : LineCrossing::kTallest - 1));
-        const std::int64_t reach  = random() % 2 ? 4000 : kGuard;
+        const std::int64_t height =
+            1 + static_cast<std::int64_t>(random() % (random() % 2 ? 3000 : LineCrossing::kTallest - 1));
+        const std::int64_t reach = random() % 2 ? 4000 : kGuard;
         Edge               e{within(random, reach), within(random, 400000), within(random, reach), 0};
         if (random() % 16 == 0) e.xa = random() % 2 ? kGuard : -kGuard, e.xb = -e.xa;
         e.yb = e.ya + height;
@@ -78,8 +83,10 @@ TEST(LineCrossing, EqualsExactDivisionOnEveryLine)
 /// Edges whose crossings come as close to a whole subpixel, from either side, as their height allows.
 TEST(LineCrossing, ACrossingOneOverTheHeightFromAPixelCentreIsOnItsSide)
 {
-    for (const std::int64_t dy : {LineCrossing::kTallest - 1, LineCrossing::kTallest - 3, std::int64_t{262143}, std::int64_t{65537}, std::int64_t{257}})
-        for (const std::int64_t dx : {std::int64_t{1}, std::int64_t{-1}, dy - 1, 1 - dy, dy + 1, -dy - 1, kGuard - 1, 1 - kGuard})
+    for (const std::int64_t dy : {LineCrossing::kTallest - 1, LineCrossing::kTallest - 3, std::int64_t{262143},
+                                  std::int64_t{65537}, std::int64_t{257}})
+        for (const std::int64_t dx :
+             {std::int64_t{1}, std::int64_t{-1}, dy - 1, 1 - dy, dy + 1, -dy - 1, kGuard - 1, 1 - kGuard})
             for (std::int64_t ya = 0; ya < 256; ya += 5) expectExact({64, ya, 64 + dx, ya + dy}, 4096);
 }
 
@@ -93,7 +100,7 @@ TEST(LineCrossing, OrderIsThatOfCrossingsThatAreNotAllButEqual)
                         static_cast<std::int64_t>(random() % 40), 129 + static_cast<std::int64_t>(random() % 300)};
         };
         const Edge a = edge(), b = edge();
-        const auto numerator = [](const Edge& e) { return e.xa * (e.yb - e.ya) + (e.xb - e.xa) * (128 - e.ya); };
+        const auto numerator    = [](const Edge& e) { return e.xa * (e.yb - e.ya) + (e.xb - e.xa) * (128 - e.ya); };
         const std::int64_t left = numerator(a) * (b.yb - b.ya), right = numerator(b) * (a.yb - a.ya);
         if (left == right) continue;  // both are hundredths of a millionth of a subpixel apart, or more
         EXPECT_EQ(crossingOf(a, 0).isLeftOf(crossingOf(b, 0)), left < right);

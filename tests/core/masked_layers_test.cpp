@@ -27,8 +27,8 @@ TEST(MaskedLayers, NeverHoldATileToBeNearerThanItsFarthestPixel)
         pixels.fill(kEmpty);
         float reference = kEmpty;
         for (int i = 0; i < 60; ++i) {
-            std::uint64_t mask = 0;
-            const auto first = random.below(64), last = first + random.below(64 - first);
+            std::uint64_t mask  = 0;
+            const auto    first = random.below(64), last = first + random.below(64 - first);
             for (auto bit = first; bit <= last; ++bit) mask |= std::uint64_t{1} << bit;
             if (random.below(6) == 0) mask = kAll;
             mask &= all;

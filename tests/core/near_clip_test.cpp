@@ -57,7 +57,7 @@ TEST(NearClip, OneTwoOrThreeCornersBehindLeaveTwoPartsOneOrNone)
             corner             = anyPoint(random, near, inFront);
             behind += !inFront;
         }
-        const ClippedTriangle kept = clipNear(view, near);
+        const ClippedTriangle                kept = clipNear(view, near);
         constexpr std::array<std::size_t, 4> parts{1, 2, 1, 0};
         EXPECT_EQ(kept.parts(), parts[behind]);
         for (std::size_t c = 0; c < kept.count; ++c) EXPECT_GE(kept.corner[c].z, near);

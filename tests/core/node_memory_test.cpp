@@ -11,7 +11,10 @@
 namespace zscope {
 namespace {
 
-std::shared_ptr<const Scene> scene(std::uint64_t seed) { return tests::makeSoup(tests::SoupKind::Grid, seed, 64, 64, 3000).scene; }
+std::shared_ptr<const Scene> scene(std::uint64_t seed)
+{
+    return tests::makeSoup(tests::SoupKind::Grid, seed, 64, 64, 3000).scene;
+}
 
 /// Every node below and at `node`, opened.
 std::vector<const TreeNode*> nodesOf(const Tree& tree, const TreeNode& node)
@@ -33,7 +36,8 @@ TEST(NodeMemory, TheNextFrameBeginsWithWhatThisOneRemembered)
     memory.begin(trees);
     EXPECT_TRUE(memory.lastFrame().empty());
     for (const TreeNode* node : nodes)
-        for (std::uint32_t instance = 0; instance < 40; ++instance) memory.remember({InstanceId{instance}, &trees.instances().root(), node});
+        for (std::uint32_t instance = 0; instance < 40; ++instance)
+            memory.remember({InstanceId{instance}, &trees.instances().root(), node});
     EXPECT_TRUE(memory.lastFrame().empty()) << "not before the frame is finished";
     memory.finish();
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "core/scene/generators/random.h"
 
@@ -68,13 +68,14 @@ void expectHolds(const NodeReach& reach, const ScreenCorner& corner)
 }
 
 /// What lies in the box and in a ball about its middle.
-void expectBallCovers(const NodeReach& ofBox, const Bounds& box, const Affine& toWorld, const Projection& projection, Random& random, Tally& tally)
+void expectBallCovers(const NodeReach& ofBox, const Bounds& box, const Affine& toWorld, const Projection& projection,
+                      Random& random, Tally& tally)
 {
     const dvec3      middle = 0.5 * box.min + 0.5 * box.max, half = 0.5 * box.max - 0.5 * box.min;
     const double     radius = ballRadius(glm::dot(half, half)) * random.between(0.3, 1);
     const PlacedView view(projection, toWorld);
-    const NodeReach  reach = narrowedToBall(ofBox, view(box), radius * view.longest(), projection);
-    const bool isNarrower = reach.pixels != ofBox.pixels || reach.nearest != ofBox.nearest;
+    const NodeReach  reach      = narrowedToBall(ofBox, view(box), radius * view.longest(), projection);
+    const bool       isNarrower = reach.pixels != ofBox.pixels || reach.nearest != ofBox.nearest;
     tally.narrowed += isNarrower;
     for (int i = 0; i < 20; ++i) {
         const dvec3 aside = random.rotation()({radius * (1 - 1e-11), 0, 0});
@@ -128,16 +129,17 @@ TEST(NodeReach, IsNeverSmallerThanWhatThePointsOfTheBoxTouch)
         const dvec3  origin{offset, -0.7 * offset, 0.3 * offset};
         Camera       camera = turnedCamera(random, origin, fov, scale * powerOfTen(random, -5, 0));
         const double far    = scale * powerOfTen(random, -1, fov < 1 ? 4 : 2);
-        const dvec3  middle = origin + camera.forward * far + random.between(dvec3{-1, -1, -1}, dvec3{1, 1, 1}) * (far * 0.5);
-        const double half   = random.below(8) == 0 ? 0 : far * powerOfTen(random, -6, 0.1);
+        const dvec3  middle =
+            origin + camera.forward * far + random.between(dvec3{-1, -1, -1}, dvec3{1, 1, 1}) * (far * 0.5);
+        const double half = random.below(8) == 0 ? 0 : far * powerOfTen(random, -6, 0.1);
         if (random.below(4) == 0) {  // a camera file may hold axes of any length
             const double axis = powerOfTen(random, -2, 7);
             for (dvec3* each : {&camera.right, &camera.up, &camera.forward}) *each *= axis;
             camera.near *= axis;
         }
-        const bool   placed = random.below(2) == 0;
-        Bounds       box{middle - half * random.unit(), middle + half * random.unit()};
-        Affine       toWorld;
+        const bool placed = random.below(2) == 0;
+        Bounds     box{middle - half * random.unit(), middle + half * random.unit()};
+        Affine     toWorld;
         if (placed) {  // the box about the origin of its own space, which is put at `middle`
             const double size = powerOfTen(random, -3, 3);
             toWorld           = anyPlacement(random, half / size);
@@ -205,8 +207,8 @@ TEST(NodeReach, OfABallThatIsTurnedIsTheBallsOwn)
 {
     Random random(4);
     for (int i = 0; i < 1000; ++i) {
-        Camera camera = turnedCamera(random, {1, 2, 3}, 60, 0.1);
-        Affine turned = random.rotation();
+        Camera      camera = turnedCamera(random, {1, 2, 3}, 60, 0.1);
+        Affine      turned = random.rotation();
         const dvec3 middle = camera.eye + camera.forward * 10.0;
         for (int k = 0; k < 3; ++k) turned.rows[static_cast<std::size_t>(k)][3] = middle[k];
         const Projection projection(camera);

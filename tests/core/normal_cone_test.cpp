@@ -1,5 +1,5 @@
-// A batch that is called back-facing has no triangle that the exact arithmetic would draw or drop for another reason, however thin its
-// triangles, however they are placed and however near to edge-on they are seen.
+// A batch that is called back-facing has no triangle that the exact arithmetic would draw or drop for another reason,
+// however thin its triangles, however they are placed and however near to edge-on they are seen.
 #include "core/geometry/normal_cone.h"
 
 #include <algorithm>
@@ -23,16 +23,18 @@ struct Patch {
     NormalCone           cone;
 };
 
-/// A sheet of cells x cells squares over [-1, 1]^2, whose heights vary by up to `rough` and whose lines move by up to `crooked` of a
-/// cell, stretched along x and turned.
+/// A sheet of cells x cells squares over [-1, 1]^2, whose heights vary by up to `rough` and whose lines move by up to
+/// `crooked` of a cell, stretched along x and turned.
 Patch anyPatch(Random& random, int cells, double rough, double crooked, double stretch)
 {
     const Affine       turn = random.rotation();
     std::vector<dvec3> points;
     for (int j = 0; j <= cells; ++j)
         for (int i = 0; i <= cells; ++i) {
-            const double side = 2.0 / cells, shiftX = crooked * random.between(-0.5, 0.5), shiftY = crooked * random.between(-0.5, 0.5);
-            points.push_back(turn({stretch * ((i + shiftX) * side - 1), (j + shiftY) * side - 1, rough * random.between(-1, 1)}));
+            const double side = 2.0 / cells, shiftX = crooked * random.between(-0.5, 0.5),
+                         shiftY = crooked * random.between(-0.5, 0.5);
+            points.push_back(
+                turn({stretch * ((i + shiftX) * side - 1), (j + shiftY) * side - 1, rough * random.between(-1, 1)}));
         }
     Patch patch;
     for (const dvec3& p : points) patch.bounds.include(p);
@@ -49,9 +51,9 @@ Patch anyPatch(Random& random, int cells, double rough, double crooked, double s
 Camera lookingAt(const dvec3& eye, const dvec3& target, Random& random)
 {
     ViewRequest request;
-    request.eye    = eye;
-    request.target = target;
-    request.up     = random.rotation()({0, 1, 0});
+    request.eye         = eye;
+    request.target      = target;
+    request.up          = random.rotation()({0, 1, 0});
     request.verticalFov = random.between(5, 120);
     request.width = 1280, request.height = 720;
     request.near = 1e-3, request.far = 1e6;
@@ -70,7 +72,8 @@ Affine anyPlacement(Random& random, bool mirrors)
     Affine       place = random.rotation();
     const double scale = std::pow(10.0, random.between(-2, 2));
     for (auto& row : place.rows) {
-        for (std::size_t c = 0; c < 3; ++c) row[c] *= scale * (c == 0 ? (mirrors ? -1 : 1) * random.between(0.5, 2) : 1);
+        for (std::size_t c = 0; c < 3; ++c)
+            row[c] *= scale * (c == 0 ? (mirrors ? -1 : 1) * random.between(0.5, 2) : 1);
         row[3] = random.between(-5, 5);
     }
     return place;
@@ -84,8 +87,9 @@ void expectAllBackWhereCalled(const Patch& patch, const Affine& toWorld, const C
 {
     const Projection projection(camera);
     const PlacedView view(projection, toWorld);
-    const bool       called  = BackFaces(view, projection).hold(patch.cone, view(patch.bounds));
-    const bool       areBack = std::ranges::all_of(patch.triangles, [&](const Corners& t) { return turnOf(t, toWorld, projection) > 0; });
+    const bool       called = BackFaces(view, projection).hold(patch.cone, view(patch.bounds));
+    const bool       areBack =
+        std::ranges::all_of(patch.triangles, [&](const Corners& t) { return turnOf(t, toWorld, projection) > 0; });
     ASSERT_TRUE(areBack || !called);
     ++tally.asked;
     tally.called += called;
@@ -104,9 +108,12 @@ TEST(NormalCone, ABatchIsCalledBackFacingOnlyIfEveryTriangleIsAfterSnapping)
         // Behind the sheet, from straight behind to all but edge-on.
         const dvec3  axis   = patch.cone.promises() ? patch.cone.axis : random.rotation()({1, 0, 0});
         const dvec3  middle = toWorld({0, 0, 0}), back = toWorld(-1.0 * axis) - middle;
-        const dvec3  aside  = random.rotation()({1, 0, 0});
-        const double away   = std::pow(10.0, random.between(0.3, 3)), slant = random.below(2) == 0 ? std::pow(10.0, random.between(-4, 0)) : 1;
-        const dvec3  eye    = middle + back * (away * slant) + aside * (away * random.unit() * std::sqrt(back.x * back.x + back.y * back.y + back.z * back.z));
+        const dvec3  aside = random.rotation()({1, 0, 0});
+        const double away  = std::pow(10.0, random.between(0.3, 3)),
+                     slant = random.below(2) == 0 ? std::pow(10.0, random.between(-4, 0)) : 1;
+        const dvec3 eye =
+            middle + back * (away * slant)
+            + aside * (away * random.unit() * std::sqrt(back.x * back.x + back.y * back.y + back.z * back.z));
         expectAllBackWhereCalled(patch, toWorld, lookingAt(eye, middle, random), all);
         if (HasFatalFailure()) return;
     }
@@ -128,7 +135,7 @@ TEST(NormalCone, SaysYesOfMostThatAreSeenFromWellBehind)
 
 TEST(NormalCone, PromisesNothingOfWhatHasNoAreaReachesBeforeTheNearPlaneOrIsMirrored)
 {
-    Random random(13);
+    Random       random(13);
     const Patch  flat   = anyPatch(random, 3, 0, 0, 1);
     const Camera behind = lookingAt(flat.cone.axis * -10.0, {0, 0, 0}, random);
     Tally        tally;

@@ -96,7 +96,8 @@ TEST(ObjFile, ThatMayNotBeReadIsRefused)
 TEST(ObjFile, LargerThanTheMemoryLimitIsRefused)
 {
     const TemporaryFolder folder;
-    const auto import = importObj(folder.write("large.obj", kFaces + std::string(100'000, '\n')), {.memoryLimit = 50'000});
+    const auto            import =
+        importObj(folder.write("large.obj", kFaces + std::string(100'000, '\n')), {.memoryLimit = 50'000});
     ASSERT_FALSE(import.ok());
     EXPECT_EQ(import.error().kind, Trouble::Limit);
 }
@@ -109,7 +110,8 @@ TEST(MaterialLibraries, GiveColourAndOpacity)
                  "newmtl glass\nTr 0.75\nnewmtl grey\nKd 0.1\nnewmtl plain\nKs 1 1 1\n"
                  "newmtl red\nKd 0 0 1\nnewmtl bright\nKd 7 -1 0.5\nd -halo 2\n");
     std::string text = "mtllib m/colours.mtl\n" + std::string(kSquare);
-    for (const char* name : {"red", "glass", "grey", "plain", "bright"}) text += std::string("usemtl ") + name + "\nf 1 2 3 4\n";
+    for (const char* name : {"red", "glass", "grey", "plain", "bright"})
+        text += std::string("usemtl ") + name + "\nf 1 2 3 4\n";
     const auto import = importObj(folder.write("a.obj", text));
     ASSERT_TRUE(import.ok()) << import.error().text();
     EXPECT_EQ(test::warningsOf(*import), "");
@@ -130,8 +132,9 @@ TEST(MaterialLibraries, MayComeAfterTheirUseBeSeveralAndHaveBlanksInTheirNames)
     folder.write("my colours.mtl", "newmtl red\nKd 1 0 0\n");
     folder.write("b.mtl", "newmtl blue\nKd 0 0 1\n");
     folder.write("c.mtl", "newmtl green\nKd 0 1 0\n");
-    const auto import = importObj(folder.write("a.obj", kFaces + "usemtl blue\nf 1 2 3\nusemtl green\nf 1 2 3\n"
-                                                                  "mtllib my colours.mtl\nmtllib b.mtl .\\c.mtl\n"));
+    const auto import = importObj(folder.write("a.obj", kFaces
+                                                            + "usemtl blue\nf 1 2 3\nusemtl green\nf 1 2 3\n"
+                                                              "mtllib my colours.mtl\nmtllib b.mtl .\\c.mtl\n"));
     ASSERT_TRUE(import.ok()) << import.error().text();
     EXPECT_EQ(test::warningsOf(*import), "");
     EXPECT_EQ(import->mesh->materialOf(PolygonId{0}).diffuse, (Rgb{1, 0, 0}));
@@ -142,7 +145,8 @@ TEST(MaterialLibraries, MayComeAfterTheirUseBeSeveralAndHaveBlanksInTheirNames)
 TEST(MaterialLibraries, ThatAreMissingAreAWarning)
 {
     const TemporaryFolder folder;
-    expectWithoutLibrary(folder.write("a.obj", "mtllib gone.mtl\n" + kFaces), "'gone.mtl' cannot be opened: No such file");
+    expectWithoutLibrary(folder.write("a.obj", "mtllib gone.mtl\n" + kFaces),
+                         "'gone.mtl' cannot be opened: No such file");
     expectWithoutLibrary(folder.write("b.obj", "mtllib\n" + kFaces), "mtllib names no file");
     const auto import = importObj(folder / "a.obj");
     EXPECT_EQ(import->warnings.back().sentence, "material 'red' is in no material library; it has the standard colour");
@@ -178,7 +182,8 @@ TEST(MaterialLibraries, ThatAreNoFilesAreAWarningAndDoNotHang)
     folder.write("wide.mtl", std::string("\xFF\xFEn\0e\0w\0", 8));
     expectWithoutLibrary(folder.write("c.obj", "mtllib wide.mtl\n" + kFaces), "UTF-16");
     folder.write("large.mtl", std::string(obj::kMaxLibraryBytes + 1, '\n'));
-    expectWithoutLibrary(folder.write("d.obj", "mtllib large.mtl\n" + kFaces), "has 16777217 bytes, and at most 16 MiB are read");
+    expectWithoutLibrary(folder.write("d.obj", "mtllib large.mtl\n" + kFaces),
+                         "has 16777217 bytes, and at most 16 MiB are read");
 }
 
 TEST(MaterialLibraries, WithBadNumbersSayWhereAndKeepTheRest)

@@ -74,11 +74,14 @@ TEST(ObjSpeed, SevenHundredThousandTrianglesAreReadInOnePass)
     constexpr int kSide = 600;
     std::string   text;
     for (int y = 0; y <= kSide; ++y)
-        for (int x = 0; x <= kSide; ++x) fmt::format_to(std::back_inserter(text), "v {:.6f} {:.6f} {:.6f}\n", x * 0.01, y * 0.01, std::sin(x * y * 1e-3));
+        for (int x = 0; x <= kSide; ++x)
+            fmt::format_to(std::back_inserter(text), "v {:.6f} {:.6f} {:.6f}\n", x * 0.01, y * 0.01,
+                           std::sin(x * y * 1e-3));
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
             const int v = y * (kSide + 1) + x + 1;
-            fmt::format_to(std::back_inserter(text), "f {} {} {}\nf {} {} {}\n", v, v + 1, v + kSide + 2, v, v + kSide + 2, v + kSide + 1);
+            fmt::format_to(std::back_inserter(text), "f {} {} {}\nf {} {} {}\n", v, v + 1, v + kSide + 2, v,
+                           v + kSide + 2, v + kSide + 1);
         }
     const auto start  = std::chrono::steady_clock::now();
     const auto import = test::read(text);

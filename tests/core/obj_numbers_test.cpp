@@ -18,8 +18,8 @@ using obj::NumberTrouble;
 
 void expectAsStrtod(const std::string& text)
 {
-    double     value    = 0;
-    const auto trouble  = obj::readReal(text, value);
+    double       value    = 0;
+    const auto   trouble  = obj::readReal(text, value);
     const double expected = std::strtod(text.c_str(), nullptr);  // the "C" locale of a test program
     if (std::isinf(expected)) {
         EXPECT_EQ(trouble, NumberTrouble::OutOfRange) << text;
@@ -41,7 +41,8 @@ TEST(ObjNumbers, AreTheNearestFloat64BitForBit)
         std::string text = random() % 3 == 0 ? "-" : random() % 5 == 0 ? "+" : "";
         text += digits(1 + random() % 12);
         if (random() % 4 != 0) text += "." + digits(random() % 24);
-        if (random() % 3 == 0) text += fmt::format("e{}{}", random() % 2 ? "-" : random() % 2 ? "+" : "", random() % 330);
+        if (random() % 3 == 0)
+            text += fmt::format("e{}{}", random() % 2 ? "-" : random() % 2 ? "+" : "", random() % 330);
         expectAsStrtod(text);
         if (testing::Test::HasFailure()) FAIL() << "seed 21, case " << i;
     }
@@ -77,7 +78,8 @@ TEST(ObjNumbers, TooSmallForFloat64AreZeroAndTooLargeAreRefused)
 TEST(ObjNumbers, AreNothingButWholeWords)
 {
     double value = 0;
-    for (const char* word : {"1,5", "0x10", "1.5abc", "", "+", "-", ".", "e5", "1e", "+-1", "++1", "--1", "1.2.3", "1f", "1_000"})
+    for (const char* word :
+         {"1,5", "0x10", "1.5abc", "", "+", "-", ".", "e5", "1e", "+-1", "++1", "--1", "1.2.3", "1f", "1_000"})
         EXPECT_EQ(obj::readReal(word, value), NumberTrouble::NotANumber) << word;
     for (const char* word : {"nan", "-nan", "inf", "-inf", "infinity", "NaN", "INF"})
         EXPECT_EQ(obj::readReal(word, value), NumberTrouble::NotFinite) << word;
@@ -87,7 +89,8 @@ TEST(ObjNumbers, AreNothingButWholeWords)
 
 TEST(ObjNumbers, ReachTheMeshUnchanged)
 {
-    const auto import = test::read("v 0.1 -2.675 1e-3\nv +1.5 123456789.123456789 5e-324\nv 1e308 -1e308 -0.0\nf 1 2 3\n");
+    const auto import =
+        test::read("v 0.1 -2.675 1e-3\nv +1.5 123456789.123456789 5e-324\nv 1e308 -1e308 -0.0\nf 1 2 3\n");
     ASSERT_TRUE(import.ok()) << import.error().text();
     EXPECT_EQ(import->mesh->positions[0], dvec3(0.1, -2.675, 1e-3));
     EXPECT_EQ(import->mesh->positions[1], dvec3(1.5, 123456789.123456789, 5e-324));

@@ -68,7 +68,8 @@ TEST(ObjFaces, WithAnUnusableCornerAreDroppedWholeWithTheirLine)
     expectDropped("f 1 2 3 0", "face refers to vertex 0, but vertices count from 1");
     expectDropped("f -5 -6 -7", "face refers to vertex -5, counting back over 4");
     expectDropped("f 1 2 4294967297", "face refers to vertex 4294967297 of 4");
-    expectDropped("f 1 2 -99999999999999999999999", "face refers to vertex -99999999999999999999999, counting back over 4");
+    expectDropped("f 1 2 -99999999999999999999999",
+                  "face refers to vertex -99999999999999999999999, counting back over 4");
     expectDropped("f 1 2 1.5", "face has a corner '1.5' that is not a vertex index");
     expectDropped("f 1 2 x", "face has a corner 'x' that is not a vertex index");
     expectDropped("f 1/a 2 3", "face has a corner '1/a' that is not of the form v/vt/vn");
@@ -104,11 +105,13 @@ TEST(ObjVertices, ThatCannotBeUsedKeepTheirNumberAndTakeTheirFacesWithThem)
              {"v", "has 0 of 3 coordinates"}}) {
         const auto import = read(kSquare + vertex + "\nf 1 2 3\nf 1 2 5\nf 2 3 4\nv 7 7 7\nf 1 2 6\n");
         ASSERT_TRUE(import.ok()) << vertex;
-        EXPECT_EQ(import->mesh->triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 2, 3}, {0, 1, 5}})) << vertex;
+        EXPECT_EQ(import->mesh->triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 2, 3}, {0, 1, 5}}))
+            << vertex;
         EXPECT_EQ(import->mesh->positions[4], dvec3(0, 0, 0)) << vertex;
         EXPECT_EQ(import->counts.unusableVertices, 1u);
-        EXPECT_EQ(warningsOf(*import), "t.obj:5: vertex 5 " + sentence + "; faces that use it are left out\n" +
-                                           "t.obj:7: face uses vertex 5, which has no usable coordinates; the face is left out\n");
+        EXPECT_EQ(warningsOf(*import),
+                  "t.obj:5: vertex 5 " + sentence + "; faces that use it are left out\n"
+                      + "t.obj:7: face uses vertex 5, which has no usable coordinates; the face is left out\n");
     }
 }
 
@@ -133,16 +136,19 @@ TEST(ObjLines, EndInEveryWayAndJoinAtABackslash)
     expectSquare("\xEF\xBB\xBF" + text, "byte order mark");
     expectSquare(std::string(kSquare) + "f 1 2 \\\n3 \\\r\n4\n", "backslash");
     expectSquare(std::string(kSquare) + "f 1 2\\\n3\\\n4\\", "backslash without a blank, and at the end of the file");
-    expectSquare("v 0 0 0 # first\n#\n# C:\\models\\\nv 1 0 0\nv 1 1 0# third\nv 0 1 0\nf 1 2 3 4#\\\n", "comments, in which a backslash joins nothing");
+    expectSquare("v 0 0 0 # first\n#\n# C:\\models\\\nv 1 0 0\nv 1 1 0# third\nv 0 1 0\nf 1 2 3 4#\\\n",
+                 "comments, in which a backslash joins nothing");
 }
 
 TEST(ObjLines, AreCountedAsTheyStandInTheFile)
 {
-    const auto import = read("\r\n# a\r\n" + std::string(kSquare) + "f 1 \\\n 2 \\\n 3\n\nf 1 2 9\nf 1 2 \\\n 8\nf 1 2 7\n");
+    const auto import =
+        read("\r\n# a\r\n" + std::string(kSquare) + "f 1 \\\n 2 \\\n 3\n\nf 1 2 9\nf 1 2 \\\n 8\nf 1 2 7\n");
     ASSERT_TRUE(import.ok());
-    EXPECT_EQ(warningsOf(*import), "t.obj:11: face refers to vertex 9 of 4; the face is left out\n"
-                                   "t.obj:12: face refers to vertex 8 of 4; the face is left out\n"
-                                   "t.obj:14: face refers to vertex 7 of 4; the face is left out\n");
+    EXPECT_EQ(warningsOf(*import),
+              "t.obj:11: face refers to vertex 9 of 4; the face is left out\n"
+              "t.obj:12: face refers to vertex 8 of 4; the face is left out\n"
+              "t.obj:14: face refers to vertex 7 of 4; the face is left out\n");
 }
 
 TEST(ObjLines, AreReadTheSameWhateverTheyEndWith)
@@ -154,8 +160,8 @@ TEST(ObjLines, AreReadTheSameWhateverTheyEndWith)
         cr += line + "\r";
         both += line + "\r\n";
     }
-    const std::string last = "f 1 2 3";
-    const auto first = read(lf + last), second = read(cr + last), third = read(both + last);
+    const std::string last  = "f 1 2 3";
+    const auto        first = read(lf + last), second = read(cr + last), third = read(both + last);
     ASSERT_TRUE(first.ok() && second.ok() && third.ok());
     EXPECT_EQ(warningsOf(*first), warningsOf(*second));
     EXPECT_EQ(warningsOf(*first), warningsOf(*third));
@@ -170,8 +176,9 @@ TEST(ObjLines, WithZeroBytesAreJudgedLikeAnyOtherText)
     ASSERT_TRUE(import.ok());
     EXPECT_EQ(import->mesh->polygonCount(), 2u);
     EXPECT_EQ(import->mesh->groups.back(), "a?b");
-    EXPECT_EQ(warningsOf(*import), "t.obj:5: face has a corner '3?' that is not a vertex index; the face is left out\n"
-                                   "t.obj:9: statement '?\?\?' skipped, 1 in all\n");
+    EXPECT_EQ(warningsOf(*import),
+              "t.obj:5: face has a corner '3?' that is not a vertex index; the face is left out\n"
+              "t.obj:9: statement '?\?\?' skipped, 1 in all\n");
 }
 
 TEST(ObjLines, LongerThanTheLimitAreRefused)
@@ -187,14 +194,16 @@ TEST(ObjLines, LongerThanTheLimitAreRefused)
 
 TEST(ObjStatements, ThatAreUnknownAreSkippedAndCountedByKind)
 {
-    std::string text = std::string(kSquare) + "vp 1 2\nl 1 2\nl 2 3\ns 1\nvn 0 0 1\nvt 0 0\nf 1 2 3\ncurv2 1\nl 3 4\n\x01\x02 weird\n";
-    const auto  import = read(text);
+    std::string text =
+        std::string(kSquare) + "vp 1 2\nl 1 2\nl 2 3\ns 1\nvn 0 0 1\nvt 0 0\nf 1 2 3\ncurv2 1\nl 3 4\n\x01\x02 weird\n";
+    const auto import = read(text);
     ASSERT_TRUE(import.ok());
     EXPECT_EQ(import->counts.skippedStatements, 6u);
-    EXPECT_EQ(warningsOf(*import), "t.obj:5: statement 'vp' skipped, 1 in all\n"
-                                   "t.obj:6: statement 'l' skipped, 3 in all\n"
-                                   "t.obj:12: statement 'curv2' skipped, 1 in all\n"
-                                   "t.obj:14: statement '?\?' skipped, 1 in all\n");
+    EXPECT_EQ(warningsOf(*import),
+              "t.obj:5: statement 'vp' skipped, 1 in all\n"
+              "t.obj:6: statement 'l' skipped, 3 in all\n"
+              "t.obj:12: statement 'curv2' skipped, 1 in all\n"
+              "t.obj:14: statement '?\?' skipped, 1 in all\n");
 }
 
 TEST(ObjStatements, OfAThousandUnknownKindsEndInAFewWarnings)
@@ -244,7 +253,7 @@ TEST(ObjPolygons, RingOfSixtySixCornersWithABridgeIsCutIntoEars)
     ASSERT_TRUE(import.ok());
     EXPECT_EQ(import->mesh->triangles.size(), 64u);
     EXPECT_EQ(warningsOf(*import), "");
-    double area = 0, expected = 0;
+    double     area = 0, expected = 0;
     const auto cross = [&](std::uint32_t a, std::uint32_t b) {
         const dvec3 &p = import->mesh->positions[a], &q = import->mesh->positions[b];
         return p.x * q.y - p.y * q.x;
@@ -291,7 +300,8 @@ TEST(ObjPolygons, BeyondTheConcaveLimitAreDroppedAndTheLimitSaid)
     ASSERT_TRUE(import.ok());
     EXPECT_EQ(import->mesh->polygonCount(), 1u);
     EXPECT_EQ(import->mesh->droppedFaces, 1u);
-    EXPECT_NE(warningsOf(*import).find("face is concave and has 20002 corners, and at most 20000 are split"), std::string::npos);
+    EXPECT_NE(warningsOf(*import).find("face is concave and has 20002 corners, and at most 20000 are split"),
+              std::string::npos);
 }
 
 TEST(ObjPolygons, ThatCrossThemselvesAreReported)
@@ -299,7 +309,8 @@ TEST(ObjPolygons, ThatCrossThemselvesAreReported)
     const auto import = read(std::string(kSquare) + "f 1 3 2 4\n");
     ASSERT_TRUE(import.ok());
     EXPECT_EQ(import->mesh->triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 2, 1}, {0, 1, 3}}));
-    EXPECT_EQ(warningsOf(*import), "t.obj:5: face has no area or crosses itself; it is drawn as a fan from its first corner\n");
+    EXPECT_EQ(warningsOf(*import),
+              "t.obj:5: face has no area or crosses itself; it is drawn as a fan from its first corner\n");
     EXPECT_EQ(import->counts.mendedFaces, 1u);
 }
 
@@ -321,16 +332,20 @@ TEST(ObjNothing, ToDrawIsOneClearError)
         return import.error().text();
     };
     EXPECT_EQ(sentence(""), "t.obj: the file is empty");
-    EXPECT_EQ(sentence("\n\n# nothing\n"), "t.obj: nothing to draw: the file holds no vertices and no faces; is it an OBJ file?");
+    EXPECT_EQ(sentence("\n\n# nothing\n"),
+              "t.obj: nothing to draw: the file holds no vertices and no faces; is it an OBJ file?");
     EXPECT_EQ(sentence("v 1 2 3\nv 4 5 6\n"), "t.obj: nothing to draw: the file holds 2 vertices but no faces");
-    EXPECT_EQ(sentence("v 1 2 3\nf 1 2 3\nf 4 5 6\n"),
-              "t.obj:2: nothing to draw: none of the 2 faces can be used (the first, line 2: face refers to vertex 2 of 1)");
+    EXPECT_EQ(
+        sentence("v 1 2 3\nf 1 2 3\nf 4 5 6\n"),
+        "t.obj:2: nothing to draw: none of the 2 faces can be used (the first, line 2: face refers to vertex 2 of 1)");
 }
 
 TEST(ObjEncoding, Utf16IsRefusedWithASentence)
 {
     using namespace std::string_literals;
-    for (const std::string& text : {"\xFF\xFEv\0 \0"s, "\xFE\xFF\0v\0 "s, "v\0 \0"s + "1\0"s, "\0v\0 \0" "1"s}) {
+    for (const std::string& text : {"\xFF\xFEv\0 \0"s, "\xFE\xFF\0v\0 "s, "v\0 \0"s + "1\0"s,
+                                    "\0v\0 \0"
+                                    "1"s}) {
         const auto import = read(text);
         ASSERT_FALSE(import.ok());
         EXPECT_EQ(import.error().text(), "t.obj: the text is UTF-16; save it as UTF-8 or plain ASCII");

@@ -29,7 +29,7 @@ public:
     TemporaryFolder()
     {
         std::string pattern = (std::filesystem::temp_directory_path() / "zscope-XXXXXX").string();
-        m_path = ::mkdtemp(pattern.data());
+        m_path              = ::mkdtemp(pattern.data());
     }
     ~TemporaryFolder() { std::filesystem::remove_all(m_path); }
     TemporaryFolder(const TemporaryFolder&)            = delete;

@@ -31,7 +31,8 @@ inline std::vector<GridPoint> circle(int corners, double radius, GridPoint centr
     std::vector<GridPoint> points;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2 * std::numbers::pi * (i + turn) / corners;
-        points.push_back({centre.x + std::llround(radius * std::cos(angle)), centre.y + std::llround(radius * std::sin(angle))});
+        points.push_back(
+            {centre.x + std::llround(radius * std::cos(angle)), centre.y + std::llround(radius * std::sin(angle))});
     }
     return points;
 }
@@ -90,8 +91,8 @@ inline GridPolygon bridgedRing(int corners, std::int64_t outer, std::int64_t inn
 /// and back, corners coincide up to four times, and holes are closed by bridges.
 inline GridPolygon grownFromSquares(int squares, std::uint64_t seed)
 {
-    std::mt19937_64                random(seed);
-    std::vector<GridPoint>         ring{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    std::mt19937_64                                 random(seed);
+    std::vector<GridPoint>                          ring{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     std::set<std::pair<std::int64_t, std::int64_t>> taken{{0, 0}};  // lower left corners
     while (static_cast<int>(taken.size()) < squares) {
         const std::size_t i = random() % ring.size();
@@ -119,20 +120,72 @@ inline std::vector<GridPolygon> cuttablePolygons()
         spiral(400, 9, 1000),
         bridgedRing(32, 10000, 4000),
         bridgedRing(4, 100, 50),
-        {"hole bridged along an edge", {{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 60}, {30, 60}, {60, 60}, {60, 30}, {30, 30}, {30, 60}, {0, 60}}},
-        {"two holes on one corner", {{0, 0}, {20, 30}, {30, 20}, {0, 0}, {60, 20}, {60, 10}, {0, 0}, {100, 0}, {100, 100}, {0, 100}}},
+        {"hole bridged along an edge",
+         {{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 60}, {30, 60}, {60, 60}, {60, 30}, {30, 30}, {30, 60}, {0, 60}}},
+        {"two holes on one corner",
+         {{0, 0}, {20, 30}, {30, 20}, {0, 0}, {60, 20}, {60, 10}, {0, 0}, {100, 0}, {100, 100}, {0, 100}}},
         {"hole touching a corner", {{0, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 0}, {30, 60}, {60, 30}}},
-        {"hole touching an edge from inside", {{0, 0}, {50, 0}, {30, 40}, {70, 40}, {50, 0}, {100, 0}, {100, 100}, {0, 100}}},
-        {"bridged hole touching an edge", {{0, 0}, {100, 0}, {100, 100}, {50, 100}, {50, 60}, {70, 50}, {50, 0}, {30, 50}, {50, 60}, {50, 100}, {0, 100}}},
+        {"hole touching an edge from inside",
+         {{0, 0}, {50, 0}, {30, 40}, {70, 40}, {50, 0}, {100, 0}, {100, 100}, {0, 100}}},
+        {"bridged hole touching an edge",
+         {{0, 0},
+          {100, 0},
+          {100, 100},
+          {50, 100},
+          {50, 60},
+          {70, 50},
+          {50, 0},
+          {30, 50},
+          {50, 60},
+          {50, 100},
+          {0, 100}}},
         {"notch touching an edge", {{0, 0}, {100, 0}, {100, 100}, {60, 100}, {50, 0}, {40, 100}, {0, 100}}},
         {"spike outwards", {{0, 0}, {100, 0}, {100, 50}, {180, 50}, {100, 50}, {100, 100}, {0, 100}}},
         {"spike inwards", {{0, 0}, {100, 0}, {100, 50}, {20, 50}, {100, 50}, {100, 100}, {0, 100}}},
-        {"two squares and a bridge", {{0, 0}, {40, 0}, {40, 20}, {60, 20}, {60, 0}, {100, 0}, {100, 40}, {60, 40}, {60, 20}, {40, 20}, {40, 40}, {0, 40}}},
+        {"two squares and a bridge",
+         {{0, 0},
+          {40, 0},
+          {40, 20},
+          {60, 20},
+          {60, 0},
+          {100, 0},
+          {100, 40},
+          {60, 40},
+          {60, 20},
+          {40, 20},
+          {40, 40},
+          {0, 40}}},
         {"repeated corners", {{0, 0}, {0, 0}, {100, 0}, {100, 0}, {100, 0}, {30, 30}, {30, 30}, {0, 100}, {0, 0}}},
-        {"collinear runs", {{0, 0}, {25, 0}, {50, 0}, {75, 0}, {100, 0}, {100, 50}, {100, 100}, {50, 50}, {25, 75}, {0, 100}, {0, 66}, {0, 33}}},
+        {"collinear runs",
+         {{0, 0},
+          {25, 0},
+          {50, 0},
+          {75, 0},
+          {100, 0},
+          {100, 50},
+          {100, 100},
+          {50, 50},
+          {25, 75},
+          {0, 100},
+          {0, 66},
+          {0, 33}}},
         {"stair", {{0, 0}, {90, 0}, {90, 30}, {60, 30}, {60, 60}, {30, 60}, {30, 90}, {0, 90}}},
         {"square with flat corners around a square hole",
-         {{0, 0}, {50, 0}, {100, 0}, {100, 50}, {100, 100}, {50, 100}, {0, 100}, {0, 50}, {0, 0}, {25, 25}, {25, 50}, {25, 75}, {75, 75}, {75, 25}, {25, 25}}},
+         {{0, 0},
+          {50, 0},
+          {100, 0},
+          {100, 50},
+          {100, 100},
+          {50, 100},
+          {0, 100},
+          {0, 50},
+          {0, 0},
+          {25, 25},
+          {25, 50},
+          {25, 75},
+          {75, 75},
+          {75, 25},
+          {25, 25}}},
     };
 }
 

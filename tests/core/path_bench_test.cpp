@@ -22,7 +22,8 @@ SeriesFrame frameWith(std::uint64_t wrong)
 
 TEST(Series, TheLagOfACutIsTheNumberOfWrongFramesBeforeTheFirstRightOne)
 {
-    const std::vector frames{frameWith(0), frameWith(9), frameWith(3), frameWith(0), frameWith(5), frameWith(0), frameWith(7), frameWith(7)};
+    const std::vector frames{frameWith(0), frameWith(9), frameWith(3), frameWith(0),
+                             frameWith(5), frameWith(0), frameWith(7), frameWith(7)};
     const std::vector cuts{1, 5, 6};
     const std::vector expected{Lag{1, 2}, Lag{5, 0}, Lag{6, std::nullopt}};
     EXPECT_EQ(lagsOf(frames, cuts), expected);
@@ -36,13 +37,14 @@ TEST(Series, IsReadBackWithItsRow)
     BenchRow row;
     row.simd = Simd::Scalar;
     Series series;
-    series.counters = {"nodes_visited", "fragments_tested"};
-    series.frames   = {frameWith(2), SeriesFrame{}};
-    series.frames[0].ms = 1.5, series.frames[0].stageMs[6] = 0.5, series.frames[0].chosen = "zbuffer", series.frames[0].counts = {1, 2};
+    series.counters     = {"nodes_visited", "fragments_tested"};
+    series.frames       = {frameWith(2), SeriesFrame{}};
+    series.frames[0].ms = 1.5, series.frames[0].stageMs[6] = 0.5, series.frames[0].chosen = "zbuffer",
+    series.frames[0].counts = {1, 2};
     series.frames[1].counts = {3, 4};
-    series.lags = {{1, std::nullopt}, {3, 2}};
-    row.series  = series;
-    const auto read = benchFromJson(benchToJson(std::vector{row}));
+    series.lags             = {{1, std::nullopt}, {3, 2}};
+    row.series              = series;
+    const auto read         = benchFromJson(benchToJson(std::vector{row}));
     ASSERT_TRUE(read) << read.error().sentence;
     EXPECT_EQ(read->front().series, series);
 }
@@ -51,18 +53,25 @@ TEST(ErrorFigures, TogetherCountsAddUpAndMeansWeighByPixels)
 {
     ErrorFigures a, b;
     a.pixels = 10, a.covered = 4, a.holes = 1, a.exactShare = 1, a.maxDepthSteps = 3, a.distanceOnSameSurface.rms = 1;
-    b.pixels = 10, b.covered = 9, b.spills = 2, b.exactShare = 0.5, b.maxDepthSteps = 2, b.distanceOnSameSurface.rms = 3;
-    const ErrorFigures all = together(std::vector{a, b});
+    b.pixels = 10, b.covered = 9, b.spills = 2, b.exactShare = 0.5, b.maxDepthSteps = 2,
+    b.distanceOnSameSurface.rms = 3;
+    const ErrorFigures all      = together(std::vector{a, b});
     EXPECT_EQ(all.pixels, 20u);
     EXPECT_EQ(all.wrongCoverage(), 3u);
     EXPECT_EQ(all.maxDepthSteps, 3u);
-    EXPECT_DOUBLE_EQ(all.exactShare, (3 + 4.5) / 12);                                       // 3 pixels of a, 9 of b
+    EXPECT_DOUBLE_EQ(all.exactShare, (3 + 4.5) / 12);  // 3 pixels of a, 9 of b
     EXPECT_DOUBLE_EQ(all.distanceOnSameSurface.rms, std::sqrt((3 * 1.0 + 9 * 9.0) / 12));
 }
 
 BenchRequest requestOn(const std::string& scene, std::vector<std::string> words)
 {
-    BenchRequest request{.scene = std::make_shared<const Scene>(*loadScene(scene)), .camera = {}, .algorithms = {}, .threads = {1, 2}, .simd = {Simd::Scalar}, .warmUp = 1, .rounds = 2};
+    BenchRequest request{.scene      = std::make_shared<const Scene>(*loadScene(scene)),
+                         .camera     = {},
+                         .algorithms = {},
+                         .threads    = {1, 2},
+                         .simd       = {Simd::Scalar},
+                         .warmUp     = 1,
+                         .rounds     = 2};
     for (const std::string& word : words) {
         Pipeline pipeline = std::ranges::find(presets(), word.substr(0, word.find('+')), &Preset::name)->pipeline;
         if (word.find('+') != std::string::npos) pipeline.coherence = Coherence::LastPyramid;
@@ -74,15 +83,18 @@ BenchRequest requestOn(const std::string& scene, std::vector<std::string> words)
 /// Stands, cuts to the other side, stands there.
 PathRequest cutTo(const BenchRequest& request)
 {
-    const CameraPath path{.keys = {{.frame = 0, .eye = {0, 0.4, 1.6}}, {.frame = 2, .eye = {0.4, 0.4, -1.4}, .isCut = true}, {.frame = 4, .eye = {0.4, 0.4, -1.4}}},
+    const CameraPath path{.keys    = {{.frame = 0, .eye = {0, 0.4, 1.6}},
+                                      {.frame = 2, .eye = {0.4, 0.4, -1.4}, .isCut = true},
+                                      {.frame = 4, .eye = {0.4, 0.4, -1.4}}},
                           .inScene = true};
     return {.cameras = *camerasOf(path, request.scene->bounds, 80, 60), .cuts = path.cuts()};
 }
 
 TEST(PathBench, ExactMethodsAreExactInEveryFrameAndTheLastPyramidErrsOnceAfterACut)
 {
-    const BenchRequest request = requestOn("builtin:soccer-field?count=60", {"two-pass", "auto", "hzb-octree+coherence=last-pyramid"});
-    const auto         rows    = benchPath(request, cutTo(request));
+    const BenchRequest request =
+        requestOn("builtin:soccer-field?count=60", {"two-pass", "auto", "hzb-octree+coherence=last-pyramid"});
+    const auto rows = benchPath(request, cutTo(request));
     ASSERT_TRUE(rows) << rows.error().sentence;
     ASSERT_EQ(rows->size(), 6u);
     for (const BenchRow& row : *rows) {
@@ -96,7 +108,8 @@ TEST(PathBench, ExactMethodsAreExactInEveryFrameAndTheLastPyramidErrsOnceAfterAC
         for (const SeriesFrame& frame : series.frames) {
             EXPECT_GT(frame.covered, 0u);
             EXPECT_EQ(frame.counts.size(), series.counters.size());
-            EXPECT_NEAR(std::accumulate(frame.stageMs.begin(), frame.stageMs.end(), 0.0), frame.ms, 1e-6 + 0.03 * frame.ms);
+            EXPECT_NEAR(std::accumulate(frame.stageMs.begin(), frame.stageMs.end(), 0.0), frame.ms,
+                        1e-6 + 0.03 * frame.ms);
             EXPECT_EQ(frame.chosen.empty(), row.algorithm != "auto");
             wrong += *frame.wrongPixels;
         }
@@ -115,11 +128,12 @@ TEST(PathBench, ExactMethodsAreExactInEveryFrameAndTheLastPyramidErrsOnceAfterAC
 
 TEST(PathBench, SamplesFindTheSameErrorInFewerPixels)
 {
-    BenchRequest request = requestOn("builtin:soccer-field?count=60", {"two-pass", "hzb-octree+coherence=last-pyramid"});
+    BenchRequest request =
+        requestOn("builtin:soccer-field?count=60", {"two-pass", "hzb-octree+coherence=last-pyramid"});
     request.threads        = {1};
     request.samples        = 1500;
     const PathRequest path = cutTo(request);
-    const auto rows      = benchPath(request, path);
+    const auto        rows = benchPath(request, path);
     ASSERT_TRUE(rows) << rows.error().sentence;
     EXPECT_EQ(rows->front().samples, 1500u);
     EXPECT_EQ(rows->front().figures->pixels, 5 * 1500u);

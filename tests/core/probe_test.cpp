@@ -23,14 +23,19 @@ struct Fact {
 
 static_assert(std::is_empty_v<NoProbe> && std::is_trivial_v<NoProbe> && !NoProbe::listens);
 static_assert(noexcept(NoProbe{}(Coarse{1})) && std::is_void_v<decltype(NoProbe{}(Fact{1}))>);
-static_assert([] { NoProbe{}(Fine{1}); return true; }(), "a silent call is a constant expression: it can do nothing");
+static_assert(
+    [] {
+        NoProbe{}(Fine{1});
+        return true;
+    }(),
+    "a silent call is a constant expression: it can do nothing");
 static_assert(isStep<Coarse> && isStep<Fine> && !isStep<Fact>);
 static_assert(observes<StopAt, Coarse> && !observes<StopAt, Fact>);
 
 struct Recorder {
     std::vector<int> heard;
-    void observe(const Coarse& e) { heard.push_back(e.value); }
-    void observe(const Fact& e) { heard.push_back(-e.value); }
+    void             observe(const Coarse& e) { heard.push_back(e.value); }
+    void             observe(const Fact& e) { heard.push_back(-e.value); }
 };
 static_assert(observes<Recorder, Coarse> && observes<Recorder, Fact> && !observes<Recorder, Fine>);
 

@@ -1,5 +1,5 @@
-// What the pyramid promises, against every pixel asked one by one: hidden exactly when each pixel of the box is strictly
-// nearer. Hard cases D1 to D7 and D9 of docs/correctness.md.
+// What the pyramid promises, against every pixel asked one by one: hidden exactly when each pixel of the box is
+// strictly nearer. Hard cases D1 to D7 and D9 of docs/correctness.md.
 #include "core/depth/pyramid_told.h"
 
 #include <algorithm>
@@ -57,7 +57,8 @@ struct Screen {
         for (int y = (box.y0 - firstRow) >> Pyramid::kTileLevel; firstRow + (y << Pyramid::kTileLevel) < box.y1; ++y)
             for (int x = box.x0 >> Pyramid::kTileLevel; x << Pyramid::kTileLevel < box.x1; ++x) {
                 const PixelBox tile = cell(Pyramid::kTileLevel, x, y);
-                const PixelBox drawn{std::max(tile.x0, box.x0), std::max(tile.y0, box.y0), std::min(tile.x1, box.x1), std::min(tile.y1, box.y1)};
+                const PixelBox drawn{std::max(tile.x0, box.x0), std::max(tile.y0, box.y0), std::min(tile.x1, box.x1),
+                                     std::min(tile.y1, box.y1)};
                 if (drawn == tile)
                     pyramid.drawnTile(tile.x0, tile.y0, farthest(tile), Untold{});
                 else
@@ -86,7 +87,7 @@ struct Screen {
     PixelBox anyBox(Random& random) const
     {
         const auto side = [&random](int low, int high) {
-            const int a = low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low)));
+            const int a    = low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low)));
             const int most = random.below(3) == 0 ? high - a : std::min(high - a, 12);
             return std::array{a, a + 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(most)))};
         };
@@ -136,12 +137,13 @@ TEST(Pyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeAndStripe)
             for (const int end : {height, first + (height - first + 1) / 2}) {
                 for (const float outside : {0.0f, 1.0f}) {
                     SCOPED_TRACE(testing::Message() << width << 'x' << height << ", lines " << first << " to " << end);
-                    Random random(static_cast<std::uint64_t>(width * 4096 + height + first * 7 + end));
-                    Screen screen(width, height, first, end, outside);
+                    Random    random(static_cast<std::uint64_t>(width * 4096 + height + first * 7 + end));
+                    Screen    screen(width, height, first, end, outside);
                     const int steps = width > 500 ? 60 : 250;
                     for (int i = 0; i < steps; ++i) {
                         // Depths come near in time, so that the pyramid changes at every step (D9).
-                        const auto depth = static_cast<float>(static_cast<double>(i + 1) / steps * random.between(0.5, 1));
+                        const auto depth =
+                            static_cast<float>(static_cast<double>(i + 1) / steps * random.between(0.5, 1));
                         const PixelBox drawn = random.below(8) == 0 ? screen.region() : screen.anyBox(random);
                         if (random.below(2) == 0)
                             screen.drawByTiles(drawn, depth);
@@ -150,7 +152,7 @@ TEST(Pyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeAndStripe)
                         for (int q = 0; q < 3; ++q) {
                             const PixelBox box      = screen.anyBox(random);
                             const float    farthest = screen.farthest(box);
-                            const float    below    = std::nextafter(farthest, 0.0f), above = std::nextafter(farthest, 2.0f);
+                            const float below = std::nextafter(farthest, 0.0f), above = std::nextafter(farthest, 2.0f);
                             for (const float nearest : {below, farthest, above, static_cast<float>(random.unit())}) {
                                 expectExact(screen, box, nearest, "after a write");
                                 ++answers[nearest < farthest];
@@ -187,7 +189,8 @@ TEST(Pyramid, ATileDrawnOverAsAWholeHidesWithoutItsPixelsBeingReadAgain)
 
 TEST(Pyramid, TilesOfFullWidthAreReadByWhoDrawsAndTheOthersPixelByPixel)
 {
-    Screen screen(21, 27), onItsOwn(21, 27);  // two columns of tiles are 8 pixels wide, the third has 5; the last of four lines of them has 3 lines
+    // two columns of tiles are 8 pixels wide, the third has 5; the last of four lines of them has 3 lines
+    Screen screen(21, 27), onItsOwn(21, 27);
     onItsOwn.pyramid.readTilesBy(nullptr);
     Random random(3);
     for (int i = 0; i < 40; ++i) {
@@ -242,7 +245,8 @@ TEST(Pyramid, AtFullSpeedACornerOfTheBoxAnswersWhereWhoeverListensSeesCellsBroug
                 screen->pyramid.touched({0, 0, 64, 64});
             }
             EXPECT_FALSE(silent.pyramid.ask(box, 0.4f, WholeBox{}, Untold{}).hidden) << x << ' ' << y;
-            EXPECT_FALSE(heard.pyramid.ask(box, 0.4f, WholeBox{}, [&](const CellWrite&) { ++writes; }).hidden) << x << ' ' << y;
+            EXPECT_FALSE(heard.pyramid.ask(box, 0.4f, WholeBox{}, [&](const CellWrite&) { ++writes; }).hidden)
+                << x << ' ' << y;
             EXPECT_GT(writes, 0) << x << ' ' << y;
             const auto stored = silent.pyramid.stored(Pyramid::kTileLevel);
             for (int row = 0; row < stored.height; ++row)
@@ -257,7 +261,8 @@ TEST(Pyramid, D3EveryCellOfAnySizeIsTheMinimumOfThePixelsThatExistOnceAQueryNeed
         Random    random(static_cast<std::uint64_t>(width + height));
         Screen    screen(width, height, first, height, 0.0f);
         for (int y = first; y < height; ++y)
-            for (int x = 0; x < width; ++x) screen.visible.row(y)[x] = keyOf(static_cast<float>(random.between(0.1, 1)), 0);
+            for (int x = 0; x < width; ++x)
+                screen.visible.row(y)[x] = keyOf(static_cast<float>(random.between(0.1, 1)), 0);
         screen.pyramid.allTouched();
         int refreshed = 0;
         for (int level = Pyramid::kTileLevel; level < screen.pyramid.levels(); ++level) {
@@ -266,7 +271,7 @@ TEST(Pyramid, D3EveryCellOfAnySizeIsTheMinimumOfThePixelsThatExistOnceAQueryNeed
             ASSERT_EQ(stored.height, (height - first + (1 << level) - 1) >> level);
             for (int y = 0; y < stored.height; ++y)
                 for (int x = 0; x < stored.width; ++x) {
-                    const PixelBox box   = screen.cell(level, x, y);
+                    const PixelBox box = screen.cell(level, x, y);
                     // Hidden by a hair, so that no pixel denies it: all of it is looked at.
                     const auto query = screen.pyramid.ask(box, std::nextafter(screen.farthest(box), 0.0f));
                     ASSERT_TRUE(query.hidden);
@@ -294,8 +299,10 @@ TEST(Pyramid, D1AnOccluderOnTileBordersHidesItsOwnBoxAndNotOneAPixelWider)
                 screen.draw(tile, 0.5f);
                 expectExact(screen, tile, 0.25f, "its own box");
                 EXPECT_TRUE(screen.pyramid.hides(tile, 0.25f)) << level;
-                for (const PixelBox& wider : {PixelBox{tile.x0 - 1, tile.y0, tile.x1, tile.y1}, PixelBox{tile.x0, tile.y0 - 1, tile.x1, tile.y1},
-                                              PixelBox{tile.x0, tile.y0, tile.x1 + 1, tile.y1}, PixelBox{tile.x0, tile.y0, tile.x1, tile.y1 + 1}})
+                for (const PixelBox& wider : {PixelBox{tile.x0 - 1, tile.y0, tile.x1, tile.y1},
+                                              PixelBox{tile.x0, tile.y0 - 1, tile.x1, tile.y1},
+                                              PixelBox{tile.x0, tile.y0, tile.x1 + 1, tile.y1},
+                                              PixelBox{tile.x0, tile.y0, tile.x1, tile.y1 + 1}})
                     EXPECT_FALSE(screen.pyramid.hides(wider, 0.25f)) << level;
             }
         }
@@ -315,7 +322,8 @@ TEST(Pyramid, D2AHoleOfOnePixelIsFoundInEveryCornerOfEveryCell)
             EXPECT_FALSE(screen.pyramid.hides(screen.region(), 0.25f)) << x << ' ' << y;
             EXPECT_FALSE(screen.pyramid.hides({x, y, x + 1, y + 1}, 0.25f)) << x << ' ' << y;
             for (int reach = 1; reach < kSide; reach *= 2) {
-                const PixelBox over{std::max(0, x - reach), std::max(0, y - reach), std::min(kSide, x + reach), std::min(kSide, y + reach)};
+                const PixelBox over{std::max(0, x - reach), std::max(0, y - reach), std::min(kSide, x + reach),
+                                    std::min(kSide, y + reach)};
                 EXPECT_FALSE(screen.pyramid.hides(over, 0.25f));
                 if (x > 0) {
                     EXPECT_TRUE(screen.pyramid.hides({std::max(0, x - reach), over.y0, x, over.y1}, 0.25f));
@@ -369,7 +377,8 @@ TEST(Pyramid, PushingKeepsEveryCellTheMinimumOfItsPixelsAndStopsAtTheFirstLevelT
 {
     for (const auto& [width, height] : kSizes)
         for (const bool fromFarthest : {false, true}) {
-            SCOPED_TRACE(testing::Message() << width << 'x' << height << (fromFarthest ? ", from the farthest corner" : ""));
+            SCOPED_TRACE(testing::Message()
+                         << width << 'x' << height << (fromFarthest ? ", from the farthest corner" : ""));
             const int first = height > 10 ? 8 : 0;
             Random    random(static_cast<std::uint64_t>(width * 8192 + height));
             Screen    screen(width, height, first, height, 0.0f);
@@ -377,11 +386,13 @@ TEST(Pyramid, PushingKeepsEveryCellTheMinimumOfItsPixelsAndStopsAtTheFirstLevelT
             for (int i = 0; i < steps; ++i) {
                 const PixelBox box   = screen.anyBox(random);
                 const auto     depth = static_cast<float>(i + 1) / static_cast<float>(steps);
-                for (int y = box.y0; y < box.y1; ++y) std::fill_n(screen.visible.row(y) + box.x0, box.x1 - box.x0, keyOf(depth, 0));
+                for (int y = box.y0; y < box.y1; ++y)
+                    std::fill_n(screen.visible.row(y) + box.x0, box.x1 - box.x0, keyOf(depth, 0));
                 std::vector<CellWrite> writes;
                 const auto             told = [&writes](const CellWrite& write) { writes.push_back(write); };
                 if (fromFarthest)
-                    screen.pyramid.pushFrom(box, {.fromRight = random.below(2) == 0, .fromBottom = random.below(2) == 0}, told);
+                    screen.pyramid.pushFrom(
+                        box, {.fromRight = random.below(2) == 0, .fromBottom = random.below(2) == 0}, told);
                 else
                     screen.pyramid.push(box, told);
                 for (std::size_t w = 0; w + 1 < writes.size(); ++w) {
@@ -391,7 +402,8 @@ TEST(Pyramid, PushingKeepsEveryCellTheMinimumOfItsPixelsAndStopsAtTheFirstLevelT
                         continue;
                     }
                     if (writes[w].level == Pyramid::kTileLevel && fromFarthest) continue;
-                    EXPECT_NE(writes[w].before, writes[w].after) << "only a cell that changed is followed by the one above";
+                    EXPECT_NE(writes[w].before, writes[w].after)
+                        << "only a cell that changed is followed by the one above";
                     EXPECT_EQ(writes[w + 1].x, writes[w].x / 2);
                     EXPECT_EQ(writes[w + 1].y, writes[w].y / 2);
                 }
@@ -399,7 +411,8 @@ TEST(Pyramid, PushingKeepsEveryCellTheMinimumOfItsPixelsAndStopsAtTheFirstLevelT
                     const auto stored = screen.pyramid.stored(level);
                     for (int y = 0; y < stored.height; ++y)
                         for (int x = 0; x < stored.width; ++x)
-                            ASSERT_EQ(stored.at(x, y), screen.farthest(screen.cell(level, x, y))) << level << ": " << x << ' ' << y;
+                            ASSERT_EQ(stored.at(x, y), screen.farthest(screen.cell(level, x, y)))
+                                << level << ": " << x << ' ' << y;
                 }
             }
         }
@@ -416,8 +429,10 @@ TEST(Pyramid, ACompleteOneAnswersByItsCellsAloneHoweverThePixelsChange)
     next.resize(67, 41, DepthEncoding::withBackground(kEmpty));
     next.clearRows(0, 41);
     ASSERT_TRUE(screen.pyramid.continues(next, 0, 41));
-    EXPECT_TRUE(screen.pyramid.hides({3, 0, 60, 16}, 0.25f)) << "whole tiles of what was drawn, though the pixels are empty now";
-    EXPECT_FALSE(screen.pyramid.hides({3, 0, 60, 18}, 0.25f)) << "a tile that was half drawn hides nothing, nor does its drawn half";
+    EXPECT_TRUE(screen.pyramid.hides({3, 0, 60, 16}, 0.25f))
+        << "whole tiles of what was drawn, though the pixels are empty now";
+    EXPECT_FALSE(screen.pyramid.hides({3, 0, 60, 18}, 0.25f))
+        << "a tile that was half drawn hides nothing, nor does its drawn half";
     EXPECT_FALSE(screen.pyramid.hides({3, 0, 60, 16}, 0.5f));
     for (int y = 0; y < 41; ++y) std::fill_n(next.row(y), 67, keyOf(0.9f, 0));
     EXPECT_FALSE(screen.pyramid.hides({3, 24, 60, 32}, 0.25f)) << "nothing was there";
@@ -431,7 +446,8 @@ TEST(Pyramid, ACompleteOneAnswersByItsCellsAloneHoweverThePixelsChange)
 TEST(Pyramid, BackgroundHidesOnlyWhatTheFarTestDrops)
 {
     Screen screen(20, 20);
-    EXPECT_FALSE(screen.pyramid.hides(screen.region(), std::nextafter(kEmpty, 1.0f))) << "the farthest depth that is kept";
+    EXPECT_FALSE(screen.pyramid.hides(screen.region(), std::nextafter(kEmpty, 1.0f)))
+        << "the farthest depth that is kept";
     EXPECT_TRUE(screen.pyramid.hides(screen.region(), std::nextafter(kEmpty, 0.0f)));
 }
 

@@ -79,10 +79,10 @@ TEST(ErrorFigures, TellHolesSpillsAndWrongSurfacesApart)
 TEST(ErrorFigures, MeasureDepthOnTheRightSurfaceOnly)
 {
     std::vector<Sample> right(200, {1, 0.5f}), shown(200, {1, 0.5f});
-    shown[7].depth  = stepsAbove(0.5f, 5);
-    shown[8].depth  = stepsAbove(0.5f, 40);
-    shown[9].depth  = stepsAbove(0.5f, 90);
-    shown[10]       = {2, 0.125f};  // another surface: its distance is not this figure's
+    shown[7].depth     = stepsAbove(0.5f, 5);
+    shown[8].depth     = stepsAbove(0.5f, 40);
+    shown[9].depth     = stepsAbove(0.5f, 90);
+    shown[10]          = {2, 0.125f};  // another surface: its distance is not this figure's
     const auto figures = compare(row(right), row(shown));
     EXPECT_EQ(figures.maxDepthSteps, 90u);
     EXPECT_EQ(figures.p99DepthSteps, 40u) << "of 199 values the 198th in order";
@@ -112,8 +112,8 @@ TEST(ErrorFigures, ATriangleIsLostIfItIsNowhereAndFalselyCulledIfOnlyFartherOnes
 
 TEST(ErrorFigures, OfSamplesLookForLostTrianglesInTheWholePicture)
 {
-    const std::array<PixelPair, 2>    pixels{{{.referenceId = 4, .testId = 5, .referenceDepth = 0.5f, .testDepth = 0.5f},
-                                              {.referenceId = 6, .testId = 5, .referenceDepth = 0.5f, .testDepth = 0.5f}}};
+    const std::array<PixelPair, 2> pixels{{{.referenceId = 4, .testId = 5, .referenceDepth = 0.5f, .testDepth = 0.5f},
+                                           {.referenceId = 6, .testId = 5, .referenceDepth = 0.5f, .testDepth = 0.5f}}};
     const std::array<std::int64_t, 3> shown{5, -1, 4};
     EXPECT_EQ(compare(pixels, shown).lostTriangles, 1u) << "4 is shown at a pixel that was not sampled";
 }

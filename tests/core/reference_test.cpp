@@ -39,24 +39,19 @@ std::vector<std::string> rowsOf(const Picture& picture)
     std::vector<std::string> rows;
     for (int y = 0; y < picture.ids.height(); ++y) {
         rows.emplace_back();
-        for (const std::int64_t id : picture.ids.view().row(y)) rows.back() += id < 0 ? '.' : static_cast<char>('0' + id);
+        for (const std::int64_t id : picture.ids.view().row(y))
+            rows.back() += id < 0 ? '.' : static_cast<char>('0' + id);
     }
     return rows;
 }
 
 TEST(Reference, DrawsASquareOnPixelCentresAs15And10Pixels)
 {
-    const Camera camera = plainCamera(8, 8);
+    const Camera camera  = plainCamera(8, 8);
     const auto   picture = draw(camera, {flat(camera, {{{1.5, 1.5}, {6.5, 1.5}, {6.5, 6.5}}}),
                                          flat(camera, {{{1.5, 1.5}, {6.5, 6.5}, {1.5, 6.5}}})});
-    EXPECT_EQ(rowsOf(picture), (std::vector<std::string>{"........",
-                                                         ".00000..",
-                                                         ".10000..",
-                                                         ".11000..",
-                                                         ".11100..",
-                                                         ".11110..",
-                                                         "........",
-                                                         "........"}));
+    EXPECT_EQ(rowsOf(picture), (std::vector<std::string>{"........", ".00000..", ".10000..", ".11000..", ".11100..",
+                                                         ".11110..", "........", "........"}));
     EXPECT_EQ(picture.depth.at(1, 1), 1.0f);
     EXPECT_EQ(picture.depth.at(0, 0), 0.0f);
 }
@@ -82,8 +77,8 @@ TEST(Reference, CullsTrianglesThatTurnClockwiseOnTheScreen)
 
 TEST(Reference, ShowsTheNearestAndOfEqualDepthsTheLowestId)
 {
-    const Camera camera = plainCamera(4, 4);
-    const auto   whole  = [&](double z) { return flat(camera, {{{-20, -20}, {40, -20}, {-20, 40}}}, z); };
+    const Camera camera  = plainCamera(4, 4);
+    const auto   whole   = [&](double z) { return flat(camera, {{{-20, -20}, {40, -20}, {-20, 40}}}, z); };
     const auto   picture = draw(camera, {whole(4), whole(2), whole(2), whole(8)});
     EXPECT_EQ(picture.ids.at(2, 2), 1);
     EXPECT_EQ(picture.depth.at(2, 2), 0.5f);
@@ -146,14 +141,14 @@ TEST(Reference, CountsWhatBecameOfEveryTriangle)
 {
     const Camera camera = plainCamera(8, 8);
     const auto   scene  = sceneOf(std::vector<Corners>{
-        flat(camera, {{{0, 0}, {0, 4}, {4, 0}}}),                                             // drawn
-        flat(camera, {{{0, 0}, {4, 0}, {0, 4}}}),                                             // back
-        flat(camera, {{{0, 0}, {4, 0}, {8, 0}}}),                                             // no area
-        {dvec3{0, 0, 0.5}, dvec3{1, 0, 0.5}, dvec3{0, 1, -4}},                                // behind
-        {dvec3{1e300, 0, 1}, dvec3{0, 1, 1}, dvec3{0, 0, 1}},                                 // beyond the grid
-        {dvec3{1e308, 1e308, 1e308}, dvec3{-1e308, 1e308, 1e308}, dvec3{0, -1e308, -1e308}},  // overflows on the way
+           flat(camera, {{{0, 0}, {0, 4}, {4, 0}}}),                                             // drawn
+           flat(camera, {{{0, 0}, {4, 0}, {0, 4}}}),                                             // back
+           flat(camera, {{{0, 0}, {4, 0}, {8, 0}}}),                                             // no area
+           {dvec3{0, 0, 0.5}, dvec3{1, 0, 0.5}, dvec3{0, 1, -4}},                                // behind
+           {dvec3{1e300, 0, 1}, dvec3{0, 1, 1}, dvec3{0, 0, 1}},                                 // beyond the grid
+           {dvec3{1e308, 1e308, 1e308}, dvec3{-1e308, 1e308, 1e308}, dvec3{0, -1e308, -1e308}},  // overflows on the way
     });
-    const auto fates = referenceFates(*scene, camera, FaceCulling::Back);
+    const auto   fates  = referenceFates(*scene, camera, FaceCulling::Back);
     ASSERT_TRUE(fates.ok());
     EXPECT_EQ(*fates, (TriangleFates{.drawn = 1, .culled = 1, .degenerate = 1, .outOfRange = 2, .behindNear = 1}));
     const auto picture = referencePicture(*scene, camera, FaceCulling::Back);
@@ -181,9 +176,9 @@ TEST(Reference, SnapsTiesToTheEvenGridPoint)
 TEST(Reference, ProjectsInTheWrittenOrder)
 {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        Camera camera = plainCamera(1023, 769);
-        camera.focal  = 1 + 0.1 / static_cast<double>(seed);  // not a power of two: another order rounds elsewhere
-        camera.near   = 0.3;
+        Camera camera   = plainCamera(1023, 769);
+        camera.focal    = 1 + 0.1 / static_cast<double>(seed);  // not a power of two: another order rounds elsewhere
+        camera.near     = 0.3;
         const double  s = 1 / static_cast<double>(2 * seed + 1);
         const Corners corners{dvec3{s, 0.7, 1.1}, dvec3{-0.3, s, 1.3}, dvec3{0.2, -0.4, 1.7 + s}};
         const auto    parts = partsOf(camera, corners);
@@ -244,8 +239,8 @@ TEST(Reference, LeavesTransparentFacesOutAndKeepsTheirIds)
     addFan(mesh, std::array<std::uint32_t, 3>{0, 1, 2});
     addFan(mesh, std::array<std::uint32_t, 3>{3, 4, 5});
     mesh.polygonMaterial[0] = MaterialId{1};
-    const auto scene   = sceneOf(std::move(mesh), std::array{Affine{}});
-    const auto picture = referencePicture(*scene, camera, FaceCulling::None);
+    const auto scene        = sceneOf(std::move(mesh), std::array{Affine{}});
+    const auto picture      = referencePicture(*scene, camera, FaceCulling::None);
     EXPECT_EQ(picture->ids.at(1, 1), 1);
     EXPECT_EQ(referenceFates(*scene, camera, FaceCulling::None)->transparent, 1u);
 }
@@ -264,7 +259,7 @@ TEST(Reference, RunsIdsOnFromInstanceToInstance)
 TEST(Reference, EdgeOnPartsTakeTheirNearestCorner)
 {
     // The triangle is a line to float64, but its corners snap to a triangle: no plane, so the depth is the nearest.
-    const Camera           camera = plainCamera(1024, 1024);
+    const Camera             camera = plainCamera(1024, 1024);
     const definition::Corner a{.x = 0, .y = 0, .depth = 0.25, .xs = 0, .ys = 0};
     const definition::Corner b{.x = 0, .y = 4, .depth = 0.5, .xs = 0, .ys = 1024};
     const definition::Corner c{.x = 4, .y = 4, .depth = 0.75, .xs = 0, .ys = 1024};
@@ -280,7 +275,7 @@ TEST(Reference, SamplesAndCoveringTrianglesAgreeWithThePicture)
         for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
             const Soup soup = makeSoup(kind, 11, 67, 41);
             SCOPED_TRACE(soup.what);
-            const auto picture = referencePicture(*soup.scene, soup.camera, culling);
+            const auto                 picture = referencePicture(*soup.scene, soup.camera, culling);
             std::vector<PixelPosition> points;
             for (int y = 0; y < 41; ++y) {
                 for (int x = 0; x < 67; ++x) points.push_back({x, y});
@@ -302,7 +297,8 @@ TEST(Reference, SamplesAndCoveringTrianglesAgreeWithThePicture)
                     if (c.kept && winner.id < 0) winner = {c.triangle.value, c.depth};
                     if (i > 0) {
                         const CoveringTriangle& before = covering.value()[i - 1];
-                        EXPECT_TRUE(before.depth > c.depth || (before.depth == c.depth && before.triangle < c.triangle));
+                        EXPECT_TRUE(before.depth > c.depth
+                                    || (before.depth == c.depth && before.triangle < c.triangle));
                     }
                 }
                 ASSERT_EQ(winner, (SampleTruth{picture->ids.at(p.x, p.y), picture->depth.at(p.x, p.y)}));
@@ -339,8 +335,8 @@ TEST(Reference, ReachOfAnInstanceHoldsTheBoxesOfAllItsParts)
 
 TEST(Reference, SkipsInstancesThatCannotReachAPixel)
 {
-    const Camera camera = plainCamera(64, 64);
-    const Bounds ball{.min = {-0.1, -0.1, 3.9}, .max = {0.1, 0.1, 4.1}};
+    const Camera           camera = plainCamera(64, 64);
+    const Bounds           ball{.min = {-0.1, -0.1, 3.9}, .max = {0.1, 0.1, 4.1}};
     const definition::View view(camera, FaceCulling::None);
     const auto             reach = definition::reachOf(ball, Affine{}, view);
     EXPECT_GE(reach.x0, 30);
@@ -354,7 +350,7 @@ TEST(Reference, CanBeCancelled)
 {
     const Soup              soup = makeSoup(SoupKind::Loose, 1, 16, 16);
     const std::atomic<bool> cancel{true};
-    const auto              picture = referencePicture(*soup.scene, soup.camera, FaceCulling::None, {.cancel = &cancel});
+    const auto picture = referencePicture(*soup.scene, soup.camera, FaceCulling::None, {.cancel = &cancel});
     ASSERT_FALSE(picture.ok());
     EXPECT_EQ(picture.error().kind, Trouble::Cancelled);
 }

@@ -39,12 +39,12 @@ void* operator new(std::size_t bytes, std::align_val_t alignment)
     if (void* memory = std::aligned_alloc(to, (bytes + to - 1) / to * to)) return memory;
     throw std::bad_alloc();
 }
-void  operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void  operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-void  operator delete(void* memory) noexcept { std::free(memory); }
-void  operator delete[](void* memory) noexcept { std::free(memory); }
-void  operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void  operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace zscope::tests {
 namespace {
@@ -64,7 +64,7 @@ Cost costOfSettledFrame(const Preset& preset, int size, int triangles)
     request.threads  = 1;  // with more the stripes still move, and scratch memory with them
     Renderer renderer;
     Frame    frame;
-    bool isTrial = true;
+    bool     isTrial = true;
     for (int i = 0; i < 3 || isTrial; ++i) {
         const auto report = renderer.draw(request, frame);
         EXPECT_TRUE(report.ok());

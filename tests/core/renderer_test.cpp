@@ -75,7 +75,8 @@ TEST(Renderer, OneToEightThreadsGiveTheSameBitsAlsoWithFewerLinesThanThreads)
             for (int threads = 1; threads <= 8; ++threads) {
                 request.threads = threads;
                 for (int frame = 0; frame < 3; ++frame)
-                    EXPECT_TRUE(draw(renderer, request).showsTheSameAs(one)) << preset.name << ", " << soup.what << ", " << threads;
+                    EXPECT_TRUE(draw(renderer, request).showsTheSameAs(one))
+                        << preset.name << ", " << soup.what << ", " << threads;
                 EXPECT_EQ(draw(renderer, request).report.threads, std::min(threads, height));
             }
         }
@@ -109,8 +110,8 @@ TEST(Renderer, AVectorTargetTheMachineLacksIsAUsageError)
 {
     const Soup soup = makeSoup(SoupKind::Loose, 1, 8, 8, 2);
     for (const SimdEntry& entry : simdTargets()) {
-        DrawRequest request = requestFor(soup.scene, soup.camera, {});
-        request.simd        = entry.target;
+        DrawRequest request          = requestFor(soup.scene, soup.camera, {});
+        request.simd                 = entry.target;
         const Result<FramePlan> plan = planFrame(request);
         EXPECT_EQ(plan.ok(), entry.available) << entry.word;
         if (plan.ok()) continue;
@@ -128,8 +129,8 @@ TEST(Renderer, RequestsThatCannotBeMetAreRefusedInASentence)
         request.threads = threads;
         EXPECT_EQ(Renderer().draw(request, frame).error().kind, Trouble::Usage) << threads;
     }
-    request.threads     = 1;
-    request.memoryLimit = 1 << 20;
+    request.threads                   = 1;
+    request.memoryLimit               = 1 << 20;
     const Result<FrameReport> refused = Renderer().draw(request, frame);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().kind, Trouble::Limit);
@@ -140,8 +141,8 @@ TEST(Renderer, RequestsThatCannotBeMetAreRefusedInASentence)
 
 TEST(Renderer, ACancelledFrameSaysSoAndTheNextOneIsWhole)
 {
-    const Soup        soup    = makeSoup(SoupKind::Loose, 3, 64, 64, 50);
-    std::atomic<bool> cancel  = true;
+    const Soup        soup   = makeSoup(SoupKind::Loose, 3, 64, 64, 50);
+    std::atomic<bool> cancel = true;
     for (const Preset& preset : presets()) {
         DrawRequest request = requestFor(soup.scene, soup.camera, preset.pipeline);
         const Drawn whole   = draw(request);
@@ -198,7 +199,8 @@ TEST(Renderer, WhatIsMadeOnceIsAccountedToTheStageBuild)
         return build.ms;
     };
     EXPECT_EQ(builtMs(FaceCulling::None), 0);
-    const double first = builtMs(FaceCulling::Back), second = builtMs(FaceCulling::Back);  // 72,000 triangles are put into patches, then none is
+    // 72,000 triangles are put into patches, then none is
+    const double first = builtMs(FaceCulling::Back), second = builtMs(FaceCulling::Back);
     EXPECT_GT(first, second);
 }
 
@@ -220,12 +222,13 @@ TEST(Renderer, EveryTriangleEndsInExactlyOneCounter)
         const auto   scene = sceneOf(mesh, std::array{Affine{}, aside});
         for (const Preset& preset : presets()) {
             for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
-                DrawRequest request = requestFor(scene, soup.camera, preset.pipeline);
-                request.faceCulling = culling;
+                DrawRequest request  = requestFor(scene, soup.camera, preset.pipeline);
+                request.faceCulling  = culling;
                 auto          counts = countsOf(request);
                 std::uint64_t sum    = 0;
                 for (const auto& [name, value] : counts) {
-                    if (name.starts_with("triangles_") && name != "triangles_in" && name != "triangles_clipped" && name != "triangles_wide")
+                    if (name.starts_with("triangles_") && name != "triangles_in" && name != "triangles_clipped"
+                        && name != "triangles_wide")
                         sum += value;
                     EXPECT_LT(value, std::uint64_t{1} << 40) << name << ", " << preset.name;  // nothing ran below 0
                 }
@@ -234,7 +237,8 @@ TEST(Renderer, EveryTriangleEndsInExactlyOneCounter)
                 EXPECT_LE(counts["pixels_won"], counts["pixels_tested"]);
                 if (preset.pipeline == Pipeline{}) {
                     EXPECT_EQ(counts["triangles_transparent"], 2 * glass) << soup.what;
-                    EXPECT_EQ(counts["triangles_back_facing"] > 0, culling == FaceCulling::Back && counts["triangles_back_facing"] > 0);
+                    EXPECT_EQ(counts["triangles_back_facing"] > 0,
+                              culling == FaceCulling::Back && counts["triangles_back_facing"] > 0);
                     const auto fates = *referenceFates(*scene, soup.camera, culling);
                     EXPECT_LE(counts["triangles_drawn"], fates.drawn) << soup.what;
                     EXPECT_LE(counts["triangles_out_of_range"], fates.outOfRange) << soup.what;
@@ -246,16 +250,17 @@ TEST(Renderer, EveryTriangleEndsInExactlyOneCounter)
 
 TEST(Renderer, TheWorkOfEveryDepthOfTheHierarchyAddsUpToTheWorkOfTheFrame)
 {
-    const auto   loaded = loadScene("builtin:soccer-field?count=120");
+    const auto loaded = loadScene("builtin:soccer-field?count=120");
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
-    const auto   field  = std::make_shared<const Scene>(*loaded);
-    ViewRequest  view   = field->views.front().view;
+    const auto  field = std::make_shared<const Scene>(*loaded);
+    ViewRequest view  = field->views.front().view;
     view.width = 256, view.height = 192;
-    const Camera camera = *makeCamera(view, field->bounds);
-    const Soup   cut    = makeSoup(SoupKind::NearCrossing, 3, 128, 96, 2000);
+    const Camera  camera              = *makeCamera(view, field->bounds);
+    const Soup    cut                 = makeSoup(SoupKind::NearCrossing, 3, 128, 96, 2000);
     std::uint64_t hiddenBelowTheRoots = 0;
     for (const Preset& preset : presets()) {
-        for (const DrawRequest& request : {requestFor(field, camera, preset.pipeline), requestFor(cut.scene, cut.camera, preset.pipeline)}) {
+        for (const DrawRequest& request :
+             {requestFor(field, camera, preset.pipeline), requestFor(cut.scene, cut.camera, preset.pipeline)}) {
             const Result<FrameWork> work = Renderer().count(request);
             ASSERT_TRUE(work.ok()) << work.error().text();
             std::map<std::string, std::uint64_t> counters;
@@ -265,7 +270,8 @@ TEST(Renderer, TheWorkOfEveryDepthOfTheHierarchyAddsUpToTheWorkOfTheFrame)
             DepthWork sum;
             for (std::size_t i = 0; i < work->depths.size(); ++i) {
                 const DepthWork& at = work->depths[i];
-                SCOPED_TRACE(std::string(preset.name) + (at.isInstanceTree ? ", instances, depth " : ", meshes, depth ") + std::to_string(at.depth));
+                SCOPED_TRACE(std::string(preset.name) + (at.isInstanceTree ? ", instances, depth " : ", meshes, depth ")
+                             + std::to_string(at.depth));
                 EXPECT_EQ(at.nodesVisited, at.nodesOutside + at.nodesHidden + at.nodesEntered);
                 EXPECT_LE(at.nodesDrawn, at.nodesEntered);
                 if (at.depth > 0) {
@@ -274,9 +280,10 @@ TEST(Renderer, TheWorkOfEveryDepthOfTheHierarchyAddsUpToTheWorkOfTheFrame)
                     EXPECT_LE(at.nodesVisited, TreeNode::kSlots * above.nodesEntered);
                     hiddenBelowTheRoots += at.nodesHidden;
                 }
-                for (auto figure : {&DepthWork::nodesVisited, &DepthWork::nodesOutside, &DepthWork::nodesHidden, &DepthWork::nodesEntered,
-                                    &DepthWork::nodesDrawn, &DepthWork::trianglesOutside, &DepthWork::trianglesHiddenByNode,
-                                    &DepthWork::trianglesHidden, &DepthWork::trianglesDrawn, &DepthWork::queries, &DepthWork::cellsRead})
+                for (auto figure : {&DepthWork::nodesVisited, &DepthWork::nodesOutside, &DepthWork::nodesHidden,
+                                    &DepthWork::nodesEntered, &DepthWork::nodesDrawn, &DepthWork::trianglesOutside,
+                                    &DepthWork::trianglesHiddenByNode, &DepthWork::trianglesHidden,
+                                    &DepthWork::trianglesDrawn, &DepthWork::queries, &DepthWork::cellsRead})
                     sum.*figure += at.*figure;
             }
             EXPECT_EQ(sum.nodesVisited, counters["nodes_visited"]) << preset.name;
@@ -285,7 +292,9 @@ TEST(Renderer, TheWorkOfEveryDepthOfTheHierarchyAddsUpToTheWorkOfTheFrame)
             EXPECT_EQ(sum.nodesEntered, counters["nodes_entered"]) << preset.name;
             EXPECT_EQ(sum.nodesDrawn, counters["nodes_drawn"]) << preset.name;
             EXPECT_EQ(sum.trianglesHiddenByNode, counters["triangles_hidden_by_node"]) << preset.name;
-            EXPECT_EQ(counters["nodes_visited"], counters["nodes_outside"] + counters["nodes_hidden"] + counters["nodes_entered"]) << preset.name;
+            EXPECT_EQ(counters["nodes_visited"],
+                      counters["nodes_outside"] + counters["nodes_hidden"] + counters["nodes_entered"])
+                << preset.name;
             if (work->depths.empty()) continue;
             EXPECT_EQ(sum.trianglesHidden, counters["triangles_hidden"]) << preset.name;
             EXPECT_EQ(sum.trianglesDrawn, counters["triangles_drawn"]) << preset.name;
@@ -311,7 +320,7 @@ TEST(Renderer, ATriangleCutByTheNearPlaneIsCountedAsClippedHoweverManyPartsAreLe
 
 TEST(Renderer, ASampleExactlyAtFarIsKeptAndOneStepBeyondIsNot)
 {
-    const Camera base = plainCamera(16, 16);  // near = 1
+    const Camera base      = plainCamera(16, 16);  // near = 1
     const auto   coveredAt = [&](double z, double far, const Preset& preset) {
         Camera camera = base;
         camera.far    = far;
@@ -324,7 +333,8 @@ TEST(Renderer, ASampleExactlyAtFarIsKeptAndOneStepBeyondIsNot)
         EXPECT_EQ(coveredAt(4, 4, preset), 256) << preset.name;
         EXPECT_EQ(coveredAt(4, 1 / double{std::nextafter(0.25f, 1.0f)}, preset), 0) << preset.name;
         EXPECT_EQ(coveredAt(4, 1 / double{std::nextafter(0.25f, 0.0f)}, preset), 256) << preset.name;
-        EXPECT_EQ(coveredAt(0x1p200, kInfinity, preset), 256) << preset.name << ": depth 0 is kept where there is no far plane";
+        EXPECT_EQ(coveredAt(0x1p200, kInfinity, preset), 256)
+            << preset.name << ": depth 0 is kept where there is no far plane";
         EXPECT_EQ(coveredAt(0x1p200, 0x1p100, preset), 0) << preset.name;
     }
 }
@@ -349,7 +359,8 @@ TEST(Renderer, FlattenedMirroredAndHugeInstancesDrawWhatTheReferenceDraws)
 {
     const Camera camera = plainCamera(48, 40);
     Mesh         mesh;
-    for (const dvec3& p : {pointAt(camera, 10, 5, 3), pointAt(camera, 40, 8, 4), pointAt(camera, 20, 35, 5), pointAt(camera, 30, 30, 3)})
+    for (const dvec3& p :
+         {pointAt(camera, 10, 5, 3), pointAt(camera, 40, 8, 4), pointAt(camera, 20, 35, 5), pointAt(camera, 30, 30, 3)})
         mesh.positions.push_back(p);
     addFan(mesh, std::array<std::uint32_t, 3>{0, 1, 2});
     addFan(mesh, std::array<std::uint32_t, 3>{1, 3, 2});
@@ -361,7 +372,7 @@ TEST(Renderer, FlattenedMirroredAndHugeInstancesDrawWhatTheReferenceDraws)
     line.rows[1]        = line.rows[0];
     Affine beyond;
     beyond.rows[0][0] = 1e300;
-    const auto scene = sceneOf(mesh, std::array{mirrored, flat, point, huge, line, beyond});
+    const auto scene  = sceneOf(mesh, std::array{mirrored, flat, point, huge, line, beyond});
     for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
         const Picture reference = *referencePicture(*scene, camera, culling);
         EXPECT_GT(std::ranges::count_if(reference.ids.values(), [](std::int64_t id) { return id >= 0; }), 0);
@@ -376,11 +387,12 @@ TEST(Renderer, FlattenedMirroredAndHugeInstancesDrawWhatTheReferenceDraws)
 /// 2^32 - 2 triangles: 4,095 instances of a mesh of 2^20, all but the last far behind the eye, and one smaller mesh.
 TEST(Renderer, TheLastTriangleThatAnIdCanNameIsDrawn)
 {
-    const Camera                     camera = plainCamera(16, 16);
-    constexpr std::uint32_t          kMany  = 1 << 20;
-    std::vector<Corners>             corners(1, {pointAt(camera, -40, -40, 4), pointAt(camera, 80, -40, 4), pointAt(camera, 8, 90, 4)});
-    const std::shared_ptr<const Mesh> one = sceneOf(corners)->meshes[0];
-    const auto meshOf = [&](std::uint32_t count) {  // the same triangle `count` times
+    const Camera            camera = plainCamera(16, 16);
+    constexpr std::uint32_t kMany  = 1 << 20;
+    std::vector<Corners>    corners(
+           1, {pointAt(camera, -40, -40, 4), pointAt(camera, 80, -40, 4), pointAt(camera, 8, 90, 4)});
+    const std::shared_ptr<const Mesh> one    = sceneOf(corners)->meshes[0];
+    const auto                        meshOf = [&](std::uint32_t count) {  // the same triangle `count` times
         auto mesh = std::make_shared<Mesh>(*one);
         mesh->triangles.resize(count, one->triangles[0]);
         mesh->trianglePolygon.resize(count, PolygonId{0});
@@ -388,7 +400,7 @@ TEST(Renderer, TheLastTriangleThatAnIdCanNameIsDrawn)
         return mesh;
     };
     Scene parts;
-    parts.meshes = {meshOf(kMany), meshOf(kMany - 3), one};
+    parts.meshes        = {meshOf(kMany), meshOf(kMany - 3), one};
     const Affine behind = Affine::translation({0, 0, -1000});
     for (int i = 0; i < 4095; ++i) parts.instances.push_back({.mesh = MeshId{0}, .toWorld = behind, .colour = {}});
     parts.instances.push_back({.mesh = MeshId{1}, .toWorld = behind, .colour = {}});
@@ -399,11 +411,12 @@ TEST(Renderer, TheLastTriangleThatAnIdCanNameIsDrawn)
     for (const Preset& preset : presets()) {
         if (preset.pipeline.order != Order::Submitted) continue;  // trees take longer than this is worth
         DrawRequest request;
-        request.scene    = prepared;
-        request.camera   = camera;
-        request.pipeline = preset.pipeline;
+        request.scene     = prepared;
+        request.camera    = camera;
+        request.pipeline  = preset.pipeline;
         const Drawn drawn = draw(request);
-        EXPECT_EQ(std::ranges::count(drawn.picture.ids.values(), static_cast<std::int64_t>(kMaxTriangles) - 1), 256) << preset.name;
+        EXPECT_EQ(std::ranges::count(drawn.picture.ids.values(), static_cast<std::int64_t>(kMaxTriangles) - 1), 256)
+            << preset.name;
         EXPECT_EQ(std::ranges::count(drawn.colour.values(), colourOf(*scene, InstanceId{4096}, 0)), 256) << preset.name;
     }
 }

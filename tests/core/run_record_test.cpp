@@ -1,4 +1,5 @@
-// What a run's record says: quartiles of stages, error figures, costs per piece of work, and the set worth choosing from.
+// What a run's record says: quartiles of stages, error figures, costs per piece of work, and the set worth choosing
+// from.
 #include "core/measure/bench.h"
 
 #include <algorithm>
@@ -27,7 +28,8 @@ BenchRequest requestFor(const std::string& word, const std::vector<Pipeline>& pi
     BenchRequest request;
     request.camera = *makeCamera(view, scene->bounds);
     request.scene  = std::make_shared<const Scene>(*scene);
-    for (const Pipeline& pipeline : pipelines) request.algorithms.push_back({nameOf(pipeline), pipeline, claimOf(pipeline)});
+    for (const Pipeline& pipeline : pipelines)
+        request.algorithms.push_back({nameOf(pipeline), pipeline, claimOf(pipeline)});
     request.threads = {1};
     request.warmUp  = 1;
     request.frames  = 7;
@@ -64,7 +66,7 @@ TEST(Bench, StagesHaveOrderedQuartilesAndThoseOfTheMedianFrameStillAddUp)
 
 TEST(Bench, TellsOfEveryRowWhenItIsFinishedAndKeepsToldRowsWhenItIsStopped)
 {
-    auto              request = requestFor("cubes", {presetNamed("zbuffer"), presetNamed("scanline"), presetNamed("interval")});
+    auto request = requestFor("cubes", {presetNamed("zbuffer"), presetNamed("scanline"), presetNamed("interval")});
     std::atomic<bool> stop{false};
     request.progress.cancel = &stop;
     std::vector<std::string> told;
@@ -83,11 +85,12 @@ TEST(Bench, EveryOtherRoundGoesBackThroughTheRunsSoThatNobodyAlwaysFollowsTheSam
     request.frames = request.rounds = 3;
     std::vector<std::string> order;
     request.progress.report = [&order](double, std::string_view what) { order.emplace_back(what); };
-    const auto rows = bench(request);
+    const auto rows         = bench(request);
     ASSERT_TRUE(rows.ok()) << rows.error().text();
     ASSERT_GE(order.size(), 9u);
     order.erase(order.begin(), order.end() - 9);  // before: the first pictures
-    EXPECT_EQ(order, (std::vector<std::string>{"zbuffer", "scanline", "interval", "interval", "scanline", "zbuffer", "zbuffer", "scanline", "interval"}));
+    EXPECT_EQ(order, (std::vector<std::string>{"zbuffer", "scanline", "interval", "interval", "scanline", "zbuffer",
+                                               "zbuffer", "scanline", "interval"}));
     for (const BenchRow& row : *rows) EXPECT_EQ(row.roundMs.size(), 3u) << row.algorithm;
 }
 
@@ -111,12 +114,15 @@ TEST(Bench, FramesGoOnUntilTheyTookTheTimeThatWasAskedFor)
     request.leastMs    = 60;
     const auto lasting = bench(request);
     request.frames = request.rounds = 4;
-    const auto turns   = bench(request);
+    const auto turns                = bench(request);
     ASSERT_TRUE(few.ok() && lasting.ok() && turns.ok());
     for (const BenchRow& row : *few) EXPECT_EQ(row.frames, 1u) << row.algorithm;
     // One frame may have been enough, but then it was long.
-    for (const BenchRow& row : *lasting) EXPECT_TRUE(row.frames > 1 || row.medianMs >= 60) << row.algorithm << ": one frame of " << row.medianMs << " ms";
-    for (const BenchRow& row : *turns) EXPECT_TRUE(row.frames > 4 || std::ranges::min(row.roundMs) >= 15) << row.algorithm << ": four frames";
+    for (const BenchRow& row : *lasting)
+        EXPECT_TRUE(row.frames > 1 || row.medianMs >= 60)
+            << row.algorithm << ": one frame of " << row.medianMs << " ms";
+    for (const BenchRow& row : *turns)
+        EXPECT_TRUE(row.frames > 4 || std::ranges::min(row.roundMs) >= 15) << row.algorithm << ": four frames";
     EXPECT_EQ(benchFromJson(benchToJson(*lasting))->front().frames, lasting->front().frames);
 }
 
@@ -126,8 +132,8 @@ TEST(Bench, AnExactPictureHasFiguresOfZeroAndOthersAllThatCompareFinds)
     rough.approximation.format = DepthFormat::Fixed16;
     Pipeline faulty            = presetNamed("edge-walk");
     faulty.fault               = Fault::XTruncated;
-    const auto request         = requestFor("cubes", {presetNamed("zbuffer"), rough, faulty, presetNamed("interval-polygon")});
-    const auto rows            = bench(request);
+    const auto request = requestFor("cubes", {presetNamed("zbuffer"), rough, faulty, presetNamed("interval-polygon")});
+    const auto rows    = bench(request);
     ASSERT_TRUE(rows.ok()) << rows.error().text();
     const auto reference = referencePicture(*request.scene, request.camera, request.faceCulling);
     ASSERT_TRUE(reference.ok());
@@ -155,8 +161,8 @@ TEST(Bench, AnExactPictureHasFiguresOfZeroAndOthersAllThatCompareFinds)
 
 TEST(Bench, WithoutAReferenceThereAreNoFigures)
 {
-    auto request   = requestFor("cubes", {presetNamed("zbuffer")});
-    request.verify = false;
+    auto request    = requestFor("cubes", {presetNamed("zbuffer")});
+    request.verify  = false;
     const auto rows = bench(request);
     ASSERT_TRUE(rows.ok());
     EXPECT_FALSE(rows->front().figures);
@@ -171,7 +177,7 @@ TEST(Bench, TheRecordHoldsQuartilesAndFiguresAndTheTableKeepsItsColumns)
     auto rows       = bench(requestFor("cubes", {faulty}));
     ASSERT_TRUE(rows.ok());
     rows->front().figures->distanceOnWrongSurface.max = std::numeric_limits<double>::infinity();
-    const auto row = nlohmann::json::parse(benchToJson(*rows)).at(0);
+    const auto row                                    = nlohmann::json::parse(benchToJson(*rows)).at(0);
     EXPECT_EQ(row.at("claim"), "approximate");
     EXPECT_EQ(row.at("figures").at("holes"), rows->front().figures->holes);
     EXPECT_EQ(row.at("figures").at("distance_on_wrong_surface").at("max"), "inf");
@@ -181,8 +187,9 @@ TEST(Bench, TheRecordHoldsQuartilesAndFiguresAndTheTableKeepsItsColumns)
         EXPECT_LE(quartiles.at("q1"), quartiles.at("q3"));
     }
     const std::string csv = benchToCsv(*rows);
-    EXPECT_EQ(csv.substr(0, csv.find('\n')), "scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,triangles,pixels,"
-                                             "build_ms,bytes,clear,transform,cull,setup,prepass,build,raster,upkeep,shade,other");
+    EXPECT_EQ(csv.substr(0, csv.find('\n')),
+              "scene,algorithm,threads,simd,verified,wrong_pixels,best_ms,median_ms,q1_ms,q3_ms,triangles,pixels,"
+              "build_ms,bytes,clear,transform,cull,setup,prepass,build,raster,upkeep,shade,other");
 }
 
 TEST(UnitCosts, AreTheStagesMedianOverWhatThatStageWorksOn)
@@ -191,21 +198,23 @@ TEST(UnitCosts, AreTheStagesMedianOverWhatThatStageWorksOn)
     row.medianMs  = 2;
     row.triangles = 1000;
     row.pixels    = 500;
-    row.counters  = {{"vertices_transformed", 50}, {"triangles_drawn", 60}, {"triangles_hidden", 30}, {"triangles_back_facing", 10},
-                     {"triangles_outside", 900},   {"nodes_visited", 20},   {"pixels_tested", 400},   {"pyramid_writes", 8},
-                     {"fragments_shaded", 250}};
+    row.counters  = {{"vertices_transformed", 50},  {"triangles_drawn", 60},    {"triangles_hidden", 30},
+                     {"triangles_back_facing", 10}, {"triangles_outside", 900}, {"nodes_visited", 20},
+                     {"pixels_tested", 400},        {"pyramid_writes", 8},      {"fragments_shaded", 250}};
     for (StageQuartiles& stage : row.stageQuartiles) stage = {0.5, 1, 7};
     const auto cost = [&row](Stage stage) { return unitCosts(row, stage); };
 
-    const std::tuple<Stage, WorkUnit, double> expected[]{{Stage::Transform, WorkUnit::Vertex, 1e6 / 50}, {Stage::Setup, WorkUnit::Triangle, 1e6 / 100},
-                                                         {Stage::Cull, WorkUnit::Node, 1e6 / 20},        {Stage::Raster, WorkUnit::Pixel, 1e6 / 400},
-                                                         {Stage::Upkeep, WorkUnit::Cell, 1e6 / 8},       {Stage::Shade, WorkUnit::Pixel, 1e6 / 250}};
+    const std::tuple<Stage, WorkUnit, double> expected[]{
+        {Stage::Transform, WorkUnit::Vertex, 1e6 / 50}, {Stage::Setup, WorkUnit::Triangle, 1e6 / 100},
+        {Stage::Cull, WorkUnit::Node, 1e6 / 20},        {Stage::Raster, WorkUnit::Pixel, 1e6 / 400},
+        {Stage::Upkeep, WorkUnit::Cell, 1e6 / 8},       {Stage::Shade, WorkUnit::Pixel, 1e6 / 250}};
     for (const auto& [stage, unit, ns] : expected) {
         ASSERT_EQ(cost(stage).size(), 1u) << wordOf(stage);
         EXPECT_EQ(cost(stage).front().unit, unit) << wordOf(stage);
         EXPECT_DOUBLE_EQ(cost(stage).front().ns, ns) << wordOf(stage);
     }
-    for (const Stage stage : {Stage::Clear, Stage::Prepass, Stage::Build, Stage::Other}) EXPECT_TRUE(cost(stage).empty()) << wordOf(stage);
+    for (const Stage stage : {Stage::Clear, Stage::Prepass, Stage::Build, Stage::Other})
+        EXPECT_TRUE(cost(stage).empty()) << wordOf(stage);
     EXPECT_DOUBLE_EQ(frameCosts(row).at(0).ns, 2000);
     EXPECT_DOUBLE_EQ(frameCosts(row).at(1).ns, 4000);
 
@@ -226,7 +235,7 @@ TEST(UnitCosts, OfARealSweepAreEdgesAndPixels)
 {
     const auto rows = bench(requestFor("teapot", {presetNamed("scanline"), presetNamed("hzb-bvh")}));
     ASSERT_TRUE(rows.ok());
-    const BenchRow& sweep = rows->at(0);
+    const BenchRow& sweep  = rows->at(0);
     const auto      raster = unitCosts(sweep, Stage::Raster);
     ASSERT_EQ(raster.size(), 2u);
     EXPECT_EQ(raster[0].unit, WorkUnit::ActiveEdge);
@@ -256,7 +265,7 @@ TEST(SpeedError, TheSetIsWhatTheDefinitionSaysOfPairs)
 {
     std::vector<SpeedError> points;
     std::uint32_t           seed = 12345;
-    const auto              next = [&seed] { return static_cast<double>((seed = seed * 1664525u + 1013904223u) >> 27); };
+    const auto next = [&seed] { return static_cast<double>((seed = seed * 1664525u + 1013904223u) >> 27); };
     for (int i = 0; i < 200; ++i) points.push_back({next(), next()});
     const auto                  kept = nonDominated(points);
     const std::set<std::size_t> set(kept.begin(), kept.end());
@@ -264,16 +273,17 @@ TEST(SpeedError, TheSetIsWhatTheDefinitionSaysOfPairs)
     for (std::size_t i = 0; i < points.size(); ++i) {
         bool isDominated = false;
         for (const SpeedError& p : points)
-            isDominated |= p.ms <= points[i].ms && p.error <= points[i].error && (p.ms < points[i].ms || p.error < points[i].error);
+            isDominated |= p.ms <= points[i].ms && p.error <= points[i].error
+                           && (p.ms < points[i].ms || p.error < points[i].error);
         EXPECT_EQ(set.contains(i), !isDominated) << i;
     }
 }
 
 TEST(ApproximateSwitches, AreEveryChoiceOfEveryKindAloneAndCanRun)
 {
-    Pipeline base            = presetNamed("hzb-octree");
-    base.approximation.near  = NearPlane::Drop;  // neither this nor a fault is taken over
-    base.fault               = Fault::CornersOnly;
+    Pipeline base             = presetNamed("hzb-octree");
+    base.approximation.near   = NearPlane::Drop;  // neither this nor a fault is taken over
+    base.fault                = Fault::CornersOnly;
     const auto            all = approximateSwitches(base);
     std::set<std::string> seen;
     ASSERT_FALSE(all.empty());
@@ -285,8 +295,8 @@ TEST(ApproximateSwitches, AreEveryChoiceOfEveryKindAloneAndCanRun)
         EXPECT_EQ(all[i].pipeline.fault, Fault::None);
         int switched = 0;
         for (const AxisEntry& axis : axes()) {
-            Pipeline exact      = all[i].pipeline;
-            exact.approximation = {};
+            Pipeline exact                = all[i].pipeline;
+            exact.approximation           = {};
             const std::string_view choice = chosen(all[i].pipeline, axis.word);
             if (choice == chosen(exact, axis.word)) continue;
             ++switched;
@@ -294,18 +304,17 @@ TEST(ApproximateSwitches, AreEveryChoiceOfEveryKindAloneAndCanRun)
         }
         EXPECT_EQ(switched, 1) << all[i].name;
     }
-    const std::set<std::string_view> kinds{"snap", "vertices", "depth-numbers", "depth-format", "edges", "near", "cells", "small-nodes"};
+    const std::set<std::string_view> kinds{"snap",  "vertices", "depth-numbers", "depth-format",
+                                           "edges", "near",     "cells",         "small-nodes"};
     for (const AxisEntry& entry : axes()) {
         if (!kinds.contains(entry.word)) continue;
         for (const ChoiceEntry& choice : entry.choices.subspan(1))
-            EXPECT_TRUE(seen.contains(std::string(entry.word) + "=" + std::string(choice.word))) << entry.word << "=" << choice.word;
+            EXPECT_TRUE(seen.contains(std::string(entry.word) + "=" + std::string(choice.word)))
+                << entry.word << "=" << choice.word;
     }
 }
 
-TEST(ApproximateSwitches, StandBesideEveryPresetThatCanRun)
-{
-    EXPECT_EQ(presetsToTime().size(), presets().size());
-}
+TEST(ApproximateSwitches, StandBesideEveryPresetThatCanRun) { EXPECT_EQ(presetsToTime().size(), presets().size()); }
 
 }  // namespace
 }  // namespace zscope::tests

@@ -25,14 +25,18 @@ protected:
         const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
         root                   = fs::temp_directory_path() / ("zscope-" + std::to_string(::getpid()) + "-" + name);
         fs::create_directories(root / "scene" / "models");
-        write("scene/models/flag.obj", "mtllib flag.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl cloth\nf 1 2 3 4\n");
+        write("scene/models/flag.obj",
+              "mtllib flag.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl cloth\nf 1 2 3 4\n");
         write("scene/models/flag.mtl", "newmtl cloth\nKd 1 0 0\n");
         write("outside.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
     }
     void TearDown() override { fs::remove_all(root); }
 
-    void write(const std::string& path, const std::string& text) const { std::ofstream(root / path, std::ios::binary) << text; }
-    std::string path(const std::string& name = "scene/s.json") const { return (root / name).string(); }
+    void write(const std::string& path, const std::string& text) const
+    {
+        std::ofstream(root / path, std::ios::binary) << text;
+    }
+    std::string   path(const std::string& name = "scene/s.json") const { return (root / name).string(); }
     Result<Scene> load(const std::string& text, std::uint64_t memory = 0) const
     {
         write("scene/s.json", text);
@@ -58,8 +62,8 @@ bool says(const Error& error, const std::string& words) { return error.sentence.
 TEST_F(SceneFile, ACutOutBelongsToTheMaterialOfAMesh)
 {
     const auto flag = [](const std::string& cutout, const std::string& instance = "{\"mesh\": \"f\"}") {
-        return "{\"materials\": {\"cloth\": {\"colour\": [1, 0, 0], \"cutout\": " + cutout +
-               "}},\n\"meshes\": {\"f\": {\"obj\": \"models/flag.obj\"}},\n\"instances\": [" + instance + "]}";
+        return "{\"materials\": {\"cloth\": {\"colour\": [1, 0, 0], \"cutout\": " + cutout
+               + "}},\n\"meshes\": {\"f\": {\"obj\": \"models/flag.obj\"}},\n\"instances\": [" + instance + "]}";
     };
     const auto scene = load(flag("{\"pattern\": \"holes\", \"size\": 0.25}"));
     ASSERT_TRUE(scene.ok()) << scene.error().text();
@@ -71,14 +75,16 @@ TEST_F(SceneFile, ACutOutBelongsToTheMaterialOfAMesh)
     EXPECT_TRUE(says(refused(flag("{\"pattern\": \"lace\", \"size\": 1}")), "choose one of checker, stripes, holes"));
     EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\", \"size\": 0}")), "more than 0"));
     EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\"}")), "a cut-out needs a 'size'"));
-    EXPECT_TRUE(says(refused(flag("{\"pattern\": \"holes\", \"size\": 1}", "{\"mesh\": \"f\", \"material\": \"cloth\"}")), "its mesh's"));
+    EXPECT_TRUE(
+        says(refused(flag("{\"pattern\": \"holes\", \"size\": 1}", "{\"mesh\": \"f\", \"material\": \"cloth\"}")),
+             "its mesh's"));
 }
 
 TEST_F(SceneFile, AReliefBelongsToTheMaterialOfAMesh)
 {
     const auto flag = [](const std::string& relief, const std::string& instance = "{\"mesh\": \"f\"}") {
-        return "{\"materials\": {\"cloth\": {\"colour\": [1, 0, 0], \"relief\": " + relief +
-               "}},\n\"meshes\": {\"f\": {\"obj\": \"models/flag.obj\"}},\n\"instances\": [" + instance + "]}";
+        return "{\"materials\": {\"cloth\": {\"colour\": [1, 0, 0], \"relief\": " + relief
+               + "}},\n\"meshes\": {\"f\": {\"obj\": \"models/flag.obj\"}},\n\"instances\": [" + instance + "]}";
     };
     const auto scene = load(flag(R"({"pattern": "bowls", "size": 0.25, "depth": "0x1p-3"})"));
     ASSERT_TRUE(scene.ok()) << scene.error().text();
@@ -87,17 +93,28 @@ TEST_F(SceneFile, AReliefBelongsToTheMaterialOfAMesh)
     EXPECT_EQ(mesh.materialOf(PolygonId{0}).relief, (Relief{ReliefPattern::Bowls, 0.25, 0.125}));
     EXPECT_FALSE(mesh.materialOf(PolygonId{0}).cutout.has_value());
     EXPECT_NE(scene->digest, load(flag(R"({"pattern": "bowls", "size": 0.25, "depth": 0.25})"))->digest);
-    EXPECT_TRUE(says(refused(flag(R"({"pattern": "bowls", "size": 1, "depth": 1})", R"({"mesh": "f", "material": "cloth"})")), "its mesh's"));
+    EXPECT_TRUE(
+        says(refused(flag(R"({"pattern": "bowls", "size": 1, "depth": 1})", R"({"mesh": "f", "material": "cloth"})")),
+             "its mesh's"));
 }
 
 /// Every value of a material in turn becomes something that it cannot be.
 TEST_F(SceneFile, WhatIsWrongWithAMaterialIsSaidWithItsLine)
 {
-    const std::vector<std::string> noLength{"null", "true", "\"\"", "\"x\"", "[]", "{}", "[1]", "{\"a\": 1}", "0", "-1", "\"-1\"", "\"nan\"",
-                                            "\"inf\"", "\"-inf\"", "1e999", "-0.0", "\"1 \"", "\"0x\""};
-    const std::vector<std::string> noShare{"null", "true", "\"\"", "\"x\"", "[]", "{}", "1.0001", "-1", "\"nan\"", "\"inf\"", "1e999"};
-    const std::vector<std::string> noPattern{"null", "true", "1", "\"\"", "\"x\"", "\"Holes\"", "[]", "{}", "[\"holes\"]"};
-    const std::vector<std::string> noObject{"null", "true", "1", "\"holes\"", "[]", "{}", "{\"pattern\": \"holes\", \"size\": 1, \"depth\": 1, \"more\": 1}"};
+    const std::vector<std::string> noLength{"null",    "true",       "\"\"",  "\"x\"", "[]",     "{}",
+                                            "[1]",     "{\"a\": 1}", "0",     "-1",    "\"-1\"", "\"nan\"",
+                                            "\"inf\"", "\"-inf\"",   "1e999", "-0.0",  "\"1 \"", "\"0x\""};
+    const std::vector<std::string> noShare{"null",   "true", "\"\"",    "\"x\"",   "[]",   "{}",
+                                           "1.0001", "-1",   "\"nan\"", "\"inf\"", "1e999"};
+    const std::vector<std::string> noPattern{"null",      "true", "1",  "\"\"",       "\"x\"",
+                                             "\"Holes\"", "[]",   "{}", "[\"holes\"]"};
+    const std::vector<std::string> noObject{"null",
+                                            "true",
+                                            "1",
+                                            "\"holes\"",
+                                            "[]",
+                                            "{}",
+                                            "{\"pattern\": \"holes\", \"size\": 1, \"depth\": 1, \"more\": 1}"};
     struct Place {
         std::string                     key, whole;
         const std::vector<std::string>* junk;
@@ -116,8 +133,9 @@ TEST_F(SceneFile, WhatIsWrongWithAMaterialIsSaidWithItsLine)
         for (const std::string& junk : *place.junk) {
             std::string member = place.whole;
             member.replace(member.find('$'), 1, junk);
-            const Error error = refused("{\n\"materials\": {\"cloth\": {\n\"colour\": [1, 0, 0],\n" + member +
-                                        "}},\n\"meshes\": {\"f\": {\"obj\": \"models/flag.obj\"}},\n\"instances\": [{\"mesh\": \"f\"}]}");
+            const Error error = refused(
+                "{\n\"materials\": {\"cloth\": {\n\"colour\": [1, 0, 0],\n" + member
+                + "}},\n\"meshes\": {\"f\": {\"obj\": \"models/flag.obj\"}},\n\"instances\": [{\"mesh\": \"f\"}]}");
             EXPECT_EQ(error.kind, Trouble::Input) << place.key << ' ' << junk;
             EXPECT_EQ(error.line, 4) << place.key << ' ' << junk << ": " << error.text();
             EXPECT_EQ(error.file, path()) << place.key << ' ' << junk;
@@ -132,13 +150,16 @@ TEST_F(SceneFile, EveryPartOfTheFormatIsRead)
       "instances": [
         {"mesh": "flag", "matrix": [1, 0, 0, 2,  0, 1, 0, "0x1.8p+1",  0, 0, 1, 4]},
         {"mesh": "pot", "grid": {"count": [2, 1, 3], "step": [10, 20, 30]}, "material": "blue"},
-        {"mesh": "flag", "random": {"count": 5, "seed": 9, "min": [0, 0, 0], "max": [1, 2, 3], "rotate": true}, "colour": [0, 0.5, 1]},
+        {"mesh": "flag", "random": {"count": 5, "seed": 9, "min": [0, 0, 0], "max": [1, 2, 3], "rotate": true},
+            "colour": [0, 0.5, 1]},
         {"mesh": "flag"}],
       "materials": {"blue": {"colour": [0, 0, 1]}, "cloth": {"colour": [0, 1, 0], "opacity": 0.5}},
       "light": {"direction": [0, -1, 0]},
       "cameras": {
-        "a": {"size": [640, 480], "eye": [0, 0, 9], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 30, "near": 0.5, "far": "inf", "cull": "back"},
-        "b": {"eye": [0,0,9], "right": [1,0,0], "up": [0,1,0], "forward": [0,0,-1], "focal": 2, "near": 1, "far": 99, "width": 32, "height": 16},
+        "a": {"size": [640, 480], "eye": [0, 0, 9], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 30, "near": 0.5,
+            "far": "inf", "cull": "back"},
+        "b": {"eye": [0,0,9], "right": [1,0,0], "up": [0,1,0], "forward": [0,0,-1], "focal": 2, "near": 1, "far": 99,
+            "width": 32, "height": 16},
         "c": {"size": "300x200"}}})");
     ASSERT_TRUE(scene.ok()) << scene.error().text();
     ASSERT_EQ(scene->meshes.size(), 2u);
@@ -183,8 +204,8 @@ TEST_F(SceneFile, MeshOfManyInstancesIsHeldOnce)
 TEST_F(SceneFile, RandomInstancesDependOnTheSeedOnlyAndRotationsAreRotations)
 {
     const auto group = [](int seed) {
-        return cubes(R"({"mesh": "c", "random": {"count": 200, "seed": )" + std::to_string(seed) +
-                     R"(, "min": [-1, -1, -1], "max": [1, 1, 1], "rotate": true}})");
+        return cubes(R"({"mesh": "c", "random": {"count": 200, "seed": )" + std::to_string(seed)
+                     + R"(, "min": [-1, -1, -1], "max": [1, 1, 1], "rotate": true}})");
     };
     const auto one = load(group(1)), again = load(group(1)), two = load(group(2));
     ASSERT_TRUE(one.ok() && again.ok() && two.ok());
@@ -195,20 +216,24 @@ TEST_F(SceneFile, RandomInstancesDependOnTheSeedOnlyAndRotationsAreRotations)
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j < 3; ++j)
                 EXPECT_NEAR(m[i][0] * m[j][0] + m[i][1] * m[j][1] + m[i][2] * m[j][2], i == j ? 1 : 0, 1e-12);
-        EXPECT_GT(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                      m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]), 0.99);
+        EXPECT_GT(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+                      + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]),
+                  0.99);
     }
 }
 
 TEST_F(SceneFile, CountsBeyondMemoryAreRefusedAtOnce)
 {
     const auto  before = std::chrono::steady_clock::now();
-    const Error huge   = refused(cubes(R"({"mesh": "c", "grid": {"count": [100000, 100000, 100000], "step": [1, 1, 1]}})"));
+    const Error huge =
+        refused(cubes(R"({"mesh": "c", "grid": {"count": [100000, 100000, 100000], "step": [1, 1, 1]}})"));
     EXPECT_EQ(huge.kind, Trouble::Limit);
     EXPECT_EQ(huge.line, 2);
-    const Error random = refused(cubes(R"({"mesh": "c", "random": {"count": 9007199254740992, "min": [0,0,0], "max": [1,1,1]}})"));
+    const Error random =
+        refused(cubes(R"({"mesh": "c", "random": {"count": 9007199254740992, "min": [0,0,0], "max": [1,1,1]}})"));
     EXPECT_EQ(random.kind, Trouble::Limit);
-    const Error small = refused(cubes(R"({"mesh": "c", "grid": {"count": [100, 100, 100], "step": [1, 1, 1]}})"), 32 << 20);
+    const Error small =
+        refused(cubes(R"({"mesh": "c", "grid": {"count": [100, 100, 100], "step": [1, 1, 1]}})"), 32 << 20);
     EXPECT_EQ(small.kind, Trouble::Limit);
     EXPECT_TRUE(says(small, "memory limit is 32 MiB")) << small.text();
     EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(2));
@@ -216,7 +241,11 @@ TEST_F(SceneFile, CountsBeyondMemoryAreRefusedAtOnce)
 
 TEST_F(SceneFile, WhatIsWrongIsToldWithFileAndLine)
 {
-    struct Case { std::string text; int line; const char* words; };
+    struct Case {
+        std::string text;
+        int         line;
+        const char* words;
+    };
     const std::vector<Case> cases{
         {"", 1, "not JSON"},
         {"{\n\n  \"meshes\": }", 3, "not JSON"},
@@ -243,9 +272,11 @@ TEST_F(SceneFile, WhatIsWrongIsToldWithFileAndLine)
         {cubes("{\"mesh\": \"c\", \"grid\": {\"count\": [1,0,1], \"step\": [1,1,1]}}"), 2, "whole number"},
         {cubes("{\"mesh\": \"c\", \"grid\": {\"count\": [1,1.5,1], \"step\": [1,1,1]}}"), 2, "whole number"},
         {cubes("{\"mesh\": \"c\", \"grid\": {\"count\": [1,1,1]}}"), 2, "'step'"},
-        {cubes("{\"mesh\": \"c\", \"random\": {\"count\": -1, \"min\": [0,0,0], \"max\": [1,1,1]}}"), 2, "whole number"},
+        {cubes("{\"mesh\": \"c\", \"random\": {\"count\": -1, \"min\": [0,0,0], \"max\": [1,1,1]}}"), 2,
+         "whole number"},
         {cubes("{\"mesh\": \"c\", \"random\": {\"count\": 1, \"min\": [2,0,0], \"max\": [1,1,1]}}"), 2, "above 'max'"},
-        {cubes("{\"mesh\": \"c\", \"random\": {\"count\": 1, \"min\": [0,0,0], \"max\": [1,1,1], \"rotate\": 1}}"), 2, "true or false"},
+        {cubes("{\"mesh\": \"c\", \"random\": {\"count\": 1, \"min\": [0,0,0], \"max\": [1,1,1], \"rotate\": 1}}"), 2,
+         "true or false"},
         {cubes("{\"mesh\": \"c\", \"material\": \"gold\"}"), 2, "no material 'gold'"},
         {cubes("{\"mesh\": \"c\", \"colour\": [2, 0, 0]}"), 2, "from 0 to 1"},
         {cubes("", ",\n\"materials\": {\"m\": {\"opacity\": 1}}"), 3, "needs a 'colour'"},

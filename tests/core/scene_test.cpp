@@ -24,8 +24,10 @@ Scene parts()
 {
     Scene scene;
     scene.meshes    = {fan(3), fan(0), fan(2)};
-    scene.instances = {{MeshId{1}, Affine{}}, {MeshId{0}, Affine{}},  {MeshId{1}, Affine{}}, {MeshId{2}, Affine::translation({5, 0, -1})},
-                       {MeshId{1}, Affine{}}, {MeshId{0}, Affine{}, Rgb{1, 0, 0}}, {MeshId{1}, Affine{}}};
+    scene.instances = {{MeshId{1}, Affine{}}, {MeshId{0}, Affine{}},
+                       {MeshId{1}, Affine{}}, {MeshId{2}, Affine::translation({5, 0, -1})},
+                       {MeshId{1}, Affine{}}, {MeshId{0}, Affine{}, Rgb{1, 0, 0}},
+                       {MeshId{1}, Affine{}}};
     return scene;
 }
 
@@ -52,8 +54,8 @@ TEST(Scene, BoundsHoldEveryInstanceWhereItStands)
     ASSERT_TRUE(scene.ok());
     EXPECT_EQ(scene->bounds.min, (dvec3{0, 0, -1}));
     EXPECT_EQ(scene->bounds.max, (dvec3{6, 3, 0}));
-    Scene turned = parts();
-    turned.instances = {{MeshId{0}, Affine{{{{0, -1, 0, 0}, {2, 0, 0, 0}, {0, 0, 1, 7}}}}}};
+    Scene turned       = parts();
+    turned.instances   = {{MeshId{0}, Affine{{{{0, -1, 0, 0}, {2, 0, 0, 0}, {0, 0, 1, 7}}}}}};
     const auto quarter = assemble(turned);
     ASSERT_TRUE(quarter.ok());
     EXPECT_EQ(quarter->bounds.min, (dvec3{-3, 0, 7}));
@@ -86,14 +88,25 @@ TEST(Scene, DigestChangesWithEverythingThatDecidesThePictureAndWithNothingElse)
     };
     const std::string plain = digestAfter([](Scene&) {});
     EXPECT_EQ(plain, digestAfter([](Scene&) {}));
-    EXPECT_EQ(plain, digestAfter([](Scene& s) { s.name = "another"; s.warnings.push_back({}); s.views.emplace_back(); }));
-    EXPECT_EQ(plain, digestAfter(withMesh([](Mesh& m) { m.groups.push_back("g"); m.materials[0].name = "m"; })));
+    EXPECT_EQ(plain, digestAfter([](Scene& s) {
+                  s.name = "another";
+                  s.warnings.push_back({});
+                  s.views.emplace_back();
+              }));
+    EXPECT_EQ(plain, digestAfter(withMesh([](Mesh& m) {
+                  m.groups.push_back("g");
+                  m.materials[0].name = "m";
+              })));
 
     const std::array<std::function<void(Scene&)>, 11> changes{
         [](Scene& s) { std::swap(s.instances[1], s.instances[3]); },
         [](Scene& s) { s.instances[1].toWorld.rows[2][3] = 5e-324; },
-        [](Scene& s) { s.instances[1].colour = Rgb{0, 0, 0}; },
-        [](Scene& s) { s.instances[5].colour = Rgb{1, 0, 1e-7f}; },
+        [](Scene& s) {
+            s.instances[1].colour = Rgb{0, 0, 0};
+        },
+        [](Scene& s) {
+            s.instances[5].colour = Rgb{1, 0, 1e-7f};
+        },
         [](Scene& s) { s.instances.pop_back(); },
         [](Scene& s) { s.light.direction.x += 1e-15; },
         withMesh([](Mesh& m) { m.positions[1].x += 1e-15; }),
@@ -105,15 +118,16 @@ TEST(Scene, DigestChangesWithEverythingThatDecidesThePictureAndWithNothingElse)
     std::vector<std::string> seen{plain};
     for (std::size_t i = 0; i < changes.size(); ++i) {
         seen.push_back(digestAfter(changes[i]));
-        for (std::size_t k = 0; k + 1 < seen.size(); ++k) EXPECT_NE(seen.back(), seen[k]) << "change " << i << " and " << k;
+        for (std::size_t k = 0; k + 1 < seen.size(); ++k)
+            EXPECT_NE(seen.back(), seen[k]) << "change " << i << " and " << k;
     }
 }
 
 TEST(Scene, InstanceOfAMeshThatIsNotThereIsRefused)
 {
-    Scene scene = parts();
+    Scene scene             = parts();
     scene.instances[2].mesh = MeshId{3};
-    const auto whole = assemble(scene);
+    const auto whole        = assemble(scene);
     ASSERT_FALSE(whole.ok());
     EXPECT_EQ(whole.error().kind, Trouble::Input);
     EXPECT_NE(whole.error().sentence.find("instance 2"), std::string::npos);
@@ -122,9 +136,9 @@ TEST(Scene, InstanceOfAMeshThatIsNotThereIsRefused)
 TEST(Scene, MatrixThatIsNotFiniteIsRefused)
 {
     for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-        Scene scene = parts();
+        Scene scene                           = parts();
         scene.instances[4].toWorld.rows[1][2] = bad;
-        const auto whole = assemble(scene);
+        const auto whole                      = assemble(scene);
         ASSERT_FALSE(whole.ok());
         EXPECT_EQ(whole.error().kind, Trouble::Input);
     }
@@ -132,14 +146,14 @@ TEST(Scene, MatrixThatIsNotFiniteIsRefused)
 
 TEST(Scene, InstanceThatReachesBeyondTheLargestNumberIsRefused)
 {
-    Scene scene = parts();
+    Scene scene                        = parts();
     scene.instances[1].toWorld.rows[0] = {1.7e308, 1.7e308, 0, 1.7e308};
     EXPECT_FALSE(assemble(scene).ok());
 }
 
 TEST(Scene, LightWithoutDirectionIsRefused)
 {
-    Scene scene = parts();
+    Scene scene           = parts();
     scene.light.direction = {0, 0, 0};
     EXPECT_FALSE(assemble(scene).ok());
 }

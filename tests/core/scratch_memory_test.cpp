@@ -1,5 +1,5 @@
-// What a thread's scratch memory happens to hold before its first frame: nothing of it may be used, not even by lanes that no triangle
-// fills.
+// What a thread's scratch memory happens to hold before its first frame: nothing of it may be used, not even by lanes
+// that no triangle fills.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -18,7 +18,8 @@ class SoiledScratch {
 public:
     explicit SoiledScratch(unsigned char byte) : m_memory(::operator new(sizeof(StripeScratch), kAlignment))
     {
-        volatile auto* bytes = static_cast<unsigned char*>(m_memory);  // volatile: nobody reads them before the constructor
+        // volatile: nobody reads them before the constructor
+        volatile auto* bytes = static_cast<unsigned char*>(m_memory);
         for (std::size_t i = 0; i < sizeof(StripeScratch); ++i) bytes[i] = byte;
         m_scratch = new (m_memory) StripeScratch;
     }
@@ -62,8 +63,8 @@ Picture drawn(const Subject& subject, const Pipeline& pipeline, Simd simd, FaceC
     const Projection projection(camera);
     VisibilityBuffer visible;
     visible.resize(camera.width, camera.height, DepthEncoding(pipeline.approximation.format, camera.near, camera.far));
-    StageClock       clock;
-    const Stripe     whole{*subject.scene, projection, culling, visible, 0, camera.height, {}};
+    StageClock   clock;
+    const Stripe whole{*subject.scene, projection, culling, visible, 0, camera.height, {}};
     kernelsOf(simd).drawStripe(pipeline, whole, scratch, clock);
     return pictureOf(visible);
 }

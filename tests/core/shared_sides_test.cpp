@@ -1,4 +1,5 @@
-// Sides that two triangles of a batch have in common: found when batches are made, entered in the edge table as one edge where nobody looks on. In every instruction set.
+// Sides that two triangles of a batch have in common: found when batches are made, entered in the edge table as one
+// edge where nobody looks on. In every instruction set.
 #include <cstddef>
 
 #include "core/geometry/rules.h"
@@ -107,13 +108,15 @@ std::size_t expectMutual(const MeshBatches& mesh)
                 const auto          opposite = std::pair(side.second, side.first);
                 if (beyond == MeshBatches::kNobody) {
                     const bool isPlain = sides.count(side) == 1 && sides.count(opposite) == 1;
-                    EXPECT_FALSE(isPlain && side.first != side.second) << "triangle " << t << ", side " << k << ": its neighbour was not found";
+                    EXPECT_FALSE(isPlain && side.first != side.second)
+                        << "triangle " << t << ", side " << k << ": its neighbour was not found";
                     continue;
                 }
                 ++found;
                 int mutual = 0;
                 for (std::size_t j = 0; j < 3; ++j)
-                    mutual += mesh.beyond[j][batch.firstTriangle + beyond] == t && Sides::ends(mesh, batch, beyond, j) == opposite;
+                    mutual += mesh.beyond[j][batch.firstTriangle + beyond] == t
+                              && Sides::ends(mesh, batch, beyond, j) == opposite;
                 EXPECT_LT(beyond, batch.triangleCount);
                 EXPECT_EQ(mutual, 1) << "triangle " << t << ", side " << k;
             }
@@ -126,10 +129,12 @@ TEST(SidesOfBatches, EachOfTwoTrianglesNamesTheOther)
     std::mt19937_64 random(3);
     for (const std::uint32_t vertices : {4u, 12u, 60u, 900u}) {  // from everybody's neighbour to hardly anybody's
         std::vector<dvec3> positions;
-        for (std::uint32_t v = 0; v < vertices; ++v) positions.emplace_back(random() % 100, random() % 100, random() % 100);
+        for (std::uint32_t v = 0; v < vertices; ++v)
+            positions.emplace_back(random() % 100, random() % 100, random() % 100);
         std::vector<Outline> triangles(1500);
         for (auto& outline : triangles)
-            for (auto& corner : outline) corner = static_cast<std::uint32_t>(random() % vertices);  // a corner may be another one, too
+            // a corner may be another one, too
+            for (auto& corner : outline) corner = static_cast<std::uint32_t>(random() % vertices);
         const Mesh        mesh  = meshOf(positions, triangles);
         const MeshBatches whole = makeBatches(mesh);
         EXPECT_GT(expectMutual(whole), vertices < 100 ? 200u : 0u) << vertices;
@@ -142,7 +147,8 @@ TEST(SidesOfBatches, OfASurfaceNearlyAllHaveANeighbour)
     const Mesh&         mesh  = scene.value().meshOf(InstanceId{0});
     const MeshBatches   whole = makeBatches(mesh), patched = patchedBatches(mesh, whole);
     ASSERT_FALSE(patched.batches.empty());
-    for (const MeshBatches* batches : {&whole, &patched}) EXPECT_GT(expectMutual(*batches), 3 * mesh.triangles.size() * 4 / 5);
+    for (const MeshBatches* batches : {&whole, &patched})
+        EXPECT_GT(expectMutual(*batches), 3 * mesh.triangles.size() * 4 / 5);
 }
 
 class SharedEdges : public testing::TestWithParam<std::int64_t> {
@@ -156,27 +162,31 @@ protected:
         hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     }
 
-    /// The batch's triangles as set-up lists them: corners where their vertices' x and y say, in pixels, those of a front turned.
+    /// The batch's triangles as set-up lists them: corners where their vertices' x and y say, in pixels, those of a
+    /// front turned.
     static void list(const MeshBatches& mesh, TriangleList& out)
     {
         out.clear();
         out.mesh = &mesh, out.batch = &mesh.batches[0];
         for (std::uint32_t t = 0; t < out.batch->triangleCount; ++t) {
             std::array<int, 3> x, y;
-            for (std::size_t k = 0; k < 3; ++k) x[k] = static_cast<int>(256 * mesh.x[mesh.corners[k][t]]), y[k] = static_cast<int>(256 * mesh.y[mesh.corners[k][t]]);
+            for (std::size_t k = 0; k < 3; ++k)
+                x[k] = static_cast<int>(256 * mesh.x[mesh.corners[k][t]]),
+                y[k] = static_cast<int>(256 * mesh.y[mesh.corners[k][t]]);
             const int area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
             if (area == 0) continue;
             const bool front = area < 0;  // y runs down
             if (front) std::swap(x[1], x[2]), std::swap(y[1], y[2]);
-            const std::size_t i   = out.count++;
-            const int         px  = std::ranges::min(x) >> 8, py = std::ranges::min(y) >> 8;
-            out.start[i]          = pixelsAndLines(px, py);
-            out.end[i]            = pixelsAndLines((std::ranges::max(x) >> 8) + 1, (std::ranges::max(y) >> 8) + 1);
-            out.kind[i]           = TriangleList::kCompact | (front ? TriangleList::kFront : 0);
-            out.notRank[i]        = ~(mesh.meshTriangle[t] + 1);
-            out.thirdAndPlace[i]  = t << 16;
+            const std::size_t i  = out.count++;
+            const int         px = std::ranges::min(x) >> 8, py = std::ranges::min(y) >> 8;
+            out.start[i]         = pixelsAndLines(px, py);
+            out.end[i]           = pixelsAndLines((std::ranges::max(x) >> 8) + 1, (std::ranges::max(y) >> 8) + 1);
+            out.kind[i]          = TriangleList::kCompact | (front ? TriangleList::kFront : 0);
+            out.notRank[i]       = ~(mesh.meshTriangle[t] + 1);
+            out.thirdAndPlace[i] = t << 16;
             out.a[i] = out.b[i] = out.c[i] = 0, out.farthest[i] = out.nearest[i] = 0;
-            for (std::size_t k = 0; k < 3; ++k) out.corner[k][i] = pixelsAndLines(x[k] - 256 * px - 128, y[k] - 256 * py - 128);
+            for (std::size_t k = 0; k < 3; ++k)
+                out.corner[k][i] = pixelsAndLines(x[k] - 256 * px - 128, y[k] - 256 * py - 128);
         }
     }
 
@@ -200,9 +210,10 @@ protected:
             for (const std::uint32_t edge : table.startingAt(y)) active.push_back(table[edge]);
             std::ranges::sort(active, [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
             std::map<std::uint32_t, int> open;
-            const auto pass = [&](std::uint32_t polygon, int pixel) {
+            const auto                   pass = [&](std::uint32_t polygon, int pixel) {
                 if (const auto at = open.find(polygon); at != open.end()) {
-                    if (at->second < pixel) spans.insert({y, static_cast<int>(table.parts()[polygon].id.value), at->second, pixel});
+                    if (at->second < pixel)
+                        spans.insert({y, static_cast<int>(table.parts()[polygon].id.value), at->second, pixel});
                     open.erase(at);
                 } else {
                     open[polygon] = pixel;
@@ -230,14 +241,16 @@ protected:
 TEST_P(SharedEdges, ASideBetweenTwoTrianglesIsEnteredOnce)
 {
     for (const bool isTurned : {false, true}) {  // a front, or a back
-        const Mesh        mesh    = meshOf({{5, 5, 0}, {40, 8, 0}, {45, 50, 0}, {3, 41, 0}},
-                                           isTurned ? std::vector<Outline>{{0, 1, 2}, {0, 2, 3}} : std::vector<Outline>{{2, 1, 0}, {3, 2, 0}});
+        const Mesh mesh =
+            meshOf({{5, 5, 0}, {40, 8, 0}, {45, 50, 0}, {3, 41, 0}},
+                   isTurned ? std::vector<Outline>{{0, 1, 2}, {0, 2, 3}} : std::vector<Outline>{{2, 1, 0}, {3, 2, 0}});
         const MeshBatches batches = makeBatches(mesh);
         list(batches, *m_list);
         ASSERT_EQ(m_list->count, 2u);
         EXPECT_EQ(m_list->is(TriangleList::kFront, 0), !isTurned);
 
-        const EdgeTable once = entered(*m_list, EdgeTable::Sides::OfWide), each = entered(*m_list, EdgeTable::Sides::All);
+        const EdgeTable once = entered(*m_list, EdgeTable::Sides::OfWide),
+                        each = entered(*m_list, EdgeTable::Sides::All);
         EXPECT_EQ(once.edgeCount(), 5u);
         ASSERT_EQ(sharedOf(once), 1u);
         EXPECT_EQ(each.edgeCount(), 6u) << "whoever looks on sees each triangle's own";
@@ -255,7 +268,8 @@ TEST_P(SharedEdges, AnyHeapOfTrianglesHasTheSpansThatEachHasByItself)
         const std::size_t  vertices = 4 + random() % 40;
         std::vector<dvec3> positions;  // on centres, corners and thirds of pixels; some outside
         for (std::size_t v = 0; v < vertices; ++v)
-            positions.emplace_back((static_cast<int>(random() % 150) - 5) / 2.0 + (random() % 3 ? 0.0 : 0.34), (static_cast<int>(random() % 150) - 5) / 2.0, 0);
+            positions.emplace_back((static_cast<int>(random() % 150) - 5) / 2.0 + (random() % 3 ? 0.0 : 0.34),
+                                   (static_cast<int>(random() % 150) - 5) / 2.0, 0);
         std::vector<Outline> triangles(1 + random() % 200);  // fronts and backs, three and more at a side, some twice
         for (auto& outline : triangles) {
             const auto about = random() % vertices;
@@ -264,7 +278,8 @@ TEST_P(SharedEdges, AnyHeapOfTrianglesHasTheSpansThatEachHasByItself)
         const Mesh        mesh    = meshOf(positions, triangles);
         const MeshBatches batches = makeBatches(mesh);
         list(batches, *m_list);
-        const EdgeTable once = entered(*m_list, EdgeTable::Sides::OfWide), each = entered(*m_list, EdgeTable::Sides::All);
+        const EdgeTable once = entered(*m_list, EdgeTable::Sides::OfWide),
+                        each = entered(*m_list, EdgeTable::Sides::All);
         ASSERT_EQ(spansOf(once), spansOf(each)) << i;
         shared += sharedOf(once), spans += spansOf(once).size();
     }
@@ -274,12 +289,14 @@ TEST_P(SharedEdges, AnyHeapOfTrianglesHasTheSpansThatEachHasByItself)
 
 TEST_P(SharedEdges, OfNoBatchNothingIsShared)
 {
-    const MeshBatches batches = makeBatches(meshOf({{5, 5, 0}, {40, 8, 0}, {45, 50, 0}, {3, 41, 0}}, {{0, 1, 2}, {0, 2, 3}}));
+    const MeshBatches batches =
+        makeBatches(meshOf({{5, 5, 0}, {40, 8, 0}, {45, 50, 0}, {3, 41, 0}}, {{0, 1, 2}, {0, 2, 3}}));
     list(batches, *m_list);
     m_list->batch = nullptr;
     EXPECT_EQ(entered(*m_list, EdgeTable::Sides::OfWide).edgeCount(), 6u);
     const std::vector<std::uint32_t> all{0, 1};
-    const MeshBatches                node = makeBatches(meshOf({{5, 5, 0}, {40, 8, 0}, {45, 50, 0}, {3, 41, 0}}, {{0, 1, 2}, {0, 2, 3}}), all);
+    const MeshBatches                node =
+        makeBatches(meshOf({{5, 5, 0}, {40, 8, 0}, {45, 50, 0}, {3, 41, 0}}, {{0, 1, 2}, {0, 2, 3}}), all);
     list(node, *m_list);
     EXPECT_EQ(entered(*m_list, EdgeTable::Sides::OfWide).edgeCount(), 6u) << "of a node's batch";
 }
@@ -288,7 +305,8 @@ std::string nameOf(const testing::TestParamInfo<std::int64_t>& info) { return hw
 std::vector<std::int64_t> targets()
 {
     std::vector<std::int64_t> all;
-    for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) all.push_back(left & -left);
+    for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
+        all.push_back(left & -left);
     return all;
 }
 INSTANTIATE_TEST_SUITE_P(Targets, SharedEdges, testing::ValuesIn(targets()), nameOf);

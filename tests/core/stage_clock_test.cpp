@@ -34,7 +34,8 @@ TEST(StageClock, LapsGoToTheirStages)
     clock.lap(Stage::Shade);
 
     const StageMs ms = clock.ms();
-    for (const Stage stage : {Stage::Setup, Stage::Raster, Stage::Prepass, Stage::Shade}) EXPECT_GT(ms[static_cast<std::size_t>(stage)], 0) << wordOf(stage);
+    for (const Stage stage : {Stage::Setup, Stage::Raster, Stage::Prepass, Stage::Shade})
+        EXPECT_GT(ms[static_cast<std::size_t>(stage)], 0) << wordOf(stage);
     for (const Stage stage : {Stage::Clear, Stage::Transform, Stage::Cull, Stage::Build, Stage::Upkeep, Stage::Other})
         EXPECT_EQ(ms[static_cast<std::size_t>(stage)], 0) << wordOf(stage);
     EXPECT_GT(before, 0);

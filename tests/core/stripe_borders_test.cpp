@@ -28,7 +28,7 @@ TEST(StripeBorders, CoverEveryLineOnceInOrderWhateverTheTimes)
 {
     std::mt19937_64 random(1);
     for (int i = 0; i < 300; ++i) {
-        const int height = 1 + static_cast<int>(random() % 2000), stripes = 1 + static_cast<int>(random() % 16);
+        const int     height = 1 + static_cast<int>(random() % 2000), stripes = 1 + static_cast<int>(random() % 16);
         StripeBorders borders;
         borders.prepare(height, stripes);
         expectCover(borders, height);
@@ -64,7 +64,7 @@ TEST(StripeBorders, BeginEvenAndBeginAnewWhenTheShapeChanges)
 TEST(StripeBorders, SettleWhereAllStripesTakeTheSameTime)
 {
     constexpr int kHeight = 900;
-    const auto    costOf = [](int line) { return line < 600 ? 0.001 : 0.05; };
+    const auto    costOf  = [](int line) { return line < 600 ? 0.001 : 0.05; };
     for (const int stripes : {2, 3, 8}) {
         StripeBorders borders;
         borders.prepare(kHeight, stripes);
@@ -72,7 +72,7 @@ TEST(StripeBorders, SettleWhereAllStripesTakeTheSameTime)
             std::vector<double> ms;
             for (int i = 0; i < stripes; ++i) {
                 const auto [first, end] = borders.stripe(i);
-                double     one          = 0.01;
+                double one              = 0.01;
                 for (int y = first; y < end; ++y) one += costOf(y);
                 ms.push_back(one);
             }
@@ -81,8 +81,9 @@ TEST(StripeBorders, SettleWhereAllStripesTakeTheSameTime)
         const std::vector<double> before = times();
         for (int frame = 0; frame < 40; ++frame) borders.rebalance(times());
         const std::vector<double> after = times();
-        const auto worst = [](const std::vector<double>& ms) {
-            return *std::ranges::max_element(ms) / (std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size()));
+        const auto                worst = [](const std::vector<double>& ms) {
+            return *std::ranges::max_element(ms)
+                   / (std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size()));
         };
         EXPECT_GT(worst(before), 1.5) << stripes;
         EXPECT_LT(worst(after), 1.1) << stripes;

@@ -72,11 +72,12 @@ struct Setting {
     /// A box in model space near something the camera may see, of any shape down to a point.
     Bounds box(Random& random) const
     {
-        const double size = unit * std::pow(10.0, random.between(-4, 2));
+        const double size   = unit * std::pow(10.0, random.between(-4, 2));
         dvec3        centre = random.direction() * (unit * random.between(0, 10));
         if (toWorld.isIdentity()) centre += camera.eye + camera.forward * (unit * random.between(-1, 10));
         Bounds box;
-        for (int i = 0; i < 2; ++i) box.include(centre + random.direction() * size * (random.below(5) == 0 ? 0.0 : 1.0));
+        for (int i = 0; i < 2; ++i)
+            box.include(centre + random.direction() * size * (random.below(5) == 0 ? 0.0 : 1.0));
         return box;
     }
 };
@@ -85,9 +86,9 @@ std::string describe(const Setting& s, const Bounds& b)
 {
     std::ostringstream text;
     text.precision(17);
-    text << s.camera.width << "x" << s.camera.height << ", rows " << s.firstRow << " to " << s.endRow << ", focal " << s.camera.focal
-         << ", unit " << s.unit << ", box (" << b.min.x << ", " << b.min.y << ", " << b.min.z << ") to (" << b.max.x << ", " << b.max.y
-         << ", " << b.max.z << ")";
+    text << s.camera.width << "x" << s.camera.height << ", rows " << s.firstRow << " to " << s.endRow << ", focal "
+         << s.camera.focal << ", unit " << s.unit << ", box (" << b.min.x << ", " << b.min.y << ", " << b.min.z
+         << ") to (" << b.max.x << ", " << b.max.y << ", " << b.max.z << ")";
     return text.str();
 }
 
@@ -115,14 +116,16 @@ TEST(StripeVolume, NeverMissesABoxHoldingAPointThatProjectsIntoTheStripe)
             const Bounds box = setting.box(random);
             if (!volume.misses(placed(box))) continue;
             for (int p = 0; p < 8; ++p) {
-                const dvec3 one = viewOf(setting, projection, random.within(box)), other = viewOf(setting, projection, random.within(box));
+                const dvec3 one   = viewOf(setting, projection, random.within(box)),
+                            other = viewOf(setting, projection, random.within(box));
                 if (one.z >= projection.near) {
                     ++seenPoints;
                     ASSERT_FALSE(touches(projection.toScreen(one), setting)) << describe(setting, box);
                 }
                 if ((one.z >= projection.near) == (other.z >= projection.near)) continue;
                 ++seenCrossings;
-                const dvec3 cut = one.z >= projection.near ? nearCrossing(one, other, projection.near) : nearCrossing(other, one, projection.near);
+                const dvec3 cut = one.z >= projection.near ? nearCrossing(one, other, projection.near)
+                                                           : nearCrossing(other, one, projection.near);
                 ASSERT_FALSE(touches(projection.toScreen(cut), setting)) << describe(setting, box);
             }
         }
@@ -141,18 +144,22 @@ TEST(StripeVolume, NeverMissesAPointJustInsideTheStripesBorder)
         const Camera&    c = s.camera;
         const Projection projection(c);
         const bool       sideways = random.below(2) == 0;
-        const double     x = sideways ? (random.below(2) ? -0.5 : c.width + 0.5) : random.between(0, c.width);
-        const double     y = sideways ? random.between(s.firstRow, s.endRow) : (random.below(2) ? s.firstRow - 0.5 : s.endRow + 0.5);
-        const double     z = c.near * std::pow(10.0, random.between(0, 6));
-        const double     k = c.height * 0.5 * c.focal;
-        const dvec3      world = c.eye + c.forward * z + c.right * ((x - c.width * 0.5) / k * z) + c.up * ((c.height * 0.5 - y) / k * z);
-        const Affine     identity;
-        const dvec3      view = projection.toView(world);
+        const double     x        = sideways ? (random.below(2) ? -0.5 : c.width + 0.5) : random.between(0, c.width);
+        const double     y =
+            sideways ? random.between(s.firstRow, s.endRow) : (random.below(2) ? s.firstRow - 0.5 : s.endRow + 0.5);
+        const double z = c.near * std::pow(10.0, random.between(0, 6));
+        const double k = c.height * 0.5 * c.focal;
+        const dvec3  world =
+            c.eye + c.forward * z + c.right * ((x - c.width * 0.5) / k * z) + c.up * ((c.height * 0.5 - y) / k * z);
+        const Affine identity;
+        const dvec3  view = projection.toView(world);
         if (!(view.z >= c.near) || !touches(projection.toScreen(view), s)) continue;
         ++judged;
         Bounds box;
         box.include(world);
-        ASSERT_FALSE(StripeVolume(projection, c.width, s.firstRow, s.endRow).misses(PlacedView(projection, identity)(box))) << describe(s, box);
+        ASSERT_FALSE(
+            StripeVolume(projection, c.width, s.firstRow, s.endRow).misses(PlacedView(projection, identity)(box)))
+            << describe(s, box);
     }
     EXPECT_GT(judged, 50000);
 }
@@ -163,7 +170,7 @@ TEST(StripeVolume, MissesMostBoxesThatAreClearlyOutside)
     int    outside = 0, missed = 0;
     for (int i = 0; i < 20000; ++i) {
         Setting s(random);
-        s.toWorld = {};
+        s.toWorld          = {};
         const Camera&    c = s.camera;
         const Projection projection(c);
         const double     k = c.height * 0.5 * c.focal, z = c.near * random.between(2, 50);
@@ -171,17 +178,29 @@ TEST(StripeVolume, MissesMostBoxesThatAreClearlyOutside)
         const double far = 3.0 * (c.width + c.height), margin = random.between(10, far);
         double       x = c.width * 0.5, y = 0.5 * (s.firstRow + s.endRow), sign = 1;
         switch (random.below(5)) {
-        case 0: x = -margin; break;
-        case 1: x = c.width + margin; break;
-        case 2: y = s.firstRow - margin; break;
-        case 3: y = s.endRow + margin; break;
-        default: sign = -1;
+            case 0:
+                x = -margin;
+                break;
+            case 1:
+                x = c.width + margin;
+                break;
+            case 2:
+                y = s.firstRow - margin;
+                break;
+            case 3:
+                y = s.endRow + margin;
+                break;
+            default:
+                sign = -1;
         }
-        const dvec3 centre = c.eye + sign * (c.forward * z + c.right * ((x - c.width * 0.5) / k * z) + c.up * ((c.height * 0.5 - y) / k * z));
-        const double half  = std::min(z / k, z * 0.1) * 0.5;  // half a pixel, and not deep
+        const dvec3 centre =
+            c.eye
+            + sign * (c.forward * z + c.right * ((x - c.width * 0.5) / k * z) + c.up * ((c.height * 0.5 - y) / k * z));
+        const double half = std::min(z / k, z * 0.1) * 0.5;  // half a pixel, and not deep
         const Bounds box{centre - dvec3{half}, centre + dvec3{half}};
         ++outside;
-        missed += StripeVolume(projection, c.width, s.firstRow, s.endRow).misses(PlacedView(projection, s.toWorld)(box));
+        missed +=
+            StripeVolume(projection, c.width, s.firstRow, s.endRow).misses(PlacedView(projection, s.toWorld)(box));
     }
     EXPECT_GT(missed, outside * 9 / 10);
 }

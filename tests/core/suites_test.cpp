@@ -44,7 +44,8 @@ TEST(Suites, NameScenesViewsAndCamerasThatCanBeRead)
             if (!scene.view.empty()) {
                 const auto loaded = loadScene(std::string(scene.word));
                 ASSERT_TRUE(loaded.ok());
-                EXPECT_NE(std::ranges::find(loaded->views, scene.view, &NamedView::name), loaded->views.end()) << scene.view;
+                EXPECT_NE(std::ranges::find(loaded->views, scene.view, &NamedView::name), loaded->views.end())
+                    << scene.view;
             }
             EXPECT_EQ(scene.model.empty(), scene.modelCamera.empty());
             for (const std::string_view file : {scene.camera, scene.modelCamera}) {

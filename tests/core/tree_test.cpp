@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "core/hierarchy/scene_trees.h"
 #include "core/scene/generators/random.h"
@@ -58,7 +58,7 @@ std::map<std::string, std::vector<std::uint32_t>> ownersOf(const Tree& tree)
 {
     std::map<std::string, std::vector<std::uint32_t>> owners;
     for (const TreeNode* node : openedNodes(tree)) {
-        const auto own = tree.ownItems(*node);
+        const auto own  = tree.ownItems(*node);
         auto&      kept = owners[pathOf(*node)];
         kept.assign(own.begin(), own.end());
         std::ranges::sort(kept);
@@ -67,7 +67,8 @@ std::map<std::string, std::vector<std::uint32_t>> ownersOf(const Tree& tree)
 }
 
 /// `cornersAreItems`: an item is less than its box, and so may its node's ball be.
-void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32_t leaf = kLeaf, bool cornersAreItems = false)
+void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32_t leaf = kLeaf,
+                 bool cornersAreItems = false)
 {
     std::vector<int>      times(boxes.size(), 0);
     std::set<std::string> names;
@@ -88,7 +89,8 @@ void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32
         for (const std::uint32_t item : tree.allItems(*node))
             for (int i = 0; i < 8 && !boxes[item].isEmpty(); ++i) {
                 const Bounds& box = boxes[item];
-                const dvec3   corner{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
+                const dvec3   corner{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+                                   i & 4 ? box.max.z : box.min.z};
                 ASSERT_TRUE(cornersAreItems || glm::distance(corner, middle) <= node->radius);
             }
 
@@ -121,7 +123,7 @@ void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32
             for (int k = 0; k < 3; ++k) (which >> k & 1 ? part.min : part.max)[k] = centre[k];
             return part;
         };
-        std::uint32_t stays = 0;
+        std::uint32_t stays   = 0;
         int           keepers = 0;
         for (const TreeNode& child : children) {
             if (child.straddles) {
@@ -129,14 +131,16 @@ void expectValid(const Tree& tree, const std::vector<Bounds>& boxes, std::uint32
                 ++keepers;
                 ASSERT_TRUE(isHalved || child.slot >= TreeNode::kOctants);
                 for (const std::uint32_t item : tree.allItems(child))
-                    for (unsigned which = 0; which < 8; ++which) ASSERT_FALSE(isWithin(boxes[item], octant(which))) << "it could go down";
+                    for (unsigned which = 0; which < 8; ++which)
+                        ASSERT_FALSE(isWithin(boxes[item], octant(which))) << "it could go down";
                 continue;
             }
             ASSERT_LT(child.slot, TreeNode::kOctants);
             const Bounds part = octant(static_cast<unsigned>(child.slot));
             ASSERT_EQ(child.cell.min, part.min);
             ASSERT_EQ(child.cell.max, part.max);
-            for (const std::uint32_t item : tree.allItems(child)) ASSERT_TRUE(boxes[item].isEmpty() || isWithin(boxes[item], part));
+            for (const std::uint32_t item : tree.allItems(child))
+                ASSERT_TRUE(boxes[item].isEmpty() || isWithin(boxes[item], part));
         }
         if (!isHalved && stays <= leaf) {
             ASSERT_LE(keepers, 1) << "what is little stays together";
@@ -184,8 +188,9 @@ TEST(Tree, IsTheSameInWhateverOrderItsNodesAreOpened)
 {
     for (const TreeKind kind : kKinds) {
         const auto boxes = scattered(3000, 11);
-        const Tree one(kind, std::make_unique<GivenBoxes>(boxes), kLeaf), other(kind, std::make_unique<GivenBoxes>(boxes), kLeaf);
-        Random     random(5);
+        const Tree one(kind, std::make_unique<GivenBoxes>(boxes), kLeaf),
+            other(kind, std::make_unique<GivenBoxes>(boxes), kLeaf);
+        Random                       random(5);
         std::vector<const TreeNode*> waiting{&other.root()};
         while (!waiting.empty()) {
             std::swap(waiting[random.below(waiting.size())], waiting.back());
@@ -206,14 +211,15 @@ TEST(Tree, E1BoxesThatTouchOrLieInTheSplittingPlanesGoToOneSide)
         for (int y = 0; y <= 16; ++y)
             for (int z = 0; z <= 16; ++z) {
                 const dvec3 at{x * 0.125 - 1, y * 0.125 - 1, z * 0.125 - 1};
-                boxes.push_back({at, at});                                          // a point in up to three planes
-                if (x < 16) boxes.push_back({at, at + dvec3{0.125, 0, 0}});         // between two planes, in two others
+                boxes.push_back({at, at});                                   // a point in up to three planes
+                if (x < 16) boxes.push_back({at, at + dvec3{0.125, 0, 0}});  // between two planes, in two others
                 if (x < 16 && y < 16) boxes.push_back({at, at + dvec3{0.125, 0.125, 0}});
             }
     expectValid(boxes, "on the planes");
     const Tree tree(TreeKind::Octree, std::make_unique<GivenBoxes>(boxes), kLeaf);
     tree.open(tree.root());
-    for (const TreeNode& child : tree.childrenOf(tree.root())) EXPECT_FALSE(child.straddles) << "none of them crosses a plane";
+    for (const TreeNode& child : tree.childrenOf(tree.root()))
+        EXPECT_FALSE(child.straddles) << "none of them crosses a plane";
 }
 
 TEST(Tree, WhatStraddlesIsToldApartByThePlanesItCrosses)
@@ -224,7 +230,7 @@ TEST(Tree, WhatStraddlesIsToldApartByThePlanesItCrosses)
         for (int quadrant = 0; quadrant < 4; ++quadrant)
             for (int i = 0; i < 20; ++i) {
                 dvec3 middle{0, 0, 0}, half{0.01, 0.01, 0.01};
-                half[axis] = 0.2;
+                half[axis]             = 0.2;
                 middle[(axis + 1) % 3] = (quadrant & 1 ? 0.5 : -0.5) + 0.02 * i;
                 middle[(axis + 2) % 3] = quadrant & 2 ? 0.5 : -0.5;
                 boxes.push_back(boxAbout(middle, half));
@@ -244,7 +250,7 @@ TEST(Tree, WhatStraddlesIsToldApartByThePlanesItCrosses)
     EXPECT_EQ(few.childrenOf(few.open(few.root())).size(), 0u);
     boxes.resize(4);
     for (int i = 0; i < 20; ++i) boxes.push_back(boxAbout({0.3 + 0.01 * i, 0.5, 0.5}, 0.001));
-    const Tree little(TreeKind::Octree, std::make_unique<GivenBoxes>(boxes), kLeaf);
+    const Tree  little(TreeKind::Octree, std::make_unique<GivenBoxes>(boxes), kLeaf);
     std::size_t keepers = 0;
     for (const TreeNode& child : little.childrenOf(little.open(little.root()))) keepers += child.straddles;
     EXPECT_EQ(keepers, 1u) << "little is not told apart";
@@ -315,8 +321,10 @@ TEST(Tree, E5TinyNextToHugeAndAStrayFarAwayStayBoundedAndLoseNothing)
 {
     std::vector<Bounds> boxes;
     Random              random(6);
-    for (int i = 0; i < 2000; ++i) boxes.push_back(boxAbout(random.between(dvec3{-1e-6, -1e-6, -1e-6}, dvec3{1e-6, 1e-6, 1e-6}), 1e-9));
-    for (int i = 0; i < 2000; ++i) boxes.push_back(boxAbout(random.between(dvec3{-1e6, -1e6, -1e6}, dvec3{1e6, 1e6, 1e6}), 1e2));
+    for (int i = 0; i < 2000; ++i)
+        boxes.push_back(boxAbout(random.between(dvec3{-1e-6, -1e-6, -1e-6}, dvec3{1e-6, 1e-6, 1e-6}), 1e-9));
+    for (int i = 0; i < 2000; ++i)
+        boxes.push_back(boxAbout(random.between(dvec3{-1e6, -1e6, -1e6}, dvec3{1e6, 1e6, 1e6}), 1e2));
     expectValid(boxes, "1e-6 next to 1e6");
     boxes.push_back(boxAbout({1e9, -1e9, 1e9}, 0));
     expectValid(boxes, "and a stray");
@@ -335,8 +343,9 @@ TEST(Tree, E6EqualCentresAndReversedOrderGiveTheSameNodes)
         const auto boxes    = scattered(4000, 21);
         auto       reversed = boxes;
         std::ranges::reverse(reversed);
-        const Tree one(kind, std::make_unique<GivenBoxes>(boxes), kLeaf), other(kind, std::make_unique<GivenBoxes>(reversed), kLeaf);
-        auto       back = ownersOf(other);
+        const Tree one(kind, std::make_unique<GivenBoxes>(boxes), kLeaf),
+            other(kind, std::make_unique<GivenBoxes>(reversed), kLeaf);
+        auto back = ownersOf(other);
         for (auto& [name, items] : back) {
             for (std::uint32_t& item : items) item = static_cast<std::uint32_t>(boxes.size()) - 1 - item;
             std::ranges::sort(items);
@@ -347,7 +356,8 @@ TEST(Tree, E6EqualCentresAndReversedOrderGiveTheSameNodes)
 
 TEST(SceneTrees, HoldEveryTriangleOfEveryMeshAndEveryInstanceOnce)
 {
-    for (const char* word : {"builtin:soccer-field?count=50", "builtin:city?blocks=2", "builtin:soup?count=5000", "builtin:cube"}) {
+    for (const char* word :
+         {"builtin:soccer-field?count=50", "builtin:city?blocks=2", "builtin:soup?count=5000", "builtin:cube"}) {
         auto loaded = loadScene(word);
         ASSERT_TRUE(loaded.ok());
         const PreparedScene prepared(std::make_shared<const Scene>(*std::move(loaded)));
@@ -364,11 +374,15 @@ TEST(SceneTrees, HoldEveryTriangleOfEveryMeshAndEveryInstanceOnce)
                 for (const TreeNode* node : openedNodes(trees.mesh(MeshId{m})))
                     for (const std::uint32_t t : trees.mesh(MeshId{m}).allItems(*node))
                         for (const std::uint32_t vertex : mesh.triangles[t])
-                            ASSERT_LE(glm::distance(mesh.positions[vertex], 0.5 * node->bounds.min + 0.5 * node->bounds.max), node->radius) << word;
+                            ASSERT_LE(
+                                glm::distance(mesh.positions[vertex], 0.5 * node->bounds.min + 0.5 * node->bounds.max),
+                                node->radius)
+                                << word;
 
                 std::vector<int> drawn(mesh.triangles.size(), 0);
                 for (const TreeNode* node : openedNodes(trees.mesh(MeshId{m})))
-                    for (const std::uint32_t t : trees.mesh(MeshId{m}).batchesOf(*node, mesh).meshTriangles()) ++drawn[t];
+                    for (const std::uint32_t t : trees.mesh(MeshId{m}).batchesOf(*node, mesh).meshTriangles())
+                        ++drawn[t];
                 for (const int times : drawn) ASSERT_EQ(times, 1) << word;
             }
             // Every placed vertex lies in the box of its instance.
@@ -381,7 +395,8 @@ TEST(SceneTrees, HoldEveryTriangleOfEveryMeshAndEveryInstanceOnce)
                         const dvec3 placed = scene.instances[item].toWorld(p);
                         ASSERT_TRUE(isWithin({placed, placed}, node->bounds)) << word;
                         ASSERT_TRUE(isWithin({placed, placed}, instances.boxOf(item))) << word;
-                        ASSERT_LE(glm::distance(placed, 0.5 * node->bounds.min + 0.5 * node->bounds.max), node->radius) << word;
+                        ASSERT_LE(glm::distance(placed, 0.5 * node->bounds.min + 0.5 * node->bounds.max), node->radius)
+                            << word;
                     }
                 }
             EXPECT_EQ(owned, scene.instances.size());
@@ -399,7 +414,8 @@ TEST(SceneTrees, ABallThatIsTurnedHasABoxOfItsOwnSize)
     const Bounds        ball  = scene.meshes.front()->bounds();
     for (std::uint32_t item = 0; item < scene.instances.size(); ++item) {
         const Bounds box = tree.boxOf(item);
-        for (int axis = 0; axis < 3; ++axis) EXPECT_LE(box.max[axis] - box.min[axis], 1.001 * (ball.max[axis] - ball.min[axis])) << item;
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_LE(box.max[axis] - box.min[axis], 1.001 * (ball.max[axis] - ball.min[axis])) << item;
     }
 }
 
@@ -407,7 +423,9 @@ TEST(Tree, ABallWhoseSquaresRunUnderOrOverBoundsNothing)
 {
     for (const double size : {1e-170, 1e160}) {
         const std::vector<Bounds> boxes{boxAbout({0, 0, 0}, size), boxAbout({size, 0, 0}, size)};
-        EXPECT_EQ(Tree(TreeKind::Bvh, std::make_unique<GivenBoxes>(boxes), kLeaf).root().radius, std::numeric_limits<double>::infinity()) << size;
+        EXPECT_EQ(Tree(TreeKind::Bvh, std::make_unique<GivenBoxes>(boxes), kLeaf).root().radius,
+                  std::numeric_limits<double>::infinity())
+            << size;
     }
     const std::vector<Bounds> boxes{boxAbout({0, 0, 0}, 1e-100)};
     EXPECT_LT(Tree(TreeKind::Bvh, std::make_unique<GivenBoxes>(boxes), kLeaf).root().radius, 1.8e-100);

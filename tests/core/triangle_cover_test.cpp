@@ -1,5 +1,5 @@
-// A triangle asked of rectangles and pixels, against the definition's coverage in whole numbers, and what the pyramid answers
-// about it, against every pixel it covers.
+// A triangle asked of rectangles and pixels, against the definition's coverage in whole numbers, and what the pyramid
+// answers about it, against every pixel it covers.
 #include "core/depth/triangle_cover.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ bool isInside(const ScreenTriangle& t, int x, int y)
 {
     const std::int64_t px = 256 * x + 128, py = 256 * y + 128;
     for (std::size_t a = 0; a < 3; ++a) {
-        const std::size_t b  = (a + 1) % 3;
-        const auto        xa = static_cast<std::int64_t>(t.x[a]), ya = static_cast<std::int64_t>(t.y[a]);
+        const std::size_t  b  = (a + 1) % 3;
+        const auto         xa = static_cast<std::int64_t>(t.x[a]), ya = static_cast<std::int64_t>(t.y[a]);
         const std::int64_t dx = static_cast<std::int64_t>(t.x[b]) - xa, dy = static_cast<std::int64_t>(t.y[b]) - ya;
         const std::int64_t e = dx * (py - ya) - dy * (px - xa);
         if (e < 0 || (e == 0 && !(dy < 0 || (dy == 0 && dx > 0)))) return false;
@@ -46,7 +46,9 @@ bool anyTriangle(Random& random, ScreenTriangle& triangle)
         corner.x = corner.xs / 256, corner.y = corner.ys / 256;
         corner.d = random.between(0.2, 0.8);
     }
-    return setUpTriangle(corners[0], corners[1], corners[2], TriangleId{0}, false, FaceCulling::None, kRegion, ExactRules{}, triangle) == SetUp::Drawn;
+    return setUpTriangle(corners[0], corners[1], corners[2], TriangleId{0}, false, FaceCulling::None, kRegion,
+                         ExactRules{}, triangle)
+           == SetUp::Drawn;
 }
 
 PixelBox boxIn(Random& random, const PixelBox& within)
@@ -142,8 +144,9 @@ TEST(TriangleQuery, HidesATriangleExactlyIfEveryPixelItCoversIsNearer)
                     boxBehind         = boxBehind && nearer;
                     behind            = behind && (nearer || !isInside(triangle, x, y));
                 }
-            const PyramidQuery byShape = pyramid.ask(triangle.box, nearest, TriangleCover(triangle, ExactRules::notOwned()), Untold{});
-            const PyramidQuery byBox   = pyramid.ask(triangle.box, nearest);
+            const PyramidQuery byShape =
+                pyramid.ask(triangle.box, nearest, TriangleCover(triangle, ExactRules::notOwned()), Untold{});
+            const PyramidQuery byBox = pyramid.ask(triangle.box, nearest);
             ASSERT_EQ(byShape.hidden, behind) << i << ", " << t;
             ASSERT_EQ(byBox.hidden, boxBehind) << i << ", " << t;
             ASSERT_TRUE(byShape.hidden || !byBox.hidden);

@@ -48,8 +48,8 @@ TEST(Orientation, ToldRightForPointsAFewLastPlacesFromALine)
         Point2       c{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
         for (int step = places(random); step > 0; --step) c.x = std::nextafter(c.x, 9.0);
         for (int step = places(random); step > 0; --step) c.y = std::nextafter(c.y, -9.0);
-        const int  scale  = power(random);
-        const auto scaled = [&](const Point2& p) { return Point2{std::ldexp(p.x, scale), std::ldexp(p.y, scale)}; };
+        const int  scale    = power(random);
+        const auto scaled   = [&](const Point2& p) { return Point2{std::ldexp(p.x, scale), std::ldexp(p.y, scale)}; };
         const int  expected = rationalOrientation(scaled(a), scaled(b), scaled(c));
         zeros += expected == 0;
         ASSERT_EQ(orientation(scaled(a), scaled(b), scaled(c)), expected) << "seed 12, case " << i;
@@ -64,7 +64,8 @@ TEST(Orientation, ZeroOnTheLineNotBesideIt)
     EXPECT_NE(orientation({0, 0}, {3, 1}, {1, 1.0 / 3}), 0) << "1/3 is rounded, so the point is not on the line";
     EXPECT_EQ(orientation({1e308, -1e308}, {-1e308, 1e308}, {0, 0}), 0);
     EXPECT_EQ(orientation({0, 0}, {5e-324, 0}, {0, 5e-324}), 1);
-    EXPECT_EQ(orientation({1e308, 0}, {5e-324, 0}, {0, 5e-324}), rationalOrientation({1e308, 0}, {5e-324, 0}, {0, 5e-324}));
+    EXPECT_EQ(orientation({1e308, 0}, {5e-324, 0}, {0, 5e-324}),
+              rationalOrientation({1e308, 0}, {5e-324, 0}, {0, 5e-324}));
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ Cut cut(const std::vector<dvec3>& positions)
 }
 
 /// Random points of the grid's interstices: every coordinate is doubled and the points are odd.
-void expectEveryPointInAsManyTrianglesAsInsideOutlines(const GridPolygon& polygon, const Triangles& triangles, int points)
+void expectEveryPointInAsManyTrianglesAsInsideOutlines(const GridPolygon& polygon, const Triangles& triangles,
+                                                       int points)
 {
     std::vector<GridPoint> doubled;
     GridPoint              low{0, 0}, high{0, 0};
@@ -40,16 +41,17 @@ void expectEveryPointInAsManyTrianglesAsInsideOutlines(const GridPolygon& polygo
         low  = {std::min(low.x, 2 * p.x), std::min(low.y, 2 * p.y)};
         high = {std::max(high.x, 2 * p.x), std::max(high.y, 2 * p.y)};
     }
-    std::mt19937_64 random(5);
+    std::mt19937_64                             random(5);
     std::uniform_int_distribution<std::int64_t> x(low.x - 4, high.x + 4), y(low.y - 4, high.y + 4);
-    int inside = 0;
+    int                                         inside = 0;
     for (int k = 0; k < points; ++k) {
         const GridPoint p{x(random) | 1, y(random) | 1};
         bool            onAnEdge = false;
         int             holding  = 0;
         for (const auto& t : triangles) {
             if (test::sideOf(doubled[t[0]], doubled[t[1]], doubled[t[2]]) == 0) continue;  // no area
-            const int s0 = test::sideOf(doubled[t[0]], doubled[t[1]], p), s1 = test::sideOf(doubled[t[1]], doubled[t[2]], p),
+            const int s0 = test::sideOf(doubled[t[0]], doubled[t[1]], p),
+                      s1 = test::sideOf(doubled[t[1]], doubled[t[2]], p),
                       s2 = test::sideOf(doubled[t[2]], doubled[t[0]], p);
             onAnEdge |= s0 * s1 >= 0 && s1 * s2 >= 0 && s0 * s2 >= 0 && s0 * s1 * s2 == 0;
             holding += s0 == s1 && s1 == s2 && s0 != 0;
@@ -80,7 +82,8 @@ TEST(Ears, CoverTheSameWhereverTheOutlineStartsAndWhicheverWayItRuns)
         for (std::size_t start = 0; start < polygon.corners.size(); ++start) {
             for (const bool reversed : {false, true}) {
                 GridPolygon turned = polygon;
-                std::rotate(turned.corners.begin(), turned.corners.begin() + static_cast<std::ptrdiff_t>(start), turned.corners.end());
+                std::rotate(turned.corners.begin(), turned.corners.begin() + static_cast<std::ptrdiff_t>(start),
+                            turned.corners.end());
                 if (reversed) std::reverse(turned.corners.begin(), turned.corners.end());
                 const Cut result = cut(test::inPlane(turned.corners));
                 ASSERT_EQ(result.how, PolygonSplit::Ears) << polygon.name << " from corner " << start;
@@ -115,7 +118,7 @@ TEST(Ears, AreTheSameEveryTime)
 {
     PolygonSplitter used;
     for (const GridPolygon& polygon : test::cuttablePolygons()) {
-        Triangles again;
+        Triangles  again;
         const auto positions = test::inPlane(polygon.corners);
         used.split(positions, test::inOrder(positions.size()), again);
         EXPECT_EQ(again, cut(positions).triangles) << polygon.name << ": a used splitter answers as a new one";
@@ -124,10 +127,11 @@ TEST(Ears, AreTheSameEveryTime)
 
 TEST(Ears, OfATiltedPolygonAreThoseOfItsProjection)
 {
-    const GridPolygon flat = test::star(7, 1000, 300);
+    const GridPolygon  flat = test::star(7, 1000, 300);
     std::vector<dvec3> tilted;
     for (const GridPoint& p : flat.corners)
-        tilted.push_back({static_cast<double>(p.x), static_cast<double>(p.y), 0.25 * static_cast<double>(p.x) - 0.5 * static_cast<double>(p.y)});
+        tilted.push_back({static_cast<double>(p.x), static_cast<double>(p.y),
+                          0.25 * static_cast<double>(p.x) - 0.5 * static_cast<double>(p.y)});
     EXPECT_EQ(cut(tilted).triangles, cut(test::inPlane(flat.corners)).triangles);
     for (dvec3& p : tilted) p = {p.z, p.x, p.y};
     EXPECT_EQ(cut(tilted).triangles, cut(test::inPlane(flat.corners)).triangles) << "the axes take turns";
@@ -150,7 +154,7 @@ TEST(Ears, AreFoundInRandomPolygonsOnACoarseGridWithManyContacts)
     int             cutCount = 0;
     for (int round = 0; round < 300; ++round) {
         // Angles rise, radii jump; coarse rounding makes corners coincide and edges touch.
-        GridPolygon polygon{"random radial", {}};
+        GridPolygon                        polygon{"random radial", {}};
         std::uniform_int_distribution<int> radius(3, 20), corners(8, 40);
         const int                          n = corners(random);
         for (int i = 0; i < n; ++i) {
@@ -207,7 +211,8 @@ TEST(Fan, IsWhatAConvexPolygonWithRepeatedAndFlatCornersGets)
     }
 }
 
-/// Nothing here is timed: looking at all corners for each of a million would take hours, and CTest ends a test long before.
+/// Nothing here is timed: looking at all corners for each of a million would take hours, and CTest ends a test long
+/// before.
 TEST(Fan, OfAMillionCornersIsFoundAtAll)
 {
     constexpr int      kCorners = 1'000'000;
@@ -230,9 +235,12 @@ std::vector<GridPolygon> longOutlines(int corners)
         const double shrink = 0.9 + 0.1 * static_cast<double>(random() % 1000) / 1000;
         p = {std::llround(static_cast<double>(p.x) * shrink), std::llround(static_cast<double>(p.y) * shrink)};
     }
-    return {test::comb(corners / 4, 100'000), test::comb(corners / 4, 100'000, 90'000),
-            test::spiral(corners / 2, 40, 100'000), test::star(corners / 2, 100'000'000, 10'000'000),
-            test::bridgedRing(corners / 2, 100'000'000, 70'000'000), rough};
+    return {test::comb(corners / 4, 100'000),
+            test::comb(corners / 4, 100'000, 90'000),
+            test::spiral(corners / 2, 40, 100'000),
+            test::star(corners / 2, 100'000'000, 10'000'000),
+            test::bridgedRing(corners / 2, 100'000'000, 70'000'000),
+            rough};
 }
 
 /// As many corners as a concave outline may have. Nothing here is timed either.
@@ -255,7 +263,8 @@ TEST(SelfIntersecting, OutlinesGetAFanAndAreReported)
         {"bow-tie through a corner", {{0, 0}, {5, 5}, {10, 10}, {10, 0}, {5, 5}, {0, 10}}},
         {"walked twice", {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}, {10, 0}, {10, 10}, {0, 10}}},
         {"loop inside walked the same way", {{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 0}, {30, 10}, {60, 60}, {10, 30}}},
-        {"band over itself", {{0, 0}, {100, 0}, {100, 60}, {40, 60}, {40, -30}, {60, -30}, {60, 40}, {80, 40}, {80, 20}, {0, 20}}},
+        {"band over itself",
+         {{0, 0}, {100, 0}, {100, 60}, {40, 60}, {40, -30}, {60, -30}, {60, 40}, {80, 40}, {80, 20}, {0, 20}}},
         {"hole reaching outside", {{0, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 0}, {50, 150}, {60, 20}}},
     };
     for (const GridPolygon& polygon : polygons) {
@@ -269,9 +278,10 @@ TEST(SelfIntersecting, OutlinesGetAFanAndAreReported)
 
 TEST(Degenerate, OutlinesGetAFanAndAreReported)
 {
-    const std::vector<std::vector<GridPoint>> polygons{
-        {{0, 0}, {1, 1}, {2, 2}, {3, 3}}, {{5, 5}, {5, 5}, {5, 5}, {5, 5}}, {{0, 0}, {9, 0}, {3, 0}, {6, 0}, {1, 0}},
-        {{0, 0}, {1, 0}, {0, 0}, {1, 0}}};
+    const std::vector<std::vector<GridPoint>> polygons{{{0, 0}, {1, 1}, {2, 2}, {3, 3}},
+                                                       {{5, 5}, {5, 5}, {5, 5}, {5, 5}},
+                                                       {{0, 0}, {9, 0}, {3, 0}, {6, 0}, {1, 0}},
+                                                       {{0, 0}, {1, 0}, {0, 0}, {1, 0}}};
     for (const auto& corners : polygons) {
         const Cut result = cut(test::inPlane(corners));
         EXPECT_EQ(result.how, PolygonSplit::MendedFan);
@@ -282,8 +292,8 @@ TEST(Degenerate, OutlinesGetAFanAndAreReported)
 TEST(Limit, OfConcaveCornersIsKeptAndConvexOnesHaveNone)
 {
     static_assert(kMaxConcaveCorners >= 10'000);
-    const int  above   = static_cast<int>(kMaxConcaveCorners) / 4 + 1;
-    const Cut  refused = cut(test::inPlane(test::comb(above, 1000).corners));
+    const int above   = static_cast<int>(kMaxConcaveCorners) / 4 + 1;
+    const Cut refused = cut(test::inPlane(test::comb(above, 1000).corners));
     EXPECT_EQ(refused.how, PolygonSplit::Refused);
     EXPECT_TRUE(refused.triangles.empty());
 }
@@ -293,7 +303,8 @@ TEST(NonPlanarQuad, IsCutInItsProjectionAndKeepsAllItsCorners)
     const Cut result = cut({{0, 0, 0}, {10, 0, 4}, {3, 3, 0}, {0, 10, 4}});
     EXPECT_EQ(result.how, PolygonSplit::Ears);
     ASSERT_EQ(result.triangles.size(), 2u);
-    for (const auto& t : result.triangles) EXPECT_NE(std::ranges::find(t, 2u), t.end()) << "the diagonal starts in the dent";
+    for (const auto& t : result.triangles)
+        EXPECT_NE(std::ranges::find(t, 2u), t.end()) << "the diagonal starts in the dent";
 }
 
 TEST(MeshPolygons, TileTheListsOfCornersAndTriangles)

@@ -37,29 +37,31 @@ ViewRequest lookingAt(const dvec3& eye, const dvec3& target)
 double dot(const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 struct Spread {  // of the corners of a box in the picture and along the view
-    double left = kInfinity, right = -kInfinity, top = kInfinity, bottom = -kInfinity, nearest = kInfinity, farthest = -kInfinity;
+    double left = kInfinity, right = -kInfinity, top = kInfinity, bottom = -kInfinity, nearest = kInfinity,
+           farthest = -kInfinity;
 };
 Spread spreadOf(const Camera& camera, const Bounds& bounds)
 {
     Spread spread;
     for (int i = 0; i < 8; ++i) {
-        const dvec3  p{i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y, i & 4 ? bounds.max.z : bounds.min.z};
+        const dvec3 p{i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
+                      i & 4 ? bounds.max.z : bounds.min.z};
         const dvec3  d = p - camera.eye;
         const double z = dot(camera.forward, d);
         const double x = camera.width * 0.5 + camera.height * 0.5 * camera.focal * dot(camera.right, d) / z;
         const double y = camera.height * 0.5 - camera.height * 0.5 * camera.focal * dot(camera.up, d) / z;
-        spread = {std::min(spread.left, x), std::max(spread.right, x), std::min(spread.top, y), std::max(spread.bottom, y),
-                  std::min(spread.nearest, z), std::max(spread.farthest, z)};
+        spread         = {std::min(spread.left, x),   std::max(spread.right, x),   std::min(spread.top, y),
+                          std::max(spread.bottom, y), std::min(spread.nearest, z), std::max(spread.farthest, z)};
     }
     return spread;
 }
 
 TEST(View, CameraFollowsTheWrittenDefinition)
 {
-    ViewRequest view = lookingAt({2, 3, 8}, {0.5, 1, -1});
-    view.verticalFov = 53;
-    view.near        = 0.25;
-    view.far         = kInfinity;
+    ViewRequest view  = lookingAt({2, 3, 8}, {0.5, 1, -1});
+    view.verticalFov  = 53;
+    view.near         = 0.25;
+    view.far          = kInfinity;
     const auto camera = makeCamera(view, {});
     ASSERT_TRUE(camera.ok()) << camera.error().text();
 
@@ -84,7 +86,7 @@ TEST(View, CameraFollowsTheWrittenDefinition)
 TEST(View, ScalingEyeAndTargetByAPowerOfTwoKeepsTheAxesBitForBit)
 {
     for (double scale : {0x1p-600, 0x1p-20, 0x1p20, 0x1p600}) {
-        const auto plain  = makeCamera(lookingAt({2, 3, 8}, {0.5, 1, -1}), {});
+        const auto  plain = makeCamera(lookingAt({2, 3, 8}, {0.5, 1, -1}), {});
         ViewRequest view  = lookingAt(dvec3{2, 3, 8} * scale, dvec3{0.5, 1, -1} * scale);
         view.near         = 1;
         view.far          = 2;
@@ -104,17 +106,56 @@ TEST(View, WhatIsNoViewIsRefusedWithASentence)
         const char*                       says;
     };
     const std::array cases{
-        Case{"up parallel", [](ViewRequest& v) { v.up = {-1, -1, -1}; }, "parallel"},
-        Case{"up anti-parallel", [](ViewRequest& v) { v.up = {2, 2, 2}; }, "parallel"},
-        Case{"up nearly parallel", [](ViewRequest& v) { v.up = {-1, -1, -1 + 1e-12}; }, "parallel"},
-        Case{"up zero", [](ViewRequest& v) { v.up = {0, 0, 0}; }, "up"},
+        Case{"up parallel",
+             [](ViewRequest& v) {
+                 v.up = {-1, -1, -1};
+             },
+             "parallel"},
+        Case{"up anti-parallel",
+             [](ViewRequest& v) {
+                 v.up = {2, 2, 2};
+             },
+             "parallel"},
+        Case{"up nearly parallel",
+             [](ViewRequest& v) {
+                 v.up = {-1, -1, -1 + 1e-12};
+             },
+             "parallel"},
+        Case{"up zero",
+             [](ViewRequest& v) {
+                 v.up = {0, 0, 0};
+             },
+             "up"},
         Case{"up not a number", [](ViewRequest& v) { v.up.x = kNaN; }, "up"},
         Case{"eye = target", [](ViewRequest& v) { v.eye = v.target; }, "same point"},
-        Case{"eye infinite", [](ViewRequest& v) { v.eye = dvec3{kInfinity, 0, 0}; }, "eye"},
-        Case{"target not a number", [](ViewRequest& v) { v.target = dvec3{0, kNaN, 0}; }, "target"},
-        Case{"too far apart", [](ViewRequest& v) { v.eye = dvec3{1e308, 0, 0}; v.target = dvec3{-1e308, 0, 0}; }, "far apart"},
-        Case{"near = far", [](ViewRequest& v) { v.near = 2; v.far = 2; }, "far must be above near"},
-        Case{"near > far", [](ViewRequest& v) { v.near = 3; v.far = 2; }, "far must be above near"},
+        Case{"eye infinite",
+             [](ViewRequest& v) {
+                 v.eye = dvec3{kInfinity, 0, 0};
+             },
+             "eye"},
+        Case{"target not a number",
+             [](ViewRequest& v) {
+                 v.target = dvec3{0, kNaN, 0};
+             },
+             "target"},
+        Case{"too far apart",
+             [](ViewRequest& v) {
+                 v.eye    = dvec3{1e308, 0, 0};
+                 v.target = dvec3{-1e308, 0, 0};
+             },
+             "far apart"},
+        Case{"near = far",
+             [](ViewRequest& v) {
+                 v.near = 2;
+                 v.far  = 2;
+             },
+             "far must be above near"},
+        Case{"near > far",
+             [](ViewRequest& v) {
+                 v.near = 3;
+                 v.far  = 2;
+             },
+             "far must be above near"},
         Case{"near 0", [](ViewRequest& v) { v.near = 0; }, "near"},
         Case{"near negative", [](ViewRequest& v) { v.near = -1; }, "near"},
         Case{"near infinite", [](ViewRequest& v) { v.near = kInfinity; }, "near"},
@@ -157,16 +198,16 @@ TEST(View, ExactCameraIsTakenAsItIsOrRefused)
     Camera exact{.eye = {1e6, 0.1, -3}, .focal = 0.3, .near = 1e-4, .far = kInfinity, .width = 7, .height = 1};
     exact.right = {0.9, 0.1, 0};  // not orthonormal: used as given all the same
     ViewRequest view;
-    view.exact = exact;
-    view.width = 640;
+    view.exact       = exact;
+    view.width       = 640;
     const auto taken = makeCamera(view, {});
     ASSERT_TRUE(taken.ok());
     EXPECT_EQ(*taken, exact);
 
     view.exact->far = view.exact->near;
     EXPECT_FALSE(makeCamera(view, {}).ok());
-    view.exact        = exact;
-    view.exact->up.y  = kNaN;
+    view.exact       = exact;
+    view.exact->up.y = kNaN;
     EXPECT_FALSE(makeCamera(view, {}).ok());
     view.exact        = exact;
     view.exact->focal = 0;
@@ -175,14 +216,21 @@ TEST(View, ExactCameraIsTakenAsItIsOrRefused)
 
 TEST(View, FramedSceneFitsThePictureAndIsNotClipped)
 {
-    const std::array boxes{box({-1, -1, -1}, {1, 1, 1}),     box({-50, 0, -1}, {50, 1, 1}),    box({0, -80, 0}, {1, 80, 1}),
-                           box({-1, 0, -300}, {1, 1, 0}),    box({-1, -1, 0}, {1, 1, 0}),      box({0, 0, 0}, {0, 5, 0}),
-                           box({-1e-6, 0, 0}, {0, 1e-6, 1e-6}), box({-1e9, -1e9, -1e9}, {1e9, 1e9, 1e9}),
-                           box({1e6, 1e6, 1e6}, {1e6 + 1, 1e6 + 2, 1e6 + 3}), box({-1e200, 0, 0}, {1e200, 1e200, 1e200})};
+    const std::array boxes{box({-1, -1, -1}, {1, 1, 1}),
+                           box({-50, 0, -1}, {50, 1, 1}),
+                           box({0, -80, 0}, {1, 80, 1}),
+                           box({-1, 0, -300}, {1, 1, 0}),
+                           box({-1, -1, 0}, {1, 1, 0}),
+                           box({0, 0, 0}, {0, 5, 0}),
+                           box({-1e-6, 0, 0}, {0, 1e-6, 1e-6}),
+                           box({-1e9, -1e9, -1e9}, {1e9, 1e9, 1e9}),
+                           box({1e6, 1e6, 1e6}, {1e6 + 1, 1e6 + 2, 1e6 + 3}),
+                           box({-1e200, 0, 0}, {1e200, 1e200, 1e200})};
     for (const Bounds& bounds : boxes)
         for (const auto& [width, height] : {std::pair{1280, 720}, {300, 900}, {64, 64}})
             for (double fov : {10.0, 45.0, 120.0}) {
-                SCOPED_TRACE(testing::Message() << bounds.max.x << " " << bounds.max.y << " " << width << "x" << height << " " << fov);
+                SCOPED_TRACE(testing::Message()
+                             << bounds.max.x << " " << bounds.max.y << " " << width << "x" << height << " " << fov);
                 ViewRequest view;
                 view.width        = width;
                 view.height       = height;
@@ -207,8 +255,8 @@ TEST(View, FramedSceneFitsThePictureAndIsNotClipped)
 
 TEST(View, SceneWithoutExtentOrWithoutAnythingStillHasACamera)
 {
-    for (const Bounds& bounds : {Bounds{}, box({0, 0, 0}, {0, 0, 0}), box({3, 4, 5}, {3, 4, 5}), box({1e9, 1e9, -1e9}, {1e9, 1e9, -1e9}),
-                                 box({1e-300, 0, 0}, {1e-300, 0, 0})}) {
+    for (const Bounds& bounds : {Bounds{}, box({0, 0, 0}, {0, 0, 0}), box({3, 4, 5}, {3, 4, 5}),
+                                 box({1e9, 1e9, -1e9}, {1e9, 1e9, -1e9}), box({1e-300, 0, 0}, {1e-300, 0, 0})}) {
         const auto camera = makeCamera({}, bounds);
         ASSERT_TRUE(camera.ok()) << camera.error().text();
         if (bounds.isEmpty()) continue;
@@ -220,8 +268,8 @@ TEST(View, SceneWithoutExtentOrWithoutAnythingStillHasACamera)
 
 TEST(View, EyeInsideTheSceneSeesWhatIsNear)
 {
-    ViewRequest view  = lookingAt({0, 0, 0}, {0, 0, -1});
-    const auto camera = makeCamera(view, box({-100, -100, -100}, {100, 100, 100}));
+    ViewRequest view   = lookingAt({0, 0, 0}, {0, 0, -1});
+    const auto  camera = makeCamera(view, box({-100, -100, -100}, {100, 100, 100}));
     ASSERT_TRUE(camera.ok());
     EXPECT_LT(camera->near, 0.1);
     EXPECT_GT(camera->far, 100);
@@ -241,10 +289,10 @@ TEST(View, EyeWithoutTargetLooksAtTheMiddleOfTheScene)
 
 TEST(View, WhatIsGivenOfNearAndFarIsKeptAndTheOtherFollows)
 {
-    ViewRequest view = lookingAt({0, 0, 10}, {0, 0, 0});
+    ViewRequest  view = lookingAt({0, 0, 10}, {0, 0, 0});
     const Bounds unit = box({-1, -1, -1}, {1, 1, 1});
-    view.near = 1e6;
-    auto camera = makeCamera(view, unit);
+    view.near         = 1e6;
+    auto camera       = makeCamera(view, unit);
     ASSERT_TRUE(camera.ok());
     EXPECT_EQ(camera->near, 1e6);
     EXPECT_GT(camera->far, 1e6);
@@ -260,8 +308,15 @@ TEST(CameraJson, ReadingBackGivesTheSameBits)
 {
     const std::array reals{0.1, -0.0, 1.0 / 3, 5e-324, -1.7976931348623157e308, 1e-310, 123456789.123456789};
     for (double a : reals) {
-        Camera camera{.eye = {a, -a, 0.7}, .right = {a, 1, 2}, .up = {0, a, 0}, .forward = {0, 0, a},
-                      .focal = 1.7320508075688772, .near = 1e-4, .far = kInfinity, .width = 1024, .height = 1};
+        Camera     camera{.eye     = {a, -a, 0.7},
+                          .right   = {a, 1, 2},
+                          .up      = {0, a, 0},
+                          .forward = {0, 0, a},
+                          .focal   = 1.7320508075688772,
+                          .near    = 1e-4,
+                          .far     = kInfinity,
+                          .width   = 1024,
+                          .height  = 1};
         const auto back = cameraFromJson(cameraToJson(camera), "cam.json");
         ASSERT_TRUE(back.ok()) << back.error().text();
         EXPECT_EQ(*back, camera);
@@ -275,8 +330,9 @@ TEST(CameraJson, ReadingBackGivesTheSameBits)
 
 std::string cameraText(const std::string& near, const std::string& extra = "")
 {
-    return "{\"eye\":[1,\"2.5\",\"0x1.8p+1\"],\n\"right\":[1,0,0],\"up\":[0,1,0],\"forward\":[0,0,-1],\n\"focal\":\"1e0\",\"near\":" + near +
-           ",\n\"far\":\"inf\",\"width\":640,\"height\":480" + extra + "}";
+    return "{\"eye\":[1,\"2.5\",\"0x1.8p+1\"],\n\"right\":[1,0,0],\"up\":[0,1,0],\"forward\":[0,0,-1],\n\"focal\":"
+           "\"1e0\",\"near\":"
+           + near + ",\n\"far\":\"inf\",\"width\":640,\"height\":480" + extra + "}";
 }
 
 TEST(CameraJson, NumbersMayBeDecimalHexOrInfAndAreCorrectlyRounded)
@@ -287,15 +343,21 @@ TEST(CameraJson, NumbersMayBeDecimalHexOrInfAndAreCorrectlyRounded)
     EXPECT_EQ(camera->near, 0.1);
     EXPECT_EQ(camera->far, kInfinity);
     // Half way between two float64: to the even one; a little above: up.
-    EXPECT_EQ(cameraFromJson(cameraText("\"1.00000000000000011102230246251565404236316680908203125\""), "c")->near, 1.0);
-    EXPECT_EQ(cameraFromJson(cameraText("\"1.00000000000000011102230246251565404236316680908203126\""), "c")->near, 1.0000000000000002);
+    EXPECT_EQ(cameraFromJson(cameraText("\"1.00000000000000011102230246251565404236316680908203125\""), "c")->near,
+              1.0);
+    EXPECT_EQ(cameraFromJson(cameraText("\"1.00000000000000011102230246251565404236316680908203126\""), "c")->near,
+              1.0000000000000002);
     EXPECT_EQ(cameraFromJson(cameraText("\"-0x1p-3\""), "c").ok(), false);  // near must be above 0
     EXPECT_EQ(cameraFromJson(cameraText("\"+0X1.8P-1\""), "c")->near, 0.75);
 }
 
 TEST(CameraJson, WhatIsNoCameraIsRefusedWithFileAndLine)
 {
-    struct Case { std::string text; int line; const char* says; };
+    struct Case {
+        std::string text;
+        int         line;
+        const char* says;
+    };
     const std::array cases{
         Case{"", 1, "not JSON"},
         Case{"{\"eye\":[1,2,3],\n", 2, "not JSON"},

@@ -5,11 +5,11 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <random>
-#include <utility>
 #include <memory>
 #include <new>
+#include <random>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/base/derived.h"
@@ -30,7 +30,8 @@ TEST(VisibilityBuffer, BackgroundIsTheLargestDepthThatTheFarTestDrops)
         EXPECT_LT(empty, kept) << far;
         EXPECT_EQ(std::nextafter(empty, 2.0f), kept) << far;
     }
-    EXPECT_LT(DepthEncoding(DepthFormat::ReversedFloat32, 0.1, kInfinity).empty, 0.0f) << "without a far plane even depth 0 is kept";
+    EXPECT_LT(DepthEncoding(DepthFormat::ReversedFloat32, 0.1, kInfinity).empty, 0.0f)
+        << "without a far plane even depth 0 is kept";
 }
 
 /// Draws value 7 at depth 1/2 over the box.
@@ -106,7 +107,8 @@ TEST(DepthEncoding, PicturesLieAboveEachOtherUntilFloat32EndsAndHoldTheSameDepth
         for (int picture = 0; picture < 1000; ++picture) {
             const DepthEncoding next = plain.above(last);
             stacked += next.isAbove(last);
-            EXPECT_EQ(next.isAbove(last), keyOf(next.empty, 0) > keyOf(static_cast<float>(last.scale), 1)) << farthest << ": " << picture;
+            EXPECT_EQ(next.isAbove(last), keyOf(next.empty, 0) > keyOf(static_cast<float>(last.scale), 1))
+                << farthest << ": " << picture;
             EXPECT_TRUE(std::isnormal(next.empty)) << farthest << ": " << picture;
             for (const double depth : {farthest, std::sqrt(farthest), 0.5 + farthest / 2, 1.0}) {
                 const auto stored = static_cast<float>(depth * next.scale);
@@ -125,7 +127,7 @@ TEST(VisibilityBuffer, OfAPictureAboveTheLastOneTilesAreNotEmptiedAndShowOnlyWha
 {
     VisibilityBuffer buffer;
     std::mt19937_64  random(5);
-    const auto       below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+    const auto       below  = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
     constexpr int    kWidth = 200, kHeight = 61;
     int              keptMemory = 0;
     for (int picture = 0; picture < 400; ++picture) {
@@ -139,30 +141,35 @@ TEST(VisibilityBuffer, OfAPictureAboveTheLastOneTilesAreNotEmptiedAndShowOnlyWha
             const auto          depth = static_cast<float>((0.25 + 0.125 * below(7)) * encoding.scale);
             const std::uint32_t rank  = 1 + static_cast<std::uint32_t>(below(1000));
             if (below(3) == 0) {  // the whole tile as a plane, in place of what it holds
-                const PixelBox tile{x / 64 * 64, y / 8 * 8, std::min(x / 64 * 64 + 64, kWidth), std::min(y / 8 * 8 + 8, kHeight)};
+                const PixelBox tile{x / 64 * 64, y / 8 * 8, std::min(x / 64 * 64 + 64, kWidth),
+                                    std::min(y / 8 * 8 + 8, kHeight)};
                 buffer.setPlane(x, y, {{0, 0, depth, depth, depth}, rank});
                 for (int row = tile.y0; row < tile.y1; ++row)
-                    for (int column = tile.x0; column < tile.x1; ++column) expected.at(column, row) = keyOf(depth, rank);
+                    for (int column = tile.x0; column < tile.x1; ++column)
+                        expected.at(column, row) = keyOf(depth, rank);
                 continue;
             }
             buffer.open(box);
             for (int row = box.y0; row < box.y1; ++row)
                 for (int column = box.x0; column < box.x1; ++column) {
                     keptMemory += buffer.row(row)[column] < buffer.background();
-                    PixelKey& key          = buffer.row(row)[column];
-                    key                    = std::max(key, keyOf(depth, rank));
+                    PixelKey& key            = buffer.row(row)[column];
+                    key                      = std::max(key, keyOf(depth, rank));
                     expected.at(column, row) = std::max(expected.at(column, row), keyOf(depth, rank));
                 }
         }
         buffer.finishRows(0, kHeight);
-        if (below(2) == 0) buffer.storePlanes(0, kHeight, [&buffer](const PixelBox& tile, const TilePlane& plane) {
-            for (int y = tile.y0; y < tile.y1; ++y)
-                for (int x = tile.x0; x < tile.x1; ++x) buffer.row(y)[x] = plane.keyAt(x, y);
-        });
+        if (below(2) == 0)
+            buffer.storePlanes(0, kHeight, [&buffer](const PixelBox& tile, const TilePlane& plane) {
+                for (int y = tile.y0; y < tile.y1; ++y)
+                    for (int x = tile.x0; x < tile.x1; ++x) buffer.row(y)[x] = plane.keyAt(x, y);
+            });
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 ASSERT_EQ(buffer.keyAt(x, y), expected.at(x, y)) << picture << ": " << x << ' ' << y;
-                ASSERT_EQ(buffer.depthAt(x, y), buffer.rankAt(x, y) == 0 ? 0.0f : static_cast<float>(depthOf(expected.at(x, y)) / encoding.scale));
+                ASSERT_EQ(buffer.depthAt(x, y), buffer.rankAt(x, y) == 0
+                                                    ? 0.0f
+                                                    : static_cast<float>(depthOf(expected.at(x, y)) / encoding.scale));
             }
     }
     EXPECT_GT(keptMemory, 10000) << "memory was never left as it was";
@@ -178,7 +185,8 @@ TEST(VisibilityBuffer, ATileKeptAsAPlaneShowsItsTriangleUntilTheFrameEndsAndItsP
 
     const PixelBox whole{64, 8, 128, 16}, last{192, 24, 200, 29};
     for (const PixelBox& box : {whole, last}) EXPECT_TRUE(buffer.isWholeTile(box));
-    for (const PixelBox& part : {PixelBox{64, 8, 127, 16}, {65, 8, 128, 16}, {64, 9, 128, 16}, {64, 8, 128, 15}, {192, 24, 200, 28}})
+    for (const PixelBox& part :
+         {PixelBox{64, 8, 127, 16}, {65, 8, 128, 16}, {64, 9, 128, 16}, {64, 8, 128, 15}, {192, 24, 200, 28}})
         EXPECT_FALSE(buffer.isWholeTile(part));
 
     const TilePlane first{{0.001, -0.002, 0.3, 0.31f, 0.5f}, 12}, second{{0, 0, 0.25, 0.25f, 0.25f}, 4};
@@ -186,7 +194,7 @@ TEST(VisibilityBuffer, ATileKeptAsAPlaneShowsItsTriangleUntilTheFrameEndsAndItsP
         for (int y = tile.y0; y < tile.y1; ++y)
             for (int x = tile.x0; x < tile.x1; ++x) {
                 const double z = std::clamp(plane.depth.a * (x + 0.5) + (plane.depth.b * (y + 0.5) + plane.depth.c),
-                                            double{plane.depth.farthest}, double{plane.depth.nearest});
+                                                 double{plane.depth.farthest}, double{plane.depth.nearest});
                 ASSERT_EQ(buffer.rankAt(x, y), plane.rank) << x << ' ' << y;
                 ASSERT_EQ(buffer.storedAt(x, y), static_cast<float>(z)) << x << ' ' << y;
             }

@@ -1,5 +1,5 @@
-// A wide pyramid against a look at every pixel, in every instruction set that the machine has: hidden exactly when each pixel asked about is
-// strictly nearer.
+// A wide pyramid against a look at every pixel, in every instruction set that the machine has: hidden exactly when each
+// pixel asked about is strictly nearer.
 #include "core/depth/pyramid.h"
 #include "core/depth/triangle_cover.h"
 
@@ -12,7 +12,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-bool boxIsHidden(Pyramid& pyramid, const PixelBox& box, float nearest) { return WidePyramid(pyramid).hides(box, nearest, WholeBox{}); }
+bool boxIsHidden(Pyramid& pyramid, const PixelBox& box, float nearest)
+{
+    return WidePyramid(pyramid).hides(box, nearest, WholeBox{});
+}
 bool shapeIsHidden(Pyramid& pyramid, const PixelBox& box, float nearest, const TriangleCover& shape)
 {
     return WidePyramid(pyramid).hides(box, nearest, shape);
@@ -68,7 +71,8 @@ struct Screen {
         return {x0, y0, x1, y1};
     }
 
-    /// Depths only grow. Of tiles that are drawn over as a whole it is told what they hold, if `seen`; of the others that they may have changed.
+    /// Depths only grow. Of tiles that are drawn over as a whole it is told what they hold, if `seen`; of the others
+    /// that they may have changed.
     void draw(const PixelBox& box, float depth, bool seen)
     {
         visible.open(box);
@@ -77,7 +81,8 @@ struct Screen {
         for (int top = firstRow + (box.y0 - firstRow) / kTile * kTile; top < box.y1; top += kTile)
             for (int left = box.x0 / kTile * kTile; left < box.x1; left += kTile) {
                 const PixelBox tile{left, top, std::min(left + kTile, visible.width()), std::min(top + kTile, endRow)};
-                const PixelBox drawn{std::max(tile.x0, box.x0), std::max(tile.y0, box.y0), std::min(tile.x1, box.x1), std::min(tile.y1, box.y1)};
+                const PixelBox drawn{std::max(tile.x0, box.x0), std::max(tile.y0, box.y0), std::min(tile.x1, box.x1),
+                                     std::min(tile.y1, box.y1)};
                 if (seen && drawn == tile)
                     pyramid.drawnTile(left, top, farthest(tile));
                 else
@@ -106,7 +111,8 @@ struct Screen {
             for (int y = 0; y < cells.height; ++y)
                 for (int x = 0; x < cells.width; ++x) {
                     const int top = firstRow + (y << level);
-                    ASSERT_LE(cells.at(x, y), farthest({x << level, top, std::min((x + 1) << level, visible.width()), std::min(top + (1 << level), endRow)}))
+                    ASSERT_LE(cells.at(x, y), farthest({x << level, top, std::min((x + 1) << level, visible.width()),
+                                                        std::min(top + (1 << level), endRow)}))
                         << level << ": " << x << ' ' << y;
                 }
         };
@@ -124,12 +130,15 @@ ScreenTriangle triangleIn(const PixelBox& region, Random& random)
     for (;;) {
         std::array<ScreenCorner, 3> corners{};
         for (ScreenCorner& corner : corners) {
-            corner.xs = std::rint(random.between(region.x0, region.x1) * 256), corner.ys = std::rint(random.between(region.y0, region.y1) * 256);
+            corner.xs = std::rint(random.between(region.x0, region.x1) * 256),
+            corner.ys = std::rint(random.between(region.y0, region.y1) * 256);
             corner.x = corner.xs / 256, corner.y = corner.ys / 256;
             corner.d = random.between(0.2, 0.8);
         }
         ScreenTriangle triangle;
-        if (setUpTriangle(corners[0], corners[1], corners[2], TriangleId{0}, false, FaceCulling::None, region, ExactRules{}, triangle) == SetUp::Drawn)
+        if (setUpTriangle(corners[0], corners[1], corners[2], TriangleId{0}, false, FaceCulling::None, region,
+                          ExactRules{}, triangle)
+            == SetUp::Drawn)
             return triangle;
     }
 }
@@ -144,13 +153,16 @@ void expectExact(Screen& screen, Random& random, Answers& answers)
     const PixelBox       box      = screen.anyBox(random);
     const ScreenTriangle triangle = triangleIn(screen.region(), random);
     const TriangleCover  shape(triangle, ExactRules{}.notOwned());
-    const float ofBox = screen.farthest(box), ofShape = screen.farthest(triangle.box, [&](int x, int y) { return shape.covers(x, y); });
-    const auto  depths = [&random](float farthest) {
-        return std::array{std::nextafter(farthest, 0.0f), farthest, std::nextafter(farthest, 2.0f), static_cast<float>(random.unit())};
+    const float          ofBox = screen.farthest(box),
+                ofShape        = screen.farthest(triangle.box, [&](int x, int y) { return shape.covers(x, y); });
+    const auto depths          = [&random](float farthest) {
+        return std::array{std::nextafter(farthest, 0.0f), farthest, std::nextafter(farthest, 2.0f),
+                          static_cast<float>(random.unit())};
     };
     for (const float nearest : depths(ofBox)) {
         const bool hidden = HWY_DYNAMIC_DISPATCH(boxIsHidden)(screen.pyramid, box, nearest);
-        ASSERT_EQ(hidden, nearest < ofBox) << box.x0 << ' ' << box.y0 << ' ' << box.x1 << ' ' << box.y1 << " at " << nearest << ", farthest " << ofBox;
+        ASSERT_EQ(hidden, nearest < ofBox)
+            << box.x0 << ' ' << box.y0 << ' ' << box.x1 << ' ' << box.y1 << " at " << nearest << ", farthest " << ofBox;
         ++(hidden ? answers.yes : answers.no);
     }
     if (ofShape == std::numeric_limits<float>::infinity()) return;  // it covers no pixel
@@ -188,7 +200,7 @@ TEST(WidePyramid, AnswersExactlyAfterAnySequenceOfWritesInEverySizeStripeAndInst
                 Screen    screen(width, height, first, height);
                 const int steps = 80;
                 for (int i = 0; i < steps; ++i) {
-                    const auto     depth = static_cast<float>(static_cast<double>(i + 1) / steps * random.between(0.5, 1));
+                    const auto depth = static_cast<float>(static_cast<double>(i + 1) / steps * random.between(0.5, 1));
                     const PixelBox drawn = random.below(6) == 0 ? screen.region() : screen.anyBox(random);
                     screen.draw(drawn, depth, random.below(2) == 0);
                     for (int q = 0; q < 3; ++q) expectExact(screen, random, answers);
@@ -214,7 +226,8 @@ TEST(WidePyramid, OneTileThatHoldsNothingIsFoundInEveryPlaceOfEveryBlock)
             screen.visible.finishRows(0, kTile * kHigh);
             screen.pyramid.reset(screen.visible, 0, kTile * kHigh, Fault::None, PyramidKind::Wide);
             const int x = hole % kWide * kTile, y = hole / kWide * kTile;
-            for (const PixelBox& around : {PixelBox{0, 0, kTile * kWide, y}, PixelBox{0, y, x, y + kTile}, PixelBox{x + kTile, y, kTile * kWide, y + kTile},
+            for (const PixelBox& around : {PixelBox{0, 0, kTile * kWide, y}, PixelBox{0, y, x, y + kTile},
+                                           PixelBox{x + kTile, y, kTile * kWide, y + kTile},
                                            PixelBox{0, y + kTile, kTile * kWide, kTile * kHigh}})
                 if (!around.isEmpty()) screen.draw(around, 0.5f, true);
             ASSERT_FALSE(HWY_DYNAMIC_DISPATCH(boxIsHidden)(screen.pyramid, screen.region(), 0.25f)) << x << ' ' << y;
@@ -227,7 +240,8 @@ TEST(WidePyramid, OneTileThatHoldsNothingIsFoundInEveryPlaceOfEveryBlock)
 TEST(WidePyramid, AHoleOfOnePixelIsFoundWhereverItIs)
 {
     Screen screen(200, 150, 0, 150);
-    for (const auto& [x, y] : {std::pair{0, 0}, {199, 149}, {63, 64}, {64, 63}, {128, 17}, {199, 0}, {0, 149}, {100, 72}}) {
+    for (const auto& [x, y] :
+         {std::pair{0, 0}, {199, 149}, {63, 64}, {64, 63}, {128, 17}, {199, 0}, {0, 149}, {100, 72}}) {
         screen.visible.emptyRows(0, 150);
         screen.visible.finishRows(0, 150);
         screen.pyramid.reset(screen.visible, 0, 150, Fault::None, PyramidKind::Wide);
@@ -249,7 +263,8 @@ TEST(WidePyramid, ABlockRemembersWhatItsTilesHeldWhenSomebodyLooked)
     EXPECT_EQ(screen.pyramid.blocks().at(3, 1), kEmpty);
     EXPECT_TRUE(HWY_DYNAMIC_DISPATCH(boxIsHidden)(screen.pyramid, {64, 0, 256, 128}, 0.4f));
     for (int y = 0; y < 2; ++y)
-        for (int x = 0; x < 4; ++x) EXPECT_EQ(screen.pyramid.blocks().at(x, y), x == 0 ? kEmpty : 0.5f) << x << ' ' << y;
+        for (int x = 0; x < 4; ++x)
+            EXPECT_EQ(screen.pyramid.blocks().at(x, y), x == 0 ? kEmpty : 0.5f) << x << ' ' << y;
     screen.draw(screen.region(), 0.7f, true);
     EXPECT_TRUE(HWY_DYNAMIC_DISPATCH(boxIsHidden)(screen.pyramid, screen.region(), 0.4f));
     EXPECT_EQ(screen.pyramid.blocks().at(3, 1), 0.5f) << "that was enough to know";

@@ -33,23 +33,55 @@ std::vector<std::string> seeds()
 /// One to eight changes: bytes, copies, cuts, and words that readers stumble over.
 std::string changed(std::string text, const std::vector<std::string>& all, std::mt19937_64& random)
 {
-    static const std::vector<std::string> kWords{
-        "nan", "inf", "1e999", "-1", "0", "4294967297", "\\\n", "\r", "\n", "#", "/", "//", "f 1 2 3\n", "f -1 -2 -3 -4\n", "v 0 0 0\n",
-        "g\n", "o\n", "usemtl\n", "mtllib\n", "mtllib ../../dev/zero\n", "\xEF\xBB\xBF", std::string("\0", 1), " ", "\t", "e", ".", "\xFF\xFE"};
-    const auto below = [&](std::size_t limit) { return static_cast<std::size_t>(random() % std::max<std::size_t>(limit, 1)); };
+    static const std::vector<std::string> kWords{"nan",
+                                                 "inf",
+                                                 "1e999",
+                                                 "-1",
+                                                 "0",
+                                                 "4294967297",
+                                                 "\\\n",
+                                                 "\r",
+                                                 "\n",
+                                                 "#",
+                                                 "/",
+                                                 "//",
+                                                 "f 1 2 3\n",
+                                                 "f -1 -2 -3 -4\n",
+                                                 "v 0 0 0\n",
+                                                 "g\n",
+                                                 "o\n",
+                                                 "usemtl\n",
+                                                 "mtllib\n",
+                                                 "mtllib ../../dev/zero\n",
+                                                 "\xEF\xBB\xBF",
+                                                 std::string("\0", 1),
+                                                 " ",
+                                                 "\t",
+                                                 "e",
+                                                 ".",
+                                                 "\xFF\xFE"};
+    const auto                            below = [&](std::size_t limit) {
+        return static_cast<std::size_t>(random() % std::max<std::size_t>(limit, 1));
+    };
     for (std::size_t changes = 1 + below(8); changes > 0; --changes) {
         const std::size_t at = below(text.size() + 1);
         switch (below(5)) {
-        case 0: text.insert(at, kWords[below(kWords.size())]); break;
-        case 1: text.erase(at, below(20)); break;
-        case 2:
-            if (at < text.size()) text[at] = static_cast<char>(random());
-            break;
-        case 3: text.insert(at, text.substr(below(text.size() + 1), below(200))); break;
-        default: {
-            const std::string& other = all[below(all.size())];
-            text.insert(at, other.substr(below(other.size() + 1), below(200)));
-        }
+            case 0:
+                text.insert(at, kWords[below(kWords.size())]);
+                break;
+            case 1:
+                text.erase(at, below(20));
+                break;
+            case 2:
+                if (at < text.size()) text[at] = static_cast<char>(random());
+                break;
+            case 3:
+                text.insert(at, text.substr(below(text.size() + 1), below(200)));
+                break;
+            default: {
+                const std::string& other = all[below(all.size())];
+                text.insert(at, other.substr(below(other.size() + 1), below(200)));
+            }
         }
     }
     return text;

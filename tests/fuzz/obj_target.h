@@ -43,7 +43,8 @@ inline bool readAsObj(std::string_view text, const std::string& folder = {})
         demand(mesh.polygonMaterial[p].value < mesh.materials.size(), "materials are in range");
         demand(mesh.polygonGroup[p].value < mesh.groups.size(), "groups are in range");
         const std::uint32_t triangles = mesh.firstTriangle[p + 1] - mesh.firstTriangle[p];
-        demand(triangles + 2 >= mesh.polygon(PolygonId{p}).size(), "a polygon of n corners has at least n - 2 triangles");
+        demand(triangles + 2 >= mesh.polygon(PolygonId{p}).size(),
+               "a polygon of n corners has at least n - 2 triangles");
         for (std::uint32_t t = mesh.firstTriangle[p]; t < mesh.firstTriangle[p + 1]; ++t)
             demand(mesh.trianglePolygon[t].value == p, "a triangle knows its polygon");
     }

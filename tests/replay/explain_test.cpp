@@ -21,8 +21,7 @@ namespace {
 struct Truth {
     explicit Truth(const SeenScene& scene, FaceCulling faceCulling = FaceCulling::None)
         : seen(scene), culling(faceCulling), picture(*referencePicture(scene.scene->scene(), scene.camera, culling))
-    {
-    }
+    {}
 
     const SeenScene& seen;
     FaceCulling      culling;
@@ -39,7 +38,9 @@ struct Truth {
     /// As a visibility buffer holds it: background just below everything that is kept.
     float stored(int x, int y) const
     {
-        return picture.ids.at(x, y) >= 0 ? picture.depth.at(x, y) : DepthEncoding(DepthFormat::ReversedFloat32, seen.camera.near, seen.camera.far).empty;
+        return picture.ids.at(x, y) >= 0
+                   ? picture.depth.at(x, y)
+                   : DepthEncoding(DepthFormat::ReversedFloat32, seen.camera.near, seen.camera.far).empty;
     }
 };
 
@@ -73,13 +74,17 @@ float depthIn(const std::vector<CoveringTriangle>& covering, TriangleId id)
     return found == covering.end() || found->triangle != id ? -1 : found->depth;
 }
 
-bool holds(const PixelBox& box, PixelPosition p) { return box.x0 <= p.x && p.x < box.x1 && box.y0 <= p.y && p.y < box.y1; }
-
-/// Whether the reason that a loser gives is true of the definition's picture. Depths are the definition's to the bit but where
-/// whole faces are drawn.
-void expectTrue(const PixelCandidate& c, PixelPosition p, const Truth& truth, const std::vector<CoveringTriangle>& covering, bool byFace, bool hasReliefs)
+bool holds(const PixelBox& box, PixelPosition p)
 {
-    const auto depthOf = [&](TriangleId id) { return depthIn(covering, id); };
+    return box.x0 <= p.x && p.x < box.x1 && box.y0 <= p.y && p.y < box.y1;
+}
+
+/// Whether the reason that a loser gives is true of the definition's picture. Depths are the definition's to the bit
+/// but where whole faces are drawn.
+void expectTrue(const PixelCandidate& c, PixelPosition p, const Truth& truth,
+                const std::vector<CoveringTriangle>& covering, bool byFace, bool hasReliefs)
+{
+    const auto depthOf   = [&](TriangleId id) { return depthIn(covering, id); };
     const auto sameDepth = [&](float depth, TriangleId id) {
         if (!byFace) {
             EXPECT_EQ(std::bit_cast<std::uint32_t>(depth), std::bit_cast<std::uint32_t>(depthOf(id))) << id.value;
@@ -87,79 +92,93 @@ void expectTrue(const PixelCandidate& c, PixelPosition p, const Truth& truth, co
     };
     const Event* decisive = c.decisive ? &c.events[*c.decisive] : nullptr;
     switch (c.fate) {
-    case PixelFate::Winner: return;
-    case PixelFate::Overwritten:
-    case PixelFate::Farther:
-    case PixelFate::LostTie:
-    case PixelFate::IntervalLost: {
-        ASSERT_TRUE(decisive && c.rival);
-        EXPECT_EQ(c.stepsBehind, float32StepsBetween(decisive->depth, decisive->rivalDepth));
-        if (!byFace && !hasReliefs) {
-            EXPECT_EQ(decisive->depth, c.depth);
+        case PixelFate::Winner:
+            return;
+        case PixelFate::Overwritten:
+        case PixelFate::Farther:
+        case PixelFate::LostTie:
+        case PixelFate::IntervalLost: {
+            ASSERT_TRUE(decisive && c.rival);
+            EXPECT_EQ(c.stepsBehind, float32StepsBetween(decisive->depth, decisive->rivalDepth));
+            if (!byFace && !hasReliefs) {
+                EXPECT_EQ(decisive->depth, c.depth);
+            }
+            if (hasReliefs) {
+                EXPECT_GE(decisive->depth, c.depth) << "a bound, until the relief is asked";
+            }
+            if (!hasReliefs || c.fate != PixelFate::IntervalLost) sameDepth(decisive->rivalDepth, *c.rival);
+            EXPECT_LE(decisive->depth, decisive->rivalDepth);
+            if (decisive->depth == decisive->rivalDepth) {
+                EXPECT_EQ(c.stepsBehind, 0u);
+                EXPECT_LT(*c.rival, c.drawnAs) << "the lower id wins";
+            }
+            if (c.fate == PixelFate::IntervalLost) {
+                EXPECT_GT(c.stepsBehind, 2u);
+            }
+            return;
         }
-        if (hasReliefs) {
-            EXPECT_GE(decisive->depth, c.depth) << "a bound, until the relief is asked";
+        case PixelFate::NodeHidden:
+        case PixelFate::TriangleHidden: {
+            ASSERT_TRUE(decisive && decisive->query);
+            const PyramidQuery& q = *decisive->query;
+            EXPECT_TRUE(q.hidden);
+            EXPECT_TRUE(holds(q.box, p));
+            EXPECT_TRUE(truth.isNearerAllOver(q.box, q.nearest)) << "really hidden";
+            EXPECT_LE(c.depth, q.nearest);
+            EXPECT_EQ(c.fate == PixelFate::NodeHidden,
+                      decisive->node.has_value() && decisive->happening == Happening::NodeHidden);
+            return;
         }
-        if (!hasReliefs || c.fate != PixelFate::IntervalLost) sameDepth(decisive->rivalDepth, *c.rival);
-        EXPECT_LE(decisive->depth, decisive->rivalDepth);
-        if (decisive->depth == decisive->rivalDepth) {
-            EXPECT_EQ(c.stepsBehind, 0u);
-            EXPECT_LT(*c.rival, c.drawnAs) << "the lower id wins";
-        }
-        if (c.fate == PixelFate::IntervalLost) {
-            EXPECT_GT(c.stepsBehind, 2u);
-        }
-        return;
-    }
-    case PixelFate::NodeHidden:
-    case PixelFate::TriangleHidden: {
-        ASSERT_TRUE(decisive && decisive->query);
-        const PyramidQuery& q = *decisive->query;
-        EXPECT_TRUE(q.hidden);
-        EXPECT_TRUE(holds(q.box, p));
-        EXPECT_TRUE(truth.isNearerAllOver(q.box, q.nearest)) << "really hidden";
-        EXPECT_LE(c.depth, q.nearest);
-        EXPECT_EQ(c.fate == PixelFate::NodeHidden, decisive->node.has_value() && decisive->happening == Happening::NodeHidden);
-        return;
-    }
-    case PixelFate::TileRejected:
-        ASSERT_TRUE(decisive && decisive->tile);
-        EXPECT_TRUE(holds(decisive->tile->box, p));
-        EXPECT_LE(c.depth, decisive->tile->nearest);
-        EXPECT_LT(decisive->tile->nearest, truth.stored(p.x, p.y));
-        EXPECT_TRUE(truth.isNearerAllOver(decisive->tile->box, decisive->tile->nearest));
-        return;
-    case PixelFate::Hole: EXPECT_EQ(c.cover, Cover::Hole); return;
-    case PixelFate::BeyondFar: EXPECT_EQ(c.cover, Cover::BeyondFar); return;
-    case PixelFate::BackFace: EXPECT_EQ(c.cover, Cover::BackFace); return;
-    case PixelFate::NearClip: EXPECT_EQ(c.cover, Cover::BeforeNear); EXPECT_GT(c.depth, 1); return;
-    case PixelFate::Blended:
-    case PixelFate::BehindOpaque:
-        EXPECT_EQ(c.cover, Cover::Transparent);
-        EXPECT_EQ(c.fate == PixelFate::Blended, c.depth > truth.picture.depth.at(p.x, p.y));
-        return;
-    case PixelFate::NotFilled:
-        EXPECT_TRUE(byFace || c.cover == Cover::Hole) << c.triangle.value << ' ' << c.sentence;
-        return;
-    case PixelFate::NodeOutside:
-    case PixelFate::NodeSmall:
-    case PixelFate::BatchOutside: ADD_FAILURE() << "what covers a pixel is in view: " << c.sentence; return;
+        case PixelFate::TileRejected:
+            ASSERT_TRUE(decisive && decisive->tile);
+            EXPECT_TRUE(holds(decisive->tile->box, p));
+            EXPECT_LE(c.depth, decisive->tile->nearest);
+            EXPECT_LT(decisive->tile->nearest, truth.stored(p.x, p.y));
+            EXPECT_TRUE(truth.isNearerAllOver(decisive->tile->box, decisive->tile->nearest));
+            return;
+        case PixelFate::Hole:
+            EXPECT_EQ(c.cover, Cover::Hole);
+            return;
+        case PixelFate::BeyondFar:
+            EXPECT_EQ(c.cover, Cover::BeyondFar);
+            return;
+        case PixelFate::BackFace:
+            EXPECT_EQ(c.cover, Cover::BackFace);
+            return;
+        case PixelFate::NearClip:
+            EXPECT_EQ(c.cover, Cover::BeforeNear);
+            EXPECT_GT(c.depth, 1);
+            return;
+        case PixelFate::Blended:
+        case PixelFate::BehindOpaque:
+            EXPECT_EQ(c.cover, Cover::Transparent);
+            EXPECT_EQ(c.fate == PixelFate::Blended, c.depth > truth.picture.depth.at(p.x, p.y));
+            return;
+        case PixelFate::NotFilled:
+            EXPECT_TRUE(byFace || c.cover == Cover::Hole) << c.triangle.value << ' ' << c.sentence;
+            return;
+        case PixelFate::NodeOutside:
+        case PixelFate::NodeSmall:
+        case PixelFate::BatchOutside:
+            ADD_FAILURE() << "what covers a pixel is in view: " << c.sentence;
+            return;
     }
 }
 
 /// How many explanations ended in each fate, over all.
-std::map<PixelFate, int> expectExplained(const Truth& truth, const Pipeline& pipeline, std::size_t pixels, std::uint64_t seed)
+std::map<PixelFate, int> expectExplained(const Truth& truth, const Pipeline& pipeline, std::size_t pixels,
+                                         std::uint64_t seed)
 {
     const auto& [what, prepared, camera] = truth.seen;
-    const Scene& scene  = prepared->scene();
-    const bool   byFace = drawsFaces(pipeline);
-    const bool   hasReliefs = std::ranges::any_of(scene.meshes, [](const auto& mesh) {
+    const Scene& scene                   = prepared->scene();
+    const bool   byFace                  = drawsFaces(pipeline);
+    const bool   hasReliefs              = std::ranges::any_of(scene.meshes, [](const auto& mesh) {
         return std::ranges::any_of(mesh->materials, [](const Material& m) { return m.relief.has_value(); });
     });
-    DrawRequest  request = truth.seen.request(pipeline);
-    request.faceCulling  = truth.culling;
-    const auto points    = randomPixels(camera, pixels, seed);
-    const auto all       = explainPixels(request, points);
+    DrawRequest  request                 = truth.seen.request(pipeline);
+    request.faceCulling                  = truth.culling;
+    const auto points                    = randomPixels(camera, pixels, seed);
+    const auto all                       = explainPixels(request, points);
     EXPECT_TRUE(all.ok());
     if (!all.ok()) return {};
     EXPECT_EQ(all->size(), points.size());
@@ -172,7 +191,8 @@ std::map<PixelFate, int> expectExplained(const Truth& truth, const Pipeline& pip
     for (std::size_t i = 0; i < points.size(); ++i) {
         const PixelPosition     p = points[i];
         const PixelExplanation& e = (*all)[i];
-        SCOPED_TRACE(what + ' ' + nameOf(pipeline) + " pixel " + std::to_string(p.x) + ',' + std::to_string(p.y) + '\n' + explanationToText(e));
+        SCOPED_TRACE(what + ' ' + nameOf(pipeline) + " pixel " + std::to_string(p.x) + ',' + std::to_string(p.y) + '\n'
+                     + explanationToText(e));
         EXPECT_EQ(e.pixel, p);
         EXPECT_EQ(e.winner, frame.visible.idAt(p.x, p.y));
         EXPECT_EQ(e.depth, frame.visible.depthAt(p.x, p.y));
@@ -183,8 +203,8 @@ std::map<PixelFate, int> expectExplained(const Truth& truth, const Pipeline& pip
         }
 
         const std::vector<CoveringTriangle>& covering = coveringOf[i];
-        std::set<TriangleId> listed;
-        int                  winners = 0;
+        std::set<TriangleId>                 listed;
+        int                                  winners = 0;
         for (const PixelCandidate& c : e.candidates) {
             EXPECT_TRUE(listed.insert(c.triangle).second) << "listed once: " << c.triangle.value;
             EXPECT_FALSE(c.sentence.empty());
@@ -211,9 +231,9 @@ class EveryPreset : public testing::TestWithParam<Preset> {};
 
 TEST_P(EveryPreset, ExplainsAThousandPixelsOfThreeScenesAsTheReferenceSaysAndEachLosersReasonIsTrue)
 {
-    static const SeenScene wall  = builtinScene("wall-and-city?blocks=4", 96, 64);
-    static const SeenScene rows  = builtinScene("rows?nx=3&ny=2&nz=4", 96, 64);
-    static const SeenScene soup  = soupScene(SoupKind::Loose, 3, 64, 48, 150);
+    static const SeenScene wall = builtinScene("wall-and-city?blocks=4", 96, 64);
+    static const SeenScene rows = builtinScene("rows?nx=3&ny=2&nz=4", 96, 64);
+    static const SeenScene soup = soupScene(SoupKind::Loose, 3, 64, 48, 150);
     static const Truth     truths[]{Truth(wall), Truth(rows), Truth(soup)};
     for (const Truth& truth : truths) {
         const auto fates = expectExplained(truth, GetParam().pipeline, 1000, 11);
@@ -293,8 +313,8 @@ TEST(Explain, TellsOfTiesByTheLowerId)
 TEST(Explain, EveryWayOfLosingToAPyramidOrAnIntervalTurnsUpBehindAWall)
 {
     const auto fates = fatesOf(builtinScene("wall-and-city?blocks=4", 96, 64), FaceCulling::None, 300);
-    for (const PixelFate fate : {PixelFate::Winner, PixelFate::Overwritten, PixelFate::Farther, PixelFate::IntervalLost, PixelFate::TileRejected,
-                                 PixelFate::TriangleHidden, PixelFate::NodeHidden})
+    for (const PixelFate fate : {PixelFate::Winner, PixelFate::Overwritten, PixelFate::Farther, PixelFate::IntervalLost,
+                                 PixelFate::TileRejected, PixelFate::TriangleHidden, PixelFate::NodeHidden})
         EXPECT_TRUE(fates.contains(fate)) << wordOf(fate);
 }
 
@@ -315,47 +335,49 @@ TEST(Explain, TheStepsOfAnEventShowIt)
                     if (looked > 25) break;
                     const Grain grain = event.grain;
                     ASSERT_NE(std::ranges::find(e->grains, grain), e->grains.end());
-                    const auto  state = replay.at(grain, event.moment.at(grain));
+                    const auto state = replay.at(grain, event.moment.at(grain));
                     ASSERT_TRUE(state.ok()) << state.error().sentence;
                     ++looked;
                     switch (event.happening) {
-                    case Happening::Won:
-                    case Happening::Lost:
-                    case Happening::Discarded:
-                        ASSERT_TRUE(state->pixel);
-                        EXPECT_EQ((PixelPosition{state->pixel->x, state->pixel->y}), p);
-                        EXPECT_EQ(state->pixel->triangle, c.drawnAs);
-                        EXPECT_EQ(state->pixel->won, event.happening == Happening::Won);
-                        break;
-                    case Happening::Overtaken:
-                        ASSERT_TRUE(state->pixel);
-                        EXPECT_EQ(state->pixel->triangle, *event.rival);
-                        EXPECT_EQ(state->pixel->rival, c.drawnAs);
-                        break;
-                    case Happening::NodeHidden: {
-                        ASSERT_TRUE(state->hierarchy);
-                        const NodeRow& node = state->hierarchy->nodes[static_cast<std::size_t>(state->hierarchy->now)];
-                        EXPECT_EQ(node.path, event.node->path);
-                        EXPECT_EQ(node.instance, event.node->instance);
-                        break;
-                    }
-                    case Happening::TriangleHidden:
-                        ASSERT_TRUE(state->hierarchy && state->hierarchy->query);
-                        EXPECT_EQ(state->hierarchy->askedAbout, c.triangle);
-                        EXPECT_TRUE(state->hierarchy->query->hidden);
-                        break;
-                    case Happening::TileRejected:
-                        ASSERT_TRUE(state->tile);
-                        EXPECT_EQ(state->tile->triangle, c.triangle);
-                        EXPECT_TRUE(state->tile->rejected);
-                        break;
-                    case Happening::IntervalWon:
-                    case Happening::IntervalLost:
-                        ASSERT_TRUE(state->interval);
-                        EXPECT_EQ(state->interval->y, p.y);
-                        EXPECT_TRUE(state->interval->x0 <= p.x && p.x < state->interval->x1);
-                        break;
-                    default: break;
+                        case Happening::Won:
+                        case Happening::Lost:
+                        case Happening::Discarded:
+                            ASSERT_TRUE(state->pixel);
+                            EXPECT_EQ((PixelPosition{state->pixel->x, state->pixel->y}), p);
+                            EXPECT_EQ(state->pixel->triangle, c.drawnAs);
+                            EXPECT_EQ(state->pixel->won, event.happening == Happening::Won);
+                            break;
+                        case Happening::Overtaken:
+                            ASSERT_TRUE(state->pixel);
+                            EXPECT_EQ(state->pixel->triangle, *event.rival);
+                            EXPECT_EQ(state->pixel->rival, c.drawnAs);
+                            break;
+                        case Happening::NodeHidden: {
+                            ASSERT_TRUE(state->hierarchy);
+                            const NodeRow& node =
+                                state->hierarchy->nodes[static_cast<std::size_t>(state->hierarchy->now)];
+                            EXPECT_EQ(node.path, event.node->path);
+                            EXPECT_EQ(node.instance, event.node->instance);
+                            break;
+                        }
+                        case Happening::TriangleHidden:
+                            ASSERT_TRUE(state->hierarchy && state->hierarchy->query);
+                            EXPECT_EQ(state->hierarchy->askedAbout, c.triangle);
+                            EXPECT_TRUE(state->hierarchy->query->hidden);
+                            break;
+                        case Happening::TileRejected:
+                            ASSERT_TRUE(state->tile);
+                            EXPECT_EQ(state->tile->triangle, c.triangle);
+                            EXPECT_TRUE(state->tile->rejected);
+                            break;
+                        case Happening::IntervalWon:
+                        case Happening::IntervalLost:
+                            ASSERT_TRUE(state->interval);
+                            EXPECT_EQ(state->interval->y, p.y);
+                            EXPECT_TRUE(state->interval->x0 <= p.x && p.x < state->interval->x1);
+                            break;
+                        default:
+                            break;
                     }
                 }
             }
@@ -366,8 +388,8 @@ TEST(Explain, TheStepsOfAnEventShowIt)
 
 TEST(Explain, OfATriangleCountsItsPixelsAndNamesWhoTookTheOthers)
 {
-    const SeenScene scene = builtinScene("wall-and-city?blocks=3", 64, 48);
-    const Truth     truth(scene);
+    const SeenScene         scene = builtinScene("wall-and-city?blocks=3", 64, 48);
+    const Truth             truth(scene);
     std::set<std::uint32_t> ids;  // some that are seen, and some of all
     for (std::size_t i = 0; i < truth.picture.ids.values().size(); i += 211)
         if (const std::int64_t id = truth.picture.ids.values()[i]; id >= 0) ids.insert(static_cast<std::uint32_t>(id));
@@ -392,12 +414,15 @@ TEST(Explain, OfATriangleCountsItsPixelsAndNamesWhoTookTheOthers)
             }
             EXPECT_LE(t.passed, t.tested);
             if (familyOf(preset.pipeline) == Family::Stream) {
-                EXPECT_TRUE(t.tested == t.covered || e->fate == PixelFate::TriangleHidden || e->fate == PixelFate::NodeHidden || t.tileRejected > 0)
-                    << t.tested << " of " << t.covered << '\n' << explanationToText(*e);
+                EXPECT_TRUE(t.tested == t.covered || e->fate == PixelFate::TriangleHidden
+                            || e->fate == PixelFate::NodeHidden || t.tileRejected > 0)
+                    << t.tested << " of " << t.covered << '\n'
+                    << explanationToText(*e);
             }
             EXPECT_FALSE(e->sentence.empty());
             if (e->fate == PixelFate::NodeHidden || e->fate == PixelFate::TriangleHidden) {
-                const auto hidden = std::ranges::find_if(e->events, [](const Event& event) { return event.query && event.query->hidden; });
+                const auto hidden = std::ranges::find_if(
+                    e->events, [](const Event& event) { return event.query && event.query->hidden; });
                 ASSERT_NE(hidden, e->events.end());
                 EXPECT_TRUE(truth.isNearerAllOver(hidden->query->box, hidden->query->nearest));
             }
@@ -412,12 +437,14 @@ TEST(Explain, RefusesWhatIsNotThere)
 {
     const SeenScene   scene   = soupScene(SoupKind::Loose, 3, 32, 24, 20);
     const DrawRequest request = scene.request(findPreset("zbuffer")->pipeline);
-    for (const PixelPosition p : {PixelPosition{32, 0}, PixelPosition{0, 24}, PixelPosition{-1, 0}, PixelPosition{0, -1}}) {
+    for (const PixelPosition p :
+         {PixelPosition{32, 0}, PixelPosition{0, 24}, PixelPosition{-1, 0}, PixelPosition{0, -1}}) {
         const auto e = explainPixel(request, p);
         ASSERT_FALSE(e.ok());
         EXPECT_EQ(e.error().kind, Trouble::Usage);
     }
-    const auto e = explainTriangle(request, TriangleId{static_cast<std::uint32_t>(scene.scene->scene().triangleCount())});
+    const auto e =
+        explainTriangle(request, TriangleId{static_cast<std::uint32_t>(scene.scene->scene().triangleCount())});
     ASSERT_FALSE(e.ok());
     EXPECT_EQ(e.error().kind, Trouble::Usage);
 }
@@ -427,7 +454,7 @@ TEST(Explain, AFaultIsExplainedTooWithWhatShouldNotBeThere)
     const SeenScene scene   = soupScene(SoupKind::Loose, 9, 64, 48, 80);
     DrawRequest     request = scene.request(findPreset("edge-walk")->pipeline);
     request.pipeline.fault  = Fault::XTruncated;
-    int unexpected = 0, unfilled = 0;
+    int        unexpected = 0, unfilled = 0;
     const auto all = explainPixels(request, randomPixels(scene.camera, 1500, 1));
     ASSERT_TRUE(all.ok());
     for (const PixelExplanation& e : *all)
@@ -454,7 +481,8 @@ TEST(Explain, TheJsonHoldsWhatTheValueHolds)
         ASSERT_EQ(json["triangles"][i]["events"].size(), c.events.size());
         for (std::size_t j = 0; j < c.events.size(); ++j)
             for (const Grain grain : e->grains)
-                EXPECT_EQ(json["triangles"][i]["events"][j]["steps"][std::string(wordOf(grain))], c.events[j].moment.at(grain).value);
+                EXPECT_EQ(json["triangles"][i]["events"][j]["steps"][std::string(wordOf(grain))],
+                          c.events[j].moment.at(grain).value);
     }
 }
 

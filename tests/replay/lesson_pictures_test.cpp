@@ -1,5 +1,5 @@
-// What a lesson draws of the structures of a step: the pyramid level by level, the boxes of the hierarchy, the observer's view
-// from outside. Each is held against the pixels of the very state it is made from.
+// What a lesson draws of the structures of a step: the pyramid level by level, the boxes of the hierarchy, the
+// observer's view from outside. Each is held against the pixels of the very state it is made from.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,8 @@ float farthestOf(const VisibilityBuffer& visible, int level, int cellX, int cell
     const int size     = 1 << level;
     float     farthest = 2;
     for (int y = cellY * size; y < std::min((cellY + 1) * size, visible.height()); ++y)
-        for (int x = cellX * size; x < std::min((cellX + 1) * size, visible.width()); ++x) farthest = std::min(farthest, visible.storedAt(x, y));
+        for (int x = cellX * size; x < std::min((cellX + 1) * size, visible.width()); ++x)
+            farthest = std::min(farthest, visible.storedAt(x, y));
     return farthest;
 }
 
@@ -65,8 +66,9 @@ TEST(PyramidPicture, EveryCellIsThePixelsFarthestOrIsMarkedAsLagging)
                 int marked = 0;
                 for (int y = 0; y < level.height(); ++y) {
                     for (int x = 0; x < level.width(); ++x) {
-                        const float truth = farthestOf(state.frame.visible, level.level, x, y), held = level.farthest.at(x, y);
-                        const bool  lags  = level.isStored && level.lags.at(x, y) != 0;
+                        const float truth = farthestOf(state.frame.visible, level.level, x, y),
+                                    held  = level.farthest.at(x, y);
+                        const bool lags   = level.isStored && level.lags.at(x, y) != 0;
                         ASSERT_EQ(lags, held < truth);
                         ASSERT_TRUE(lags || held == truth);
                         ASSERT_EQ(level.colours.at(x, y) == kEmptyCell, held <= picture.empty);
@@ -113,8 +115,10 @@ TEST(CellsUnder, AreThoseThatShareAPixelWithTheBox)
 
 TEST(ColourMaps, GrowLighterEvenlyAndStayWithinTheirEnds)
 {
-    const auto grey = [](std::uint32_t c) { return 0.299 * ((c >> 16) & 255) + 0.587 * ((c >> 8) & 255) + 0.114 * (c & 255); };
-    double     last = -1;
+    const auto grey = [](std::uint32_t c) {
+        return 0.299 * ((c >> 16) & 255) + 0.587 * ((c >> 8) & 255) + 0.114 * (c & 255);
+    };
+    double last = -1;
     for (int i = 0; i <= 100; ++i) {
         const double light = grey(cividis(i / 100.0));
         EXPECT_GT(light, last);
@@ -166,7 +170,8 @@ TEST_P(Trees, NoTriangleThatOwnsAPixelLiesInANodeThatWasCulled)
             for (int x = 0; x < state->frame.visible.width(); ++x) {
                 const std::int64_t id = state->frame.visible.idAt(x, y);
                 if (id < 0) continue;
-                const int node = nodeHolding(TriangleId{static_cast<std::uint32_t>(id)}, nodes, *seen.scene, *state->hierarchy->tree);
+                const int node = nodeHolding(TriangleId{static_cast<std::uint32_t>(id)}, nodes, *seen.scene,
+                                             *state->hierarchy->tree);
                 ASSERT_GE(node, 0);
                 ASSERT_EQ(nodes[static_cast<std::size_t>(node)].verdict, NodeVerdict::Drawn);
             }
@@ -233,7 +238,9 @@ TEST(NodeBoxes, TheOutlineOfABoxInViewStaysWithinTheRectangleThatCullingAsksAbou
             x0 = std::min({x0, line.x0, line.x1}), x1 = std::max({x1, line.x0, line.x1});
             y0 = std::min({y0, line.y0, line.y1}), y1 = std::max({y1, line.y0, line.y1});
         }
-        const auto within = [](double low, double high, int size) { return std::max(0.0, std::min(high, double(size)) - std::max(low, 0.0)); };
+        const auto within = [](double low, double high, int size) {
+            return std::max(0.0, std::min(high, double(size)) - std::max(low, 0.0));
+        };
         EXPECT_GE(static_cast<double>(at.pixels) + 2 * (200 + 150), within(x0, x1, 200) * within(y0, y1, 150));
         EXPECT_LE(static_cast<double>(at.pixels), (within(x0, x1, 200) + 2) * (within(y0, y1, 150) + 2));
         ++checked;

@@ -16,7 +16,7 @@
 namespace zscope {
 namespace {
 
-namespace fs = std::filesystem;
+namespace fs            = std::filesystem;
 const fs::path kRoot    = ZSCOPE_SOURCE_DIR;
 const fs::path kLessons = kRoot / "resources/lessons";
 
@@ -39,7 +39,7 @@ std::vector<fs::path> lessonFiles()
 DrawRequest requestOf(const LessonPage& page)
 {
     static std::map<std::string, std::shared_ptr<const PreparedScene>> loaded;
-    auto& prepared = loaded[page.scene];
+    auto&                                                              prepared = loaded[page.scene];
     if (!prepared) {
         auto scene = loadScene(page.scene);
         EXPECT_TRUE(scene) << page.scene;
@@ -48,7 +48,11 @@ DrawRequest requestOf(const LessonPage& page)
     const ViewRequest view   = viewOfPage(page, prepared->scene());
     const auto        camera = makeCamera(view, prepared->scene().bounds);
     EXPECT_TRUE(camera);
-    return {.scene = prepared, .camera = *camera, .faceCulling = view.faceCulling.value_or(FaceCulling::None), .pipeline = page.pipeline, .threads = 1};
+    return {.scene       = prepared,
+            .camera      = *camera,
+            .faceCulling = view.faceCulling.value_or(FaceCulling::None),
+            .pipeline    = page.pipeline,
+            .threads     = 1};
 }
 
 void expectBoth(const LessonText& text, const std::string& where)
@@ -99,11 +103,12 @@ TEST(BundledLessons, EveryPageComesToItsStopAndEveryQuestionHasOneRightAnswerTha
             EXPECT_LT(run->step.value, *count);
             if (!page.question) continue;
             ++asked;
-            const std::string where = file.filename().string() + ":" + std::to_string(page.question->fileLine);
+            const std::string   where  = file.filename().string() + ":" + std::to_string(page.question->fileLine);
             const LessonAnswer& answer = *run->answer;
             if (page.question->kind == LessonQuestion::Kind::Pixel) {
                 ASSERT_TRUE(page.pick || answer.pixels.width() > 0) << where;
-                EXPECT_FALSE(page.pick && answer.acceptsPixel(*page.pick)) << where << ": the marked pixel is the answer";
+                EXPECT_FALSE(page.pick && answer.acceptsPixel(*page.pick))
+                    << where << ": the marked pixel is the answer";
                 continue;
             }
             EXPECT_EQ(answer.choice.has_value(), page.question->kind == LessonQuestion::Kind::Choice) << where;
@@ -119,7 +124,8 @@ TEST(BundledLessons, EveryPageComesToItsStopAndEveryQuestionHasOneRightAnswerTha
                 continue;
             }
             for (std::size_t i = 0; i < page.question->choices.size(); ++i)
-                EXPECT_EQ(page.question->choices[i].when->holds(*value), i == *answer.choice) << where << " choice " << i + 1;
+                EXPECT_EQ(page.question->choices[i].when->holds(*value), i == *answer.choice)
+                    << where << " choice " << i + 1;
         }
     }
     EXPECT_GE(asked, 30);
@@ -127,8 +133,10 @@ TEST(BundledLessons, EveryPageComesToItsStopAndEveryQuestionHasOneRightAnswerTha
 
 // Files ---------------------------------------------------------------------------------------------------------------
 
-const std::string kHead = "=== lesson\n{\"title\": \"t\"}\n";                      // lines 1, 2
-const std::string kPage = "=== page\n{\"scene\": \"builtin:cube\", \"algorithm\": \"scanline\", \"size\": [64, 36], \"stop\": STOP}\n=== en\ntext\n";
+const std::string kHead = "=== lesson\n{\"title\": \"t\"}\n";  // lines 1, 2
+const std::string kPage =
+    "=== page\n{\"scene\": \"builtin:cube\", \"algorithm\": \"scanline\", \"size\": [64, 36], \"stop\": STOP}\n=== "
+    "en\ntext\n";
 
 std::string pageWith(const std::string& stop)
 {
@@ -145,44 +153,60 @@ struct Broken {
 
 TEST(LessonFile, SaysFileAndLineOfEveryMistake)
 {
-    const std::string good = kHead + pageWith(kEnd);  // 6 lines
+    const std::string good  = kHead + pageWith(kEnd);  // 6 lines
     const Broken      all[] = {
-        {"", 1, "=== lesson"},
-        {"=== page\n{}\n", 2, "scene"},
-        {kHead, 3, "no page"},
-        {kHead + "=== lesson\n{\"title\": \"u\"}\n", 3, "one lesson"},
-        {kHead + "=== pages\n", 3, "no section 'pages'"},
-        {"=== lesson\n{\"titel\": \"t\"}\n", 2, "no 'titel'"},
-        {"=== lesson\n{\n\"title\": 3}\n", 3, "'title' must be text"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\"\n\n", 6, "JSON"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"algorithm\": \"zbufer\"}\n", 5, "preset"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"choices\": {\"depth\": \"soon\"}}\n", 5, "soon"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"choices\": {\"depht\": \"late\"}}\n", 5, "axis"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"fault\": \"typo\"}\n", 5, "fault"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"algorithm\": \"zbuffer\",\n \"choices\": {\"upkeep\": \"pushed\"}}\n", 4, "upkeep"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"size\": [0, 9]}\n", 4, "size"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"size\": [20, 10], \"pick\": [20, 0]}\n", 4, "outside"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"layer\": \"x-ray\"}\n", 4, "layer"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n\"panel\": \"active-edge\"}\n", 5, "'panel' must be one of"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\"}\n", 3, "no text"},
-        {kHead + "=== page\n{\"scene\": \"builtin:cube\"}\n=== en\n\n", 5, "empty"},
-        {kHead + "=== en\nhello\n", 3, "before the first page"},
-        {good + "=== en\nmore\n", 7, "already"},
-        {kHead + pageWith(R"({"grain": "nod", "end": true})"), 4, "grain"},
-        {kHead + pageWith(R"({"grain": "node", "verdict": "hidden"})"), 4, "no steps of grain 'node'"},
-        {kHead + pageWith(R"({"grain": "line"})"), 4, "names an event"},
-        {kHead + pageWith(R"({"line": 3})"), 4, "grain"},
-        {kHead + pageWith(R"({"grain": "line", "line": 3, "step": 4})"), 4, "not both"},
-        {kHead + pageWith(R"({"grain": "line", "line": 3, "end": true})"), 4, "'end'"},
-        {kHead + pageWith(R"({"grain": "line", "line": 3, "nth": 0})"), 4, "nth"},
-        {good + "=== question\n{\"ask\": \"a\", \"why\": \"b\"}\n", 8, "kind"},
-        {good + "=== question\n{\"kind\": \"number\", \"ask\": \"a\"}\n", 8, "why"},
-        {good + "=== question\n{\"kind\": \"number\", \"ask\": \"a\", \"why\": \"b\"}\n", 8, "fact"},
-        {good + "=== question\n{\"kind\": \"number\", \"ask\": \"a\", \"why\": \"b\", \"fact\": \"edges\"}\n", 8, "no fact 'edges'"},
-        {good + "=== question\n{\"kind\": \"choice\", \"ask\": \"a\", \"why\": \"b\", \"choices\": [{\"text\": \"x\", \"right\": true}]}\n", 8, "two"},
-        {good + "=== question\n{\"kind\": \"choice\", \"ask\": \"a\", \"why\": \"b\", \"choices\": [{\"text\": \"x\"}, {\"text\": \"y\"}]}\n", 8, "exactly one"},
-        {good + "=== question\n{\"kind\": \"pixel\", \"ask\": \"a\", \"why\": \"b\", \"fact\": \"line\", \"value\": 1}\n", 8, "of pixels"},
-        {good + "=== question\n{\"kind\": \"number\", \"ask\": \"a\", \"why\": \"b\", \"answer\": 1, \"choices\": []}\n=== question\n{}\n", 9, "one question"},
+             {"", 1, "=== lesson"},
+             {"=== page\n{}\n", 2, "scene"},
+             {kHead, 3, "no page"},
+             {kHead + "=== lesson\n{\"title\": \"u\"}\n", 3, "one lesson"},
+             {kHead + "=== pages\n", 3, "no section 'pages'"},
+             {"=== lesson\n{\"titel\": \"t\"}\n", 2, "no 'titel'"},
+             {"=== lesson\n{\n\"title\": 3}\n", 3, "'title' must be text"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\"\n\n", 6, "JSON"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"algorithm\": \"zbufer\"}\n", 5, "preset"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"choices\": {\"depth\": \"soon\"}}\n", 5, "soon"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"choices\": {\"depht\": \"late\"}}\n", 5, "axis"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"fault\": \"typo\"}\n", 5, "fault"},
+             {kHead
+                  + "=== page\n{\"scene\": \"builtin:cube\", \"algorithm\": \"zbuffer\",\n \"choices\": {\"upkeep\": "
+                         "\"pushed\"}}\n",
+              4, "upkeep"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"size\": [0, 9]}\n", 4, "size"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"size\": [20, 10], \"pick\": [20, 0]}\n", 4, "outside"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\", \"layer\": \"x-ray\"}\n", 4, "layer"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n\"panel\": \"active-edge\"}\n", 5, "'panel' must be one of"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\"}\n", 3, "no text"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\"}\n=== en\n\n", 5, "empty"},
+             {kHead + "=== en\nhello\n", 3, "before the first page"},
+             {good + "=== en\nmore\n", 7, "already"},
+             {kHead + pageWith(R"({"grain": "nod", "end": true})"), 4, "grain"},
+             {kHead + pageWith(R"({"grain": "node", "verdict": "hidden"})"), 4, "no steps of grain 'node'"},
+             {kHead + pageWith(R"({"grain": "line"})"), 4, "names an event"},
+             {kHead + pageWith(R"({"line": 3})"), 4, "grain"},
+             {kHead + pageWith(R"({"grain": "line", "line": 3, "step": 4})"), 4, "not both"},
+             {kHead + pageWith(R"({"grain": "line", "line": 3, "end": true})"), 4, "'end'"},
+             {kHead + pageWith(R"({"grain": "line", "line": 3, "nth": 0})"), 4, "nth"},
+             {good + "=== question\n{\"ask\": \"a\", \"why\": \"b\"}\n", 8, "kind"},
+             {good + "=== question\n{\"kind\": \"number\", \"ask\": \"a\"}\n", 8, "why"},
+             {good + "=== question\n{\"kind\": \"number\", \"ask\": \"a\", \"why\": \"b\"}\n", 8, "fact"},
+             {good + "=== question\n{\"kind\": \"number\", \"ask\": \"a\", \"why\": \"b\", \"fact\": \"edges\"}\n", 8,
+              "no fact 'edges'"},
+             {good
+                  + "=== question\n{\"kind\": \"choice\", \"ask\": \"a\", \"why\": \"b\", \"choices\": [{\"text\": \"x\", "
+                         "\"right\": true}]}\n",
+              8, "two"},
+             {good
+                  + "=== question\n{\"kind\": \"choice\", \"ask\": \"a\", \"why\": \"b\", \"choices\": [{\"text\": \"x\"}, "
+                         "{\"text\": \"y\"}]}\n",
+              8, "exactly one"},
+             {good
+                  + "=== question\n{\"kind\": \"pixel\", \"ask\": \"a\", \"why\": \"b\", \"fact\": \"line\", \"value\": "
+                         "1}\n",
+              8, "of pixels"},
+             {good
+                  + "=== question\n{\"kind\": \"number\", \"ask\": \"a\", \"why\": \"b\", \"answer\": 1, \"choices\": "
+                         "[]}\n=== question\n{}\n",
+              9, "one question"},
     };
     ASSERT_TRUE(parseLesson(good, "a.md")) << parseLesson(good, "a.md").error().text();
     for (const Broken& broken : all) {
@@ -227,19 +251,25 @@ TEST(LessonRun, AStopIsTheNthEventThatIsAllOfWhatItNames)
 
 TEST(LessonRun, SaysWhereAStopOrAnAnswerIsNotTrue)
 {
-    const auto never = runOf(kHead + pageWith("\n" R"({"grain": "line", "line": 40})"));
+    const auto never = runOf(kHead
+                             + pageWith("\n"
+                                        R"({"grain": "line", "line": 40})"));
     ASSERT_FALSE(never);
     EXPECT_EQ(never.error().text(), "a.md:5: the run never comes to this stop");
 
-    const auto ask = [](const std::string& question) { return kHead + pageWith(R"({"grain": "line", "line": 12})") + "=== question\n" + question + "\n"; };
+    const auto ask = [](const std::string& question) {
+        return kHead + pageWith(R"({"grain": "line", "line": 12})") + "=== question\n" + question + "\n";
+    };
     const std::string number = R"({"kind": "number", "ask": "a", "why": "b", "fact": "line", "answer": )";
     EXPECT_TRUE(runOf(ask(number + "12}")));
     const auto lie = runOf(ask(number + "13}"));
     ASSERT_FALSE(lie);
     EXPECT_EQ(lie.error().text(), "a.md:8: the file says 13, but the renderer's 'line' is 12");
 
-    const std::string choice = R"({"kind": "choice", "ask": "a", "why": "b", "fact": "line", "choices": [{"text": "x", "from": 0, "to": 5}, {"text": "y", )";
-    const auto        right  = runOf(ask(choice + R"("from": 6}]})"));
+    const std::string choice =
+        R"({"kind": "choice", "ask": "a", "why": "b", "fact": "line", "choices": [{"text": "x", "from": 0, "to": 5},
+            {"text": "y", )";
+    const auto right = runOf(ask(choice + R"("from": 6}]})"));
     ASSERT_TRUE(right) << right.error().text();
     EXPECT_EQ(*right->answer->choice, 1u);
     const auto none = runOf(ask(choice + R"("value": 11}]})"));
@@ -256,13 +286,16 @@ TEST(LessonRun, SaysWhereAStopOrAnAnswerIsNotTrue)
     EXPECT_NE(all.error().text().find("more than half"), std::string::npos);
 }
 
-// Documentation ---------------------------------------------------------------------------------------------------------
+// Documentation
+// ---------------------------------------------------------------------------------------------------------
 
 TEST(LessonDocumentation, NamesEveryFact)
 {
     const std::string text = textOf(kRoot / "docs/lessons.md");
-    for (const FactEntry& fact : facts()) EXPECT_NE(text.find("`" + std::string(fact.word) + "`"), std::string::npos) << fact.word;
-    for (const PixelFactEntry& fact : pixelFacts()) EXPECT_NE(text.find("`" + std::string(fact.word) + "`"), std::string::npos) << fact.word;
+    for (const FactEntry& fact : facts())
+        EXPECT_NE(text.find("`" + std::string(fact.word) + "`"), std::string::npos) << fact.word;
+    for (const PixelFactEntry& fact : pixelFacts())
+        EXPECT_NE(text.find("`" + std::string(fact.word) + "`"), std::string::npos) << fact.word;
 }
 
 TEST(LessonDocumentation, ItsExampleIsALessonThatRuns)

@@ -20,7 +20,7 @@ std::vector<Preset> exactPresets()
 }
 
 struct Shown {
-    std::int64_t id = -1;
+    std::int64_t id     = -1;
     float        stored = 0;
 };
 
@@ -28,7 +28,7 @@ struct Shown {
 std::vector<Shown> shownAt(Replay& replay, Grain grain, PixelPosition p)
 {
     std::vector<Shown> all;
-    const auto count = *replay.count(grain);
+    const auto         count = *replay.count(grain);
     for (std::uint64_t k = 0; k < count; ++k) {
         const auto              state   = replay.at(grain, StepIndex{k});
         const VisibilityBuffer& visible = state->frame.visible;
@@ -52,7 +52,9 @@ TEST(PixelChanges, AreTheStepsWhosePictureDiffersFromTheOneBefore)
                 std::size_t next  = 0;
                 for (std::size_t k = 0; k < shown.size(); ++k) {
                     const bool first   = k == 0;
-                    const bool differs = first ? shown[k].id >= 0 : shown[k].id != shown[k - 1].id || shown[k].stored != shown[k - 1].stored;
+                    const bool differs = first
+                                             ? shown[k].id >= 0
+                                             : shown[k].id != shown[k - 1].id || shown[k].stored != shown[k - 1].stored;
                     const bool told    = next < changes->size() && (*changes)[next].step.value == k;
                     ASSERT_EQ(told, differs) << "step " << k;
                     if (!told) continue;
@@ -75,7 +77,8 @@ TEST(PixelChanges, TellWhenTransparentSurfacesAreBlended)
         const auto e       = explainPixel(request, p);
         const auto changes = changesOfPixel(request, Grain::Pixel, p);
         ASSERT_TRUE(e.ok() && changes.ok());
-        const bool lies = std::ranges::any_of(e->candidates, [](const PixelCandidate& c) { return c.fate == PixelFate::Blended; });
+        const bool lies =
+            std::ranges::any_of(e->candidates, [](const PixelCandidate& c) { return c.fate == PixelFate::Blended; });
         const auto told = std::ranges::count(*changes, true, &PixelChange::isBlended);
         EXPECT_LE(told, lies ? 1 : 0);
         blended += static_cast<int>(told);
@@ -84,7 +87,8 @@ TEST(PixelChanges, TellWhenTransparentSurfacesAreBlended)
 }
 
 /// All steps that hit, found one after another.
-std::vector<Stop> stopsOf(const DrawRequest& request, Grain grain, std::span<const Breakpoint> breakpoints, Direction direction)
+std::vector<Stop> stopsOf(const DrawRequest& request, Grain grain, std::span<const Breakpoint> breakpoints,
+                          Direction direction)
 {
     std::vector<Stop>        stops;
     std::optional<StepIndex> from;
@@ -105,10 +109,11 @@ TEST(Breakpoints, BackwardsMeetsTheSameStepsAsForwards)
         const DrawRequest request = scene.request(preset.pipeline);
         const auto        e       = explainPixel(request, {12, 8});
         ASSERT_TRUE(e.ok() && e->winner >= 0);
-        const auto winner = static_cast<std::uint32_t>(e->winner);
-        const std::vector<Breakpoint> breakpoints{{.on = Breakpoint::On::Pixel, .line = 0, .pixel = {12, 8}, .node = {}, .triangle = {}},
-                                                  {.on = Breakpoint::On::Triangle, .line = 0, .pixel = {}, .node = {}, .triangle = {winner}},
-                                                  {.on = Breakpoint::On::Line, .line = 3, .pixel = {}, .node = {}, .triangle = {}}};
+        const auto                    winner = static_cast<std::uint32_t>(e->winner);
+        const std::vector<Breakpoint> breakpoints{
+            {.on = Breakpoint::On::Pixel, .line = 0, .pixel = {12, 8}, .node = {}, .triangle = {}},
+            {.on = Breakpoint::On::Triangle, .line = 0, .pixel = {}, .node = {}, .triangle = {winner}},
+            {.on = Breakpoint::On::Line, .line = 3, .pixel = {}, .node = {}, .triangle = {}}};
         for (const Grain grain : grainsOf(preset.pipeline)) {
             SCOPED_TRACE(std::string(preset.name) + ' ' + std::string(wordOf(grain)));
             for (const Breakpoint& one : breakpoints) {
@@ -132,12 +137,13 @@ TEST(Breakpoints, OnAPixelStopWhereItIsTestedOrFilled)
         SCOPED_TRACE(preset.name);
         const DrawRequest request = scene.request(preset.pipeline);
         Replay            replay(request);
-        const auto stops = stopsOf(request, Grain::Pixel, std::span(&onPixel, 1), Direction::Forward);
+        const auto        stops = stopsOf(request, Grain::Pixel, std::span(&onPixel, 1), Direction::Forward);
         for (const Stop& stop : stops) {
             const auto state = replay.at(Grain::Pixel, stop.step);
             ASSERT_TRUE(state.ok());
             const bool tested = state->pixel && state->pixel->x == p.x && state->pixel->y == p.y;
-            const bool filled = state->interval && state->interval->y == p.y && state->interval->x0 <= p.x && p.x < state->interval->x1;
+            const bool filled =
+                state->interval && state->interval->y == p.y && state->interval->x0 <= p.x && p.x < state->interval->x1;
             EXPECT_TRUE(tested || filled) << state->sentence;
         }
         const auto changes = changesOfPixel(request, Grain::Pixel, p);
@@ -158,8 +164,9 @@ TEST(Breakpoints, OnANodeStopWhereItIsJudged)
     for (std::size_t i = 0; i < last->hierarchy->nodes.size() && looked < 12; i += 7) {
         const NodeRow& node = last->hierarchy->nodes[i];
         if (node.verdict == NodeVerdict::Waiting) continue;
-        const Breakpoint onNode{.on = Breakpoint::On::Node, .line = 0, .pixel = {}, .node = {node.instance, node.path}, .triangle = {}};
-        const auto       stop = nextStop(request, Grain::Node, std::nullopt, std::span(&onNode, 1), Direction::Forward);
+        const Breakpoint onNode{
+            .on = Breakpoint::On::Node, .line = 0, .pixel = {}, .node = {node.instance, node.path}, .triangle = {}};
+        const auto stop = nextStop(request, Grain::Node, std::nullopt, std::span(&onNode, 1), Direction::Forward);
         ASSERT_TRUE(stop.ok());
         ASSERT_TRUE(stop->has_value()) << node.path;
         const auto state = replay.at(Grain::Node, (*stop)->step);
@@ -174,15 +181,16 @@ TEST(Breakpoints, OnANodeStopWhereItIsJudged)
 
 TEST(Breakpoints, NamesTheFirstOfSeveralAndRefusesAGrainThatTheMethodLacks)
 {
-    const SeenScene   scene   = builtinScene("wall-and-city?blocks=2", 24, 16);
-    const DrawRequest request = scene.request(findPreset("scanline")->pipeline);
-    const std::vector<Breakpoint> lines{{.on = Breakpoint::On::Line, .line = 9, .pixel = {}, .node = {}, .triangle = {}},
-                                        {.on = Breakpoint::On::Line, .line = 4, .pixel = {}, .node = {}, .triangle = {}}};
+    const SeenScene               scene   = builtinScene("wall-and-city?blocks=2", 24, 16);
+    const DrawRequest             request = scene.request(findPreset("scanline")->pipeline);
+    const std::vector<Breakpoint> lines{
+        {.on = Breakpoint::On::Line, .line = 9, .pixel = {}, .node = {}, .triangle = {}},
+        {.on = Breakpoint::On::Line, .line = 4, .pixel = {}, .node = {}, .triangle = {}}};
     const auto stops = stopsOf(request, Grain::Line, lines, Direction::Forward);
     ASSERT_EQ(stops.size(), 2u);
     EXPECT_EQ(stops[0].breakpoint, 1u);
     EXPECT_EQ(stops[1].breakpoint, 0u);
-    Replay replay(request);
+    Replay     replay(request);
     const auto state = replay.at(Grain::Line, stops[0].step);
     ASSERT_TRUE(state.ok() && state->sweep);
     EXPECT_EQ(state->sweep->y, 4);

@@ -20,9 +20,9 @@ SeenScene builtinScene(const std::string& word, int width, int height)
 {
     Result<Scene> scene = loadScene("builtin:" + word);
     EXPECT_TRUE(scene.ok()) << scene.error().text();
-    ViewRequest view = scene->views.empty() ? ViewRequest{} : scene->views.front().view;
-    view.width       = width;
-    view.height      = height;
+    ViewRequest view            = scene->views.empty() ? ViewRequest{} : scene->views.front().view;
+    view.width                  = width;
+    view.height                 = height;
     const Result<Camera> camera = makeCamera(view, scene->bounds);
     EXPECT_TRUE(camera.ok()) << camera.error().text();
     return {.what   = word + " at " + std::to_string(width) + "x" + std::to_string(height),
@@ -55,8 +55,8 @@ std::string contentsOf(const StepState& state)
 bool areIdentical(const StepState& a, const StepState& b)
 {
     const auto buckets = [](const StepState& s) { return s.sweep ? s.sweep->edgesStarting : std::vector<int>{}; };
-    return stateToJson(a) == stateToJson(b) && pictureOf(a.frame.visible) == pictureOf(b.frame.visible) &&
-           a.frame.colour == b.frame.colour && buckets(a) == buckets(b);
+    return stateToJson(a) == stateToJson(b) && pictureOf(a.frame.visible) == pictureOf(b.frame.visible)
+           && a.frame.colour == b.frame.colour && buckets(a) == buckets(b);
 }
 
 }  // namespace zscope::tests

@@ -35,10 +35,14 @@ SeenScene cubesOfGlass(int width, int height)
 
 std::vector<SeenScene> smallScenes()
 {
-    return {soupScene(SoupKind::Loose, 11, 24, 17, 10),          soupScene(SoupKind::NearCrossing, 12, 19, 23, 12),
-            soupScene(SoupKind::Turned, 13, 21, 16, 8),          soupScene(SoupKind::BeyondTheGuard, 14, 16, 16, 10),
-            soupScene(SoupKind::BeyondFar, 15, 20, 15, 10),      soupScene(SoupKind::Loose, 16, 1, 33, 10),
-            soupScene(SoupKind::OnTheGrid, 17, 33, 1, 12),       builtinScene("cubes", 31, 22),
+    return {soupScene(SoupKind::Loose, 11, 24, 17, 10),
+            soupScene(SoupKind::NearCrossing, 12, 19, 23, 12),
+            soupScene(SoupKind::Turned, 13, 21, 16, 8),
+            soupScene(SoupKind::BeyondTheGuard, 14, 16, 16, 10),
+            soupScene(SoupKind::BeyondFar, 15, 20, 15, 10),
+            soupScene(SoupKind::Loose, 16, 1, 33, 10),
+            soupScene(SoupKind::OnTheGrid, 17, 33, 1, 12),
+            builtinScene("cubes", 31, 22),
             cubesOfGlass(23, 17)};
 }
 
@@ -91,30 +95,33 @@ TEST(Replay, EveryStepLiesInTheStageWhoseMarkPrecedesIt)
         for (std::size_t i = 0; i < stages->size(); ++i) {
             const std::uint64_t end = i + 1 < stages->size() ? (*stages)[i + 1].first : count;
             ASSERT_LT((*stages)[i].first, end);
-            for (const std::uint64_t step : {(*stages)[i].first, end - 1}) EXPECT_EQ(stateAt(replay, grain, step).stage, (*stages)[i].stage) << step;
+            for (const std::uint64_t step : {(*stages)[i].first, end - 1})
+                EXPECT_EQ(stateAt(replay, grain, step).stage, (*stages)[i].stage) << step;
         }
     });
 }
 
 TEST(Replay, TheLastStepIsThePictureThatDrawMakes)
 {
-    forEveryGrain(smallScenes(), [](const SeenScene& seen, const Preset& preset, Grain grain, Replay& replay, std::uint64_t count) {
-        Renderer                  renderer;
-        Frame                     frame;
-        const Result<FrameReport> drawn = renderer.draw(seen.request(preset.pipeline), frame);
-        ASSERT_TRUE(drawn.ok()) << drawn.error().text();
-        const StepState last = stateAt(replay, grain, count - 1);
-        EXPECT_EQ(pictureOf(last.frame.visible), pictureOf(frame.visible));
-        EXPECT_EQ(last.frame.colour, frame.colour);
-        EXPECT_EQ(last.event, Grain::Frame);
-        EXPECT_EQ(last.count, count);
-        EXPECT_EQ(last.step.value, count - 1);
-    });
+    forEveryGrain(smallScenes(),
+                  [](const SeenScene& seen, const Preset& preset, Grain grain, Replay& replay, std::uint64_t count) {
+                      Renderer                  renderer;
+                      Frame                     frame;
+                      const Result<FrameReport> drawn = renderer.draw(seen.request(preset.pipeline), frame);
+                      ASSERT_TRUE(drawn.ok()) << drawn.error().text();
+                      const StepState last = stateAt(replay, grain, count - 1);
+                      EXPECT_EQ(pictureOf(last.frame.visible), pictureOf(frame.visible));
+                      EXPECT_EQ(last.frame.colour, frame.colour);
+                      EXPECT_EQ(last.event, Grain::Frame);
+                      EXPECT_EQ(last.count, count);
+                      EXPECT_EQ(last.step.value, count - 1);
+                  });
 }
 
 TEST(Replay, AStepIsTheSameWhetherReachedForwardsBackwardsOrAtRandom)
 {
-    forEveryGrain(smallScenes(), [](const SeenScene& seen, const Preset& preset, Grain grain, Replay&, std::uint64_t count) {
+    forEveryGrain(smallScenes(), [](const SeenScene& seen, const Preset& preset, Grain grain, Replay&,
+                                    std::uint64_t count) {
         std::mt19937_64            random(count * 31 + static_cast<std::uint64_t>(grain));
         std::vector<std::uint64_t> steps{0, count - 1};
         for (int i = 0; i < 20; ++i) steps.push_back(random() % count);
@@ -128,7 +135,8 @@ TEST(Replay, AStepIsTheSameWhetherReachedForwardsBackwardsOrAtRandom)
             EXPECT_TRUE(areIdentical(stateAt(backwards, grain, steps[i]), states[i])) << "backwards, step " << steps[i];
         for (int i = 0; i < 20; ++i) {
             const std::size_t at = random() % steps.size();
-            EXPECT_TRUE(areIdentical(stateAt(forwards, grain, steps[at]), states[at])) << "at random, step " << steps[at];
+            EXPECT_TRUE(areIdentical(stateAt(forwards, grain, steps[at]), states[at]))
+                << "at random, step " << steps[at];
         }
         Replay straight(seen.request(preset.pipeline));  // without having counted first
         EXPECT_TRUE(areIdentical(stateAt(straight, grain, steps[5]), states[5])) << "straight, step " << steps[5];
@@ -140,7 +148,8 @@ void expectTheSameFromCheckpoints(const DrawRequest& request, std::uint64_t& kep
 {
     for (const Grain grain : grainsOf(request.pipeline)) {
         SCOPED_TRACE(std::string(wordOf(grain)));
-        Replay fromCheckpoints(request, {.events = 12}), fromTheStart(request, {.events = ~std::uint64_t{0}, .bytes = 0});
+        Replay fromCheckpoints(request, {.events = 12}),
+            fromTheStart(request, {.events = ~std::uint64_t{0}, .bytes = 0});
         const std::uint64_t count = *fromTheStart.count(grain);
         ASSERT_EQ(*fromCheckpoints.count(grain), count);
         ASSERT_EQ(*fromCheckpoints.stages(grain), *fromTheStart.stages(grain));
@@ -152,7 +161,8 @@ void expectTheSameFromCheckpoints(const DrawRequest& request, std::uint64_t& kep
         for (const std::uint64_t step : steps) {
             const StepState straight = stateAt(fromTheStart, grain, step);
             EXPECT_TRUE(areIdentical(stateAt(fromCheckpoints, grain, step), straight)) << "step " << step;
-            EXPECT_EQ(contentsOf(stateAt(fromCheckpoints, grain, step)), contentsOf(straight)) << "step " << step << ", asked again";
+            EXPECT_EQ(contentsOf(stateAt(fromCheckpoints, grain, step)), contentsOf(straight))
+                << "step " << step << ", asked again";
         }
     }
 }
@@ -176,8 +186,8 @@ TEST(Replay, AStepOfAFaultOrAnApproximationIsTheSameFromACheckpoint)
 {
     const SeenScene seen = builtinScene("city?blocks=1&seed=3", 40, 30);
     for (const char* name : {"zbuffer", "scanline", "interval-polygon", "hzb-octree", "two-pass"}) {
-        DrawRequest request = seen.request(findPreset(name)->pipeline);
-        std::uint64_t kept = 0;
+        DrawRequest   request               = seen.request(findPreset(name)->pipeline);
+        std::uint64_t kept                  = 0;
         request.pipeline.approximation.snap = SnapBits::Four;
         SCOPED_TRACE(name);
         expectTheSameFromCheckpoints(request, kept);
@@ -189,8 +199,9 @@ TEST(Replay, CheckpointsThatDoNotFitAreKeptFartherApart)
 {
     const SeenScene   seen    = builtinScene("city?blocks=1&seed=3", 40, 30);
     const DrawRequest request = seen.request(findPreset("zbuffer")->pipeline);
-    Replay            many(request, {.events = 12}), few(request, {.events = 12, .bytes = 200'000}), none(request, {.events = 12, .bytes = 1});
-    const auto        count = *many.count(Grain::Pixel);
+    Replay            many(request, {.events = 12}), few(request, {.events = 12, .bytes = 200'000}),
+        none(request, {.events = 12, .bytes = 1});
+    const auto count = *many.count(Grain::Pixel);
     ASSERT_EQ(*few.count(Grain::Pixel), count);
     ASSERT_EQ(*none.count(Grain::Pixel), count);
     EXPECT_GT(many.checkpoints(), few.checkpoints());
@@ -213,7 +224,7 @@ TEST(Replay, EveryPixelThatIsBlendedIsAStepThatSaysHowManySurfacesItHas)
     const auto blended = std::ranges::find(work->counters, "pixels_blended", &NamedCount::name)->value;
     ASSERT_GT(blended, 20u);
 
-    Replay replay(request);
+    Replay                      replay(request);
     const Result<std::uint64_t> count = replay.count(Grain::Pixel);
     ASSERT_TRUE(count.ok());
     // The last ones are the pixels blended, then the stage and the frame.
@@ -229,15 +240,17 @@ TEST(Replay, EveryPixelThatIsBlendedIsAStepThatSaysHowManySurfacesItHas)
 
 TEST(Replay, AStepBeyondTheLastIsAUsageError)
 {
-    forEveryGrain({smallScenes().front()}, [](const SeenScene&, const Preset&, Grain grain, Replay& replay, std::uint64_t count) {
-        for (const std::uint64_t step : {count, count + 1, ~std::uint64_t{0}}) {
-            const Result<StepState> state = replay.at(grain, StepIndex{step});
-            ASSERT_FALSE(state.ok()) << step;
-            EXPECT_EQ(state.error().kind, Trouble::Usage);
-            EXPECT_NE(state.error().sentence.find(std::to_string(count - 1)), std::string::npos) << state.error().sentence;
-            EXPECT_FALSE(replay.eventsBy(Grain::Frame, grain, StepIndex{step}).ok());
-        }
-    });
+    forEveryGrain({smallScenes().front()},
+                  [](const SeenScene&, const Preset&, Grain grain, Replay& replay, std::uint64_t count) {
+                      for (const std::uint64_t step : {count, count + 1, ~std::uint64_t{0}}) {
+                          const Result<StepState> state = replay.at(grain, StepIndex{step});
+                          ASSERT_FALSE(state.ok()) << step;
+                          EXPECT_EQ(state.error().kind, Trouble::Usage);
+                          EXPECT_NE(state.error().sentence.find(std::to_string(count - 1)), std::string::npos)
+                              << state.error().sentence;
+                          EXPECT_FALSE(replay.eventsBy(Grain::Frame, grain, StepIndex{step}).ok());
+                      }
+                  });
 }
 
 TEST(Replay, AGrainThatTheAlgorithmLacksIsAUsageErrorThatNamesItsGrains)
@@ -264,7 +277,8 @@ TEST(Replay, AGrainThatTheAlgorithmLacksIsAUsageErrorThatNamesItsGrains)
 /// Every step of every grain, so the scene is tiny.
 TEST(Replay, StepsOfACoarserGrainAreStepsOfEveryFinerOne)
 {
-    const std::vector<SeenScene> scenes{soupScene(SoupKind::Loose, 21, 9, 7, 5), soupScene(SoupKind::NearCrossing, 22, 8, 9, 5)};
+    const std::vector<SeenScene> scenes{soupScene(SoupKind::Loose, 21, 9, 7, 5),
+                                        soupScene(SoupKind::NearCrossing, 22, 8, 9, 5)};
     for (const SeenScene& seen : scenes) {
         for (const Preset& preset : presets()) {
             Replay                   replay(seen.request(preset.pipeline));
@@ -328,7 +342,8 @@ TEST(Replay, EveryStepChangesAtMostWhatItsEventSays)
 
 TEST(Replay, AfterALineOfTheScanlineMethodItsLinesAreFinishedAndThoseBelowAreBackground)
 {
-    for (const SeenScene& seen : {builtinScene("teapot?tessellation=3", 64, 40), soupScene(SoupKind::NearCrossing, 31, 40, 33, 40)}) {
+    for (const SeenScene& seen :
+         {builtinScene("teapot?tessellation=3", 64, 40), soupScene(SoupKind::NearCrossing, 31, 40, 33, 40)}) {
         Replay        replay(seen.request(findPreset("scanline")->pipeline));
         const auto    count    = *replay.count(Grain::Line);
         const Picture finished = pictureOf(stateAt(replay, Grain::Line, count - 1).frame.visible);
@@ -356,7 +371,7 @@ TEST(Replay, TheStepsOfTwoPassesSayInWhichPassANodeWasDrawn)
 {
     const SeenScene seen = builtinScene("city?blocks=2", 64, 48);
     Replay          replay(seen.request(findPreset("two-pass")->pipeline));
-    const auto      count = *replay.count(Grain::Node);
+    const auto      count    = *replay.count(Grain::Node);
     int             recalled = 0, again = 0;
     for (std::uint64_t k = 0; k < count; ++k) {
         const StepState state = stateAt(replay, Grain::Node, k);
@@ -389,19 +404,20 @@ TEST(Replay, TheStepsOfTwoPassesSayInWhichPassANodeWasDrawn)
 TEST(Replay, AMeasuredChoiceIsSteppedThroughAsItsFirstAndSaysSo)
 {
     const SeenScene seen = smallScenes().front();
-    Replay          measured(seen.request(findPreset("auto")->pipeline)), first(seen.request(findPreset("zbuffer")->pipeline));
+    Replay measured(seen.request(findPreset("auto")->pipeline)), first(seen.request(findPreset("zbuffer")->pipeline));
     ASSERT_EQ(*measured.count(Grain::Pixel), *first.count(Grain::Pixel));
     const StepState state = stateAt(measured, Grain::Pixel, 3), same = stateAt(first, Grain::Pixel, 3);
     EXPECT_EQ(pictureOf(state.frame.visible), pictureOf(same.frame.visible));
     EXPECT_EQ(state.algorithm, "auto");
-    EXPECT_EQ(state.sentence, same.sentence + " (auto has measured nothing here: its steps are those of zbuffer, its first choice.)");
+    EXPECT_EQ(state.sentence,
+              same.sentence + " (auto has measured nothing here: its steps are those of zbuffer, its first choice.)");
 }
 
 TEST(Replay, WithoutShadingAskedForAStepIsShadedForTheLessonAllTheSame)
 {
-    const SeenScene seen   = smallScenes().front();
-    DrawRequest   request = seen.request(presets().front().pipeline);
-    Replay        shaded(request);
+    const SeenScene seen    = smallScenes().front();
+    DrawRequest     request = seen.request(presets().front().pipeline);
+    Replay          shaded(request);
     request.shade = false;
     Replay unshaded(request);
     EXPECT_EQ(*unshaded.count(Grain::Stage) + 1, *shaded.count(Grain::Stage)) << "no shading, no such stage";
@@ -410,7 +426,7 @@ TEST(Replay, WithoutShadingAskedForAStepIsShadedForTheLessonAllTheSame)
 
 TEST(Replay, StepsOfAnEmptySceneExist)
 {
-    const auto    empty = std::make_shared<const Scene>(*assemble(Scene{}));
+    const auto      empty = std::make_shared<const Scene>(*assemble(Scene{}));
     const SeenScene seen{"no instances", std::make_shared<PreparedScene>(empty), plainCamera(5, 4)};
     forEveryGrain({seen}, [](const SeenScene&, const Preset&, Grain grain, Replay& replay, std::uint64_t count) {
         for (std::uint64_t k = 0; k < count; ++k) {
@@ -429,7 +445,8 @@ TEST(Replay, CancellingIsAnAnswerOfItsOwn)
         Replay replay(request);
         EXPECT_EQ(replay.count(Grain::Pixel).error().kind, Trouble::Cancelled) << preset.name;
         EXPECT_EQ(replay.at(Grain::Pixel, StepIndex{0}).error().kind, Trouble::Cancelled) << preset.name;
-        EXPECT_EQ(replay.eventsBy(Grain::Frame, Grain::Pixel, StepIndex{0}).error().kind, Trouble::Cancelled) << preset.name;
+        EXPECT_EQ(replay.eventsBy(Grain::Frame, Grain::Pixel, StepIndex{0}).error().kind, Trouble::Cancelled)
+            << preset.name;
     }
 }
 
@@ -440,7 +457,8 @@ TEST(Replay, CancellingEndsARunOfOneLargeMeshSoon)
     const Camera         camera = plainCamera(512, 512);
     for (int i = 0; i < 20000; ++i) {
         const double z = 2 + i * 1e-3;
-        corners.push_back({pointAt(camera, -600, -10, z), pointAt(camera, 1100, -10, z), pointAt(camera, 256, 1300, z)});
+        corners.push_back(
+            {pointAt(camera, -600, -10, z), pointAt(camera, 1100, -10, z), pointAt(camera, 256, 1300, z)});
     }
     const SeenScene seen{"a pile of large triangles", std::make_shared<PreparedScene>(sceneOf(corners)), camera};
     for (const Preset& preset : presets()) {
@@ -448,14 +466,14 @@ TEST(Replay, CancellingEndsARunOfOneLargeMeshSoon)
         std::atomic<bool> cancel  = false;
         DrawRequest       request = seen.request(preset.pipeline);
         request.cancel            = &cancel;
-        Replay     replay(request);
-        std::thread owner([&cancel] {
+        Replay                              replay(request);
+        std::thread                         owner([&cancel] {
             std::this_thread::sleep_for(std::chrono::milliseconds(30));
             cancel = true;
         });
-        const auto                  start = std::chrono::steady_clock::now();
-        const Result<std::uint64_t> count = replay.count(Grain::Pixel);
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        const auto                          start = std::chrono::steady_clock::now();
+        const Result<std::uint64_t>         count = replay.count(Grain::Pixel);
+        const std::chrono::duration<double> took  = std::chrono::steady_clock::now() - start;
         owner.join();
         ASSERT_FALSE(count.ok()) << preset.name;
         EXPECT_EQ(count.error().kind, Trouble::Cancelled) << preset.name;

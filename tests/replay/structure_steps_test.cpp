@@ -1,5 +1,5 @@
-// The steps of a method's own structures: questions to the pyramid, cells of it written, intervals of a line decided. Each
-// is held against the pixels of the very state it comes with.
+// The steps of a method's own structures: questions to the pyramid, cells of it written, intervals of a line decided.
+// Each is held against the pixels of the very state it comes with.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,9 @@ std::vector<Preset> methods()
 {
     std::vector<Preset> all(presets().begin(), presets().end());
     const Preset&       complete = *findPreset("hzb-octree");
-    for (const auto& [name, upkeep] : {std::pair("pushed", Upkeep::Pushed), std::pair("pushed-farthest", Upkeep::PushedFarthest),
-                                      std::pair("masked", Upkeep::Masked)}) {
+    for (const auto& [name, upkeep] :
+         {std::pair("pushed", Upkeep::Pushed), std::pair("pushed-farthest", Upkeep::PushedFarthest),
+          std::pair("masked", Upkeep::Masked)}) {
         all.push_back({name, {}, complete.pipeline});
         all.back().pipeline.upkeep = upkeep;
     }
@@ -63,7 +64,8 @@ float farthestIn(const VisibilityBuffer& visible, const PixelBox& box)
 {
     float farthest = 2;
     for (int y = box.y0; y < std::min(box.y1, visible.height()); ++y)
-        for (int x = box.x0; x < std::min(box.x1, visible.width()); ++x) farthest = std::min(farthest, visible.storedAt(x, y));
+        for (int x = box.x0; x < std::min(box.x1, visible.width()); ++x)
+            farthest = std::min(farthest, visible.storedAt(x, y));
     return farthest;
 }
 
@@ -84,7 +86,9 @@ TEST(StructureSteps, MethodsWithAPyramidStepThroughQueriesAndUpdatesAndTheInterv
         const bool hasCells = preset.pipeline.upkeep != Upkeep::None || preset.pipeline.depth == DepthMoment::ZCull;
         EXPECT_EQ(has(preset, Grain::Query), hasCells) << preset.name;
         EXPECT_EQ(has(preset, Grain::Update), hasCells) << preset.name;
-        EXPECT_EQ(has(preset, Grain::Interval), preset.pipeline.scan == Scan::SweepIntervals || drawsFaces(preset.pipeline)) << preset.name;
+        EXPECT_EQ(has(preset, Grain::Interval),
+                  preset.pipeline.scan == Scan::SweepIntervals || drawsFaces(preset.pipeline))
+            << preset.name;
     }
 }
 
@@ -95,7 +99,7 @@ TEST(StructureSteps, EveryQuestionIsAStepWhoseVerdictIsThatOfEachPixelOfItsRecta
         for (const Preset& preset : methods()) {
             if (preset.pipeline.upkeep == Upkeep::None || preset.claim != Claim::Exact) continue;
             std::map<std::string, int> asked;
-            const int events = forEveryEvent(seen, preset, Grain::Query, [&](const StepState& state) {
+            const int                  events = forEveryEvent(seen, preset, Grain::Query, [&](const StepState& state) {
                 ASSERT_TRUE(state.hierarchy && state.hierarchy->query);
                 const HierarchyState& hierarchy = *state.hierarchy;
                 const PyramidQuery&   query     = *hierarchy.query;
@@ -106,15 +110,19 @@ TEST(StructureSteps, EveryQuestionIsAStepWhoseVerdictIsThatOfEachPixelOfItsRecta
                     EXPECT_TRUE(isBehind || !query.hidden) << "what it forgets is not culled: " << state.sentence;
                 else
                     EXPECT_EQ(query.hidden, isBehind) << state.sentence;
-                EXPECT_EQ(state.sentence.find("not hidden, because") == std::string::npos, query.hidden) << state.sentence;
+                EXPECT_EQ(state.sentence.find("not hidden, because") == std::string::npos, query.hidden)
+                    << state.sentence;
                 if (hierarchy.asked == "triangle") {
-                    EXPECT_NE(state.sentence.find("triangle " + std::to_string(hierarchy.askedAbout->value)), std::string::npos);
+                    EXPECT_NE(state.sentence.find("triangle " + std::to_string(hierarchy.askedAbout->value)),
+                                               std::string::npos);
                     return;
                 }
                 ASSERT_GE(hierarchy.now, 0);
                 const NodeVerdict verdict = hierarchy.nodes[static_cast<std::size_t>(hierarchy.now)].verdict;
-                const bool isRecalled = verdict == NodeVerdict::Drawn && preset.pipeline.coherence == Coherence::TwoPass;
-                EXPECT_TRUE(verdict == NodeVerdict::Waiting || isRecalled) << "nothing has followed from the answer yet";
+                const bool        isRecalled =
+                    verdict == NodeVerdict::Drawn && preset.pipeline.coherence == Coherence::TwoPass;
+                EXPECT_TRUE(verdict == NodeVerdict::Waiting || isRecalled)
+                    << "nothing has followed from the answer yet";
             });
             EXPECT_EQ(static_cast<std::uint64_t>(events), counterOf(seen, preset, "pyramid_queries")) << preset.name;
             // The scene stands still: a second pass may find all that is seen drawn by the first, which asks nothing.
@@ -131,7 +139,8 @@ TEST(StructureSteps, EveryQuestionIsAStepWhoseVerdictIsThatOfEachPixelOfItsRecta
 TEST(StructureSteps, ATileIsRejectedExactlyIfAllItsPixelsAreNearerThanTheTriangleCouldBeThere)
 {
     int rejected = 0, tested = 0;
-    for (const SeenScene& seen : {soupScene(SoupKind::Repeated, 44, 37, 29, 60), builtinScene("layers?count=5&order=front", 37, 22)}) {
+    for (const SeenScene& seen :
+         {soupScene(SoupKind::Repeated, 44, 37, 29, 60), builtinScene("layers?count=5&order=front", 37, 22)}) {
         const int events = forEveryEvent(seen, *findPreset("zbuffer-zcull"), Grain::Query, [&](const StepState& state) {
             ASSERT_TRUE(state.tile.has_value());
             const TileTested& tile = *state.tile;
@@ -161,26 +170,35 @@ TEST(StructureSteps, EveryUpdateLeavesTheFarthestDepthOfTheCellAndFollowsTheOneB
     for (const SeenScene& seen : scenes) {
         for (const Preset& preset : methods()) {
             if (!has(preset, Grain::Update) || preset.claim != Claim::Exact) continue;
-            if (&seen == &scenes.back() && preset.pipeline.coherence != Coherence::TwoPass) continue;  // long, and for it alone
+            // long, and for it alone
+            if (&seen == &scenes.back() && preset.pipeline.coherence != Coherence::TwoPass) continue;
             std::map<std::tuple<int, int, int>, float> held;
             const int events = forEveryEvent(seen, preset, Grain::Update, [&](const StepState& state) {
                 ASSERT_TRUE(state.hierarchy && state.hierarchy->update);
                 const CellWrite&        cell    = *state.hierarchy->update;
                 const VisibilityBuffer& visible = state.frame.visible;
                 levels.insert(cell.level);
-                const int size = 1 << cell.level;
-                const float farthest = farthestIn(visible, {cell.x * size, cell.y * size, (cell.x + 1) * size, (cell.y + 1) * size});
+                const int   size = 1 << cell.level;
+                const float farthest =
+                    farthestIn(visible, {cell.x * size, cell.y * size, (cell.x + 1) * size, (cell.y + 1) * size});
                 // On its way up a push meets cells whose pixels are drawn and whose turn has not come.
-                const bool pushed = preset.pipeline.upkeep == Upkeep::Pushed || preset.pipeline.upkeep == Upkeep::PushedFarthest;
+                const bool pushed =
+                    preset.pipeline.upkeep == Upkeep::Pushed || preset.pipeline.upkeep == Upkeep::PushedFarthest;
                 const bool masked = preset.pipeline.upkeep == Upkeep::Masked;  // bounds, never nearer
-                EXPECT_TRUE(cell.after == farthest || (masked && cell.after < farthest) || (pushed && cell.level > Pyramid::kTileLevel && cell.after < farthest)) << state.sentence;
+                EXPECT_TRUE(cell.after == farthest || (masked && cell.after < farthest)
+                            || (pushed && cell.level > Pyramid::kTileLevel && cell.after < farthest))
+                    << state.sentence;
                 const auto [known, isNew] = held.try_emplace({cell.level, cell.x, cell.y}, visible.empty());
                 EXPECT_EQ(cell.before, known->second) << state.sentence;
                 EXPECT_GE(cell.after, cell.before) << "depths only grow";
                 known->second = cell.after;
-                EXPECT_NE(state.sentence.find(masked && cell.level == Pyramid::kTileLevel ? "Tile (" : "of level " + std::to_string(cell.level)), std::string::npos)
+                EXPECT_NE(state.sentence.find(masked && cell.level == Pyramid::kTileLevel
+                                                  ? "Tile ("
+                                                  : "of level " + std::to_string(cell.level)),
+                          std::string::npos)
                     << state.sentence;
-                EXPECT_EQ(state.sentence.find("as before") != std::string::npos, cell.before == cell.after) << state.sentence;
+                EXPECT_EQ(state.sentence.find("as before") != std::string::npos, cell.before == cell.after)
+                    << state.sentence;
             });
             updates[std::string(preset.name)] += events;
         }
@@ -202,7 +220,8 @@ TEST(StructureSteps, EveryIntervalGivesItsPixelsToItsWinnerOrToTheNearestOfThose
                 const IntervalState& interval = *state.interval;
                 reasons.insert(interval.reason);
                 ASSERT_LT(interval.x0, interval.x1);
-                EXPECT_EQ(interval.winner.has_value(), interval.reason == IntervalReason::Alone || interval.reason == IntervalReason::Leads);
+                EXPECT_EQ(interval.winner.has_value(),
+                          interval.reason == IntervalReason::Alone || interval.reason == IntervalReason::Leads);
                 for (int x = interval.x0; x < interval.x1; ++x) {
                     const std::int64_t id = state.frame.visible.idAt(x, interval.y);
                     EXPECT_EQ(decided.ids.at(x, interval.y), -1) << "intervals do not overlap";
@@ -211,11 +230,14 @@ TEST(StructureSteps, EveryIntervalGivesItsPixelsToItsWinnerOrToTheNearestOfThose
                         EXPECT_EQ(id, interval.winner->value);
                     }
                     if (id >= 0) {
-                        EXPECT_TRUE(std::ranges::binary_search(interval.open, TriangleId{static_cast<std::uint32_t>(id)}));
+                        EXPECT_TRUE(
+                            std::ranges::binary_search(interval.open, TriangleId{static_cast<std::uint32_t>(id)}));
                     }
                 }
-                EXPECT_EQ(state.sentence.find("pixel by pixel") == std::string::npos, interval.winner.has_value()) << state.sentence;
-                EXPECT_NE(state.sentence.find("Line " + std::to_string(interval.y)), std::string::npos) << state.sentence;
+                EXPECT_EQ(state.sentence.find("pixel by pixel") == std::string::npos, interval.winner.has_value())
+                    << state.sentence;
+                EXPECT_NE(state.sentence.find("Line " + std::to_string(interval.y)), std::string::npos)
+                    << state.sentence;
             });
             EXPECT_GT(events, 10) << preset.name;
             Renderer renderer;

@@ -30,11 +30,12 @@ std::vector<Sweep> sweeps()
                            {builtinScene("soccer-ball", 7, 90), FaceCulling::Back},
                            {builtinScene("cubes", 1, 50)},
                            {builtinScene("cubes", 50, 1)}};
-    std::uint64_t seed = 100;
+    std::uint64_t      seed = 100;
     for (const SoupKind kind : soupKinds()) {
         ++seed;
         const int width = 17 + static_cast<int>(seed * 7 % 40), height = 13 + static_cast<int>(seed * 11 % 40);
-        all.push_back({soupScene(kind, seed, width, height, 60), seed % 3 == 0 ? FaceCulling::Back : FaceCulling::None});
+        all.push_back(
+            {soupScene(kind, seed, width, height, 60), seed % 3 == 0 ? FaceCulling::Back : FaceCulling::None});
     }
     return all;
 }
@@ -66,11 +67,12 @@ void expectPlace(const EdgeRow& row, const std::vector<TrueEdge>& truth)
     double nearest = HUGE_VAL;
     for (const TrueEdge& edge : truth)
         if (rowOf(edge) == rowOf(row)) nearest = std::min(nearest, std::abs(edge.pixels() - row.x));
-    EXPECT_LE(nearest, std::max(1e-9, std::abs(row.x) * 0x1p-50)) << "triangle " << row.polygon.value << " at " << row.x;
+    EXPECT_LE(nearest, std::max(1e-9, std::abs(row.x) * 0x1p-50))
+        << "triangle " << row.polygon.value << " at " << row.x;
 }
 
-/// Every pair of neighbours in order, exactly inside the guard band and to the subpixel beyond. A row does not tell its remainder, so rows are matched with true edges:
-/// among edges of the same row any will do.
+/// Every pair of neighbours in order, exactly inside the guard band and to the subpixel beyond. A row does not tell its
+/// remainder, so rows are matched with true edges: among edges of the same row any will do.
 void expectSorted(const std::vector<EdgeRow>& rows, const std::vector<TrueEdge>& truth)
 {
     const auto rank = [](const EdgeRow& row) { return std::clamp(row.xSubpixels, -kFarAway, kFarAway); };
@@ -102,7 +104,8 @@ void expectSpans(const SweepState& state, const CoverOfLine& truth, int width)
 
 bool isOfTriangles(const Scene& scene)
 {
-    return std::ranges::all_of(scene.meshes, [](const auto& mesh) { return mesh->triangles.size() == mesh->polygonCount(); });
+    return std::ranges::all_of(scene.meshes,
+                               [](const auto& mesh) { return mesh->triangles.size() == mesh->polygonCount(); });
 }
 
 using PixelsOfFaces = std::map<std::uint32_t, std::set<int>>;
@@ -113,7 +116,8 @@ PixelsOfFaces oddByEdges(const std::vector<EdgeRow>& edges, int width)
     PixelsOfFaces odd;
     for (const EdgeRow& edge : edges)
         for (int x = 0; x < width; ++x) {
-            if (edge.x * 256 > 256 * x + 128) continue;  // the first pixel whose centre is not left of the edge, and all to its right
+            // the first pixel whose centre is not left of the edge, and all to its right
+            if (edge.x * 256 > 256 * x + 128) continue;
             std::set<int>& pixels = odd[edge.polygon.value];
             if (!pixels.insert(x).second) pixels.erase(x);
         }
@@ -158,7 +162,8 @@ void expectTrueFaces(const Sweep& sweep, const Preset& preset)
         std::set<TriangleId> named;
         for (const EdgeRow& row : state.activeEdges) named.insert(row.polygon);
         EXPECT_EQ(state.activePolygons, std::vector(named.begin(), named.end()));
-        for (const TriangleId face : state.activePolygons) EXPECT_EQ(scene.firstOfFace(face), face) << "its first triangle";
+        for (const TriangleId face : state.activePolygons)
+            EXPECT_EQ(scene.firstOfFace(face), face) << "its first triangle";
         above = state.activeEdges.size();
         edges += above;
         ofTriangles += truth.activeOn(state.y).size();

@@ -18,9 +18,8 @@ constexpr std::int64_t kGuard = std::int64_t{1} << 24;
 
 bool reachesBeyondGuard(const definition::Part& part)
 {
-    return std::ranges::any_of(part.corners(), [](const definition::Corner& c) {
-        return std::abs(c.xs) > kGuard || std::abs(c.ys) > kGuard;
-    });
+    return std::ranges::any_of(
+        part.corners(), [](const definition::Corner& c) { return std::abs(c.xs) > kGuard || std::abs(c.ys) > kGuard; });
 }
 
 /// First i with 256 i + 128 >= s.

@@ -21,11 +21,11 @@ using definition::Wide;
 /// A side of a part of a triangle, on a line it crosses.
 struct TrueEdge {
     std::uint32_t polygon = 0;
-    std::int64_t  xFloor  = 0;                  // 1/256 pixel, rounded down
-    Wide          over = 0, height = 1;         // what the rounding dropped: over / height, in [0, 1)
+    std::int64_t  xFloor  = 0;           // 1/256 pixel, rounded down
+    Wide          over = 0, height = 1;  // what the rounding dropped: over / height, in [0, 1)
     std::int64_t  dxNumerator = 0, dxDenominator = 1;
     int           firstLine = 0, lastLine = 0;  // of the picture, inclusive
-    bool          isWide    = false;            // its part reaches beyond the guard band
+    bool          isWide = false;               // its part reaches beyond the guard band
 
     double pixels() const;
     /// Exactly left of `other`, or at the same place.

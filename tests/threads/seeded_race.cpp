@@ -31,7 +31,7 @@ long countApart()
         const auto mine = static_cast<std::size_t>(omp_get_thread_num());
         for (int turn = 0; turn < kTurns; ++turn) ++counts[mine];
 #pragma omp barrier
-#pragma omp single
+#pragma omp          single
         counts[0] += counts[1];
     }
     return counts[0];

@@ -37,8 +37,8 @@ Camera cameraOf(const Scene& scene)
 {
     ViewRequest view;
     if (!scene.views.empty()) view = scene.views.front().view;
-    view.width = kWidth;
-    view.height = kHeight;
+    view.width                  = kWidth;
+    view.height                 = kHeight;
     const Result<Camera> camera = makeCamera(view, scene.bounds);
     EXPECT_TRUE(camera);
     return *camera;

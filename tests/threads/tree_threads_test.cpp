@@ -12,7 +12,8 @@ namespace zscope {
 namespace {
 
 /// Everything below the node: names, items, and how many triangles its batches hold. `last` child first, if asked.
-void describe(const Tree& tree, const TreeNode& node, const Mesh& mesh, bool lastFirst, std::vector<std::uint64_t>& words)
+void describe(const Tree& tree, const TreeNode& node, const Mesh& mesh, bool lastFirst,
+              std::vector<std::uint64_t>& words)
 {
     const auto children = tree.childrenOf(tree.open(node));
     for (std::size_t i = 0; i < children.size() && lastFirst; ++i) tree.open(children[children.size() - 1 - i]);
@@ -26,8 +27,8 @@ TEST(TreeThreads, SeveralThreadsOpenOneTreeAtOnceAndAllSeeTheSame)
 {
     auto loaded = loadScene("builtin:soup?count=20000");
     ASSERT_TRUE(loaded.ok());
-    const auto scene = std::make_shared<const Scene>(*std::move(loaded));
-    const Mesh& mesh = *scene->meshes[0];
+    const auto  scene = std::make_shared<const Scene>(*std::move(loaded));
+    const Mesh& mesh  = *scene->meshes[0];
     for (const TreeKind kind : {TreeKind::Octree, TreeKind::Bvh}) {
         std::vector<std::uint64_t> expected;
         const PreparedScene        alone(scene);

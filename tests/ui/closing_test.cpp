@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window is closed in the middle of whatever it does, 200 times; and stepped through for a long time.
 //
-// Sanitizers   part of what runs under the address and the thread sanitizer: what is found there is a pointer that outlived its
-//              window, or a value that two threads write
+// Sanitizers   part of what runs under the address and the thread sanitizer: what is found there is a pointer that
+//              outlived its window, or a value that two threads write
 #include <fstream>
 #include <random>
 
@@ -51,62 +51,82 @@ ViewRequest smallView(const Scene&)
     return view;
 }
 
-enum class Busy { Loading, Rendering, Playing, Explaining, Comparing, Searching, Gallery, Dragging, Lesson, Measuring, Predicting };
-constexpr std::array kBusy{Busy::Loading,   Busy::Rendering, Busy::Playing,  Busy::Explaining, Busy::Comparing, Busy::Searching,
-                           Busy::Gallery,   Busy::Dragging,  Busy::Lesson,   Busy::Measuring,  Busy::Predicting};
+enum class Busy {
+    Loading,
+    Rendering,
+    Playing,
+    Explaining,
+    Comparing,
+    Searching,
+    Gallery,
+    Dragging,
+    Lesson,
+    Measuring,
+    Predicting
+};
+constexpr std::array kBusy{Busy::Loading,   Busy::Rendering, Busy::Playing,   Busy::Explaining,
+                           Busy::Comparing, Busy::Searching, Busy::Gallery,   Busy::Dragging,
+                           Busy::Lesson,    Busy::Measuring, Busy::Predicting};
 
 /// Sets the window to work; does not wait for it.
 void begin(Desk& desk, Busy what, std::uint32_t chance)
 {
     Session& session = desk.session;
     switch (what) {
-    case Busy::Loading: desk.window.open("builtin:city?blocks=6&seed=2"); break;
-    case Busy::Rendering:
-        for (int i = 0; i < 3; ++i) session.moveCamera([](CameraControl& camera) { camera.orbit(0.2, 0.1); });
-        break;
-    case Busy::Playing:
-        session.goToStart();
-        session.player().setSpeed(100'000);
-        session.player().setPlaying(true);
-        break;
-    case Busy::Explaining:
-        desk.window.dock("why")->raise();
-        session.pick(QPoint(40, 22));
-        break;
-    case Busy::Comparing:
-        session.compareWith(findPreset("interval")->pipeline);
-        session.linkBy(Link::Line);
-        session.stepBy(-20);
-        break;
-    case Busy::Searching:
-        session.pick(QPoint(40, 22));
-        session.toggleBreakpoint({.on = Breakpoint::On::Line, .line = 22});
-        session.goToStart();
-        session.runTo(Direction::Forward);
-        session.goToPixelChange(Session::PixelJump::First);
-        break;
-    case Busy::Gallery: desk.window.dock("faults")->raise(); break;
-    case Busy::Dragging:
-        for (std::uint64_t step = 0; step < 40; ++step) session.goToStep(step * 7);
-        break;
-    case Busy::Lesson: session.course().open(chance % session.course().lessons().size(), chance / 16 % 4); break;
-    case Busy::Measuring:
-        desk.window.useLayout("profile");
-        for (auto* button : desk.window.dock("measure")->findChildren<QPushButton*>())
-            if (button->text() == "Measure") button->click();
-        break;
-    case Busy::Predicting:
-        for (const Topic topic : kTopics) session.predictions().setOn(topic, true);
-        session.goToStart();
-        if (QTest::qWaitFor([&] { return session.isIdle() && session.position(); }, Desk::kLong)) session.stepBy(1);  // asks about what follows a step that is seen
-        break;
+        case Busy::Loading:
+            desk.window.open("builtin:city?blocks=6&seed=2");
+            break;
+        case Busy::Rendering:
+            for (int i = 0; i < 3; ++i) session.moveCamera([](CameraControl& camera) { camera.orbit(0.2, 0.1); });
+            break;
+        case Busy::Playing:
+            session.goToStart();
+            session.player().setSpeed(100'000);
+            session.player().setPlaying(true);
+            break;
+        case Busy::Explaining:
+            desk.window.dock("why")->raise();
+            session.pick(QPoint(40, 22));
+            break;
+        case Busy::Comparing:
+            session.compareWith(findPreset("interval")->pipeline);
+            session.linkBy(Link::Line);
+            session.stepBy(-20);
+            break;
+        case Busy::Searching:
+            session.pick(QPoint(40, 22));
+            session.toggleBreakpoint({.on = Breakpoint::On::Line, .line = 22});
+            session.goToStart();
+            session.runTo(Direction::Forward);
+            session.goToPixelChange(Session::PixelJump::First);
+            break;
+        case Busy::Gallery:
+            desk.window.dock("faults")->raise();
+            break;
+        case Busy::Dragging:
+            for (std::uint64_t step = 0; step < 40; ++step) session.goToStep(step * 7);
+            break;
+        case Busy::Lesson:
+            session.course().open(chance % session.course().lessons().size(), chance / 16 % 4);
+            break;
+        case Busy::Measuring:
+            desk.window.useLayout("profile");
+            for (auto* button : desk.window.dock("measure")->findChildren<QPushButton*>())
+                if (button->text() == "Measure") button->click();
+            break;
+        case Busy::Predicting:
+            for (const Topic topic : kTopics) session.predictions().setOn(topic, true);
+            session.goToStart();
+            // asks about what follows a step that is seen
+            if (QTest::qWaitFor([&] { return session.isIdle() && session.position(); }, Desk::kLong)) session.stepBy(1);
+            break;
     }
 }
 
 bool isBusy(Desk& desk)
 {
-    return !desk.session.isIdle() || !desk.session.course().isSettled() ||
-           static_cast<MeasurePanel&>(desk.window.dock("measure")->panel()).measurer().isRunning();
+    return !desk.session.isIdle() || !desk.session.course().isSettled()
+           || static_cast<MeasurePanel&>(desk.window.dock("measure")->panel()).measurer().isRunning();
 }
 
 }  // namespace
@@ -125,10 +145,12 @@ private slots:
             Desk       desk(presets()[random() % presets().size()].name, {1000, 700});
             if (what != Busy::Loading) {
                 desk.window.open("builtin:cubes", smallView);
-                QVERIFY2(QTest::qWaitFor([&] { return desk.session.now().frame != nullptr; }, Desk::kLong), qPrintable(QString("round %1").arg(round)));
+                QVERIFY2(QTest::qWaitFor([&] { return desk.session.now().frame != nullptr; }, Desk::kLong),
+                         qPrintable(QString("round %1").arg(round)));
             }
             begin(desk, what, static_cast<std::uint32_t>(random()));
-            const int wait = static_cast<int>(random() % 12);  // ms: sometimes at once, sometimes in the middle, sometimes at the end
+            // ms: sometimes at once, sometimes in the middle, sometimes at the end
+            const int wait = static_cast<int>(random() % 12);
             if (wait > 2) QTest::qWait(wait - 2);
             busy += isBusy(desk);
             desk.window.close();
@@ -143,7 +165,9 @@ private slots:
         Session session;
         session.setPipeline(findPreset("hzb-octree")->pipeline);
         session.open("builtin:cubes", smallView);
-        const auto settles = [&] { return QTest::qWaitFor([&] { return session.isIdle() && session.now().busy.isEmpty(); }, Desk::kLong); };
+        const auto settles = [&] {
+            return QTest::qWaitFor([&] { return session.isIdle() && session.now().busy.isEmpty(); }, Desk::kLong);
+        };
         QVERIFY(settles());
         session.setGrain(Grain::Pixel);
         session.goToStep(0);
@@ -153,10 +177,11 @@ private slots:
         connect(&session, &Session::changed, this, [&](Changes what) { shown += what.testFlag(Change::Picture); });
         const auto walk = [&](std::uint64_t steps) {
             for (std::uint64_t i = 0; i < steps; ++i) {
-                const std::uint64_t to     = i * 7919 % (count - 1);
+                const std::uint64_t to = i * 7919 % (count - 1);
                 session.goToStep(to);
                 // No waiting by the clock: every step is shown before the next is asked for.
-                while (!session.now().step || session.now().step->state.step.value != to) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+                while (!session.now().step || session.now().step->state.step.value != to)
+                    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
             }
         };
         walk(500);
@@ -164,7 +189,8 @@ private slots:
         walk(10'000);
         const std::uint64_t after = residentBytes();
         QVERIFY(shown >= 10'000);
-        QVERIFY2(after < before + (4u << 20), qPrintable(QString("%1 -> %2 bytes").arg(before).arg(after)));  // a kept step would be 100 kB
+        // a kept step would be 100 kB
+        QVERIFY2(after < before + (4u << 20), qPrintable(QString("%1 -> %2 bytes").arg(before).arg(after)));
     }
 };
 

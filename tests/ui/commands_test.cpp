@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands: each has a name, the palette finds and runs it, the cheat sheet tells its keys, and the keys can be changed.
+// Commands: each has a name, the palette finds and runs it, the cheat sheet
+// tells its keys, and the keys can be changed.
 #include <set>
 
 #include <QAbstractItemModelTester>
@@ -27,7 +28,8 @@ template <class Kind>
 Kind* opened(Desk& desk)
 {
     Kind* found = nullptr;
-    (void)QTest::qWaitFor([&] { return (found = desk.window.findChild<Kind*>()) != nullptr && found->isVisible(); }, 2000);
+    (void)QTest::qWaitFor([&] { return (found = desk.window.findChild<Kind*>()) != nullptr && found->isVisible(); },
+                          2000);
     return found;
 }
 
@@ -70,8 +72,8 @@ private slots:
     }
     void everyActionOfTheMenusHasANameOfItsOwn()
     {
-        Desk                     desk;
-        std::set<QString>        names;
+        Desk                      desk;
+        std::set<QString>         names;
         std::vector<const QMenu*> open;
         for (const QAction* entry : desk.window.menuBar()->actions()) open.push_back(entry->menu());
         int count = 0;
@@ -94,7 +96,8 @@ private slots:
         auto& bindings = desk.window.findChild<Actions*>()->bindings();
         for (const QAction* action : bindings.commands())
             for (const QKeySequence& key : action->shortcuts())
-                QVERIFY2(bindings.conflictsOf(*action, key).empty(), qPrintable(action->objectName() + " " + key.toString()));
+                QVERIFY2(bindings.conflictsOf(*action, key).empty(),
+                         qPrintable(action->objectName() + " " + key.toString()));
     }
     void thePaletteFindsAndRunsACommandByTheKeyboardAlone()
     {
@@ -112,15 +115,16 @@ private slots:
         desk.press(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
         auto* palette = opened<CommandPalette>(desk);
         QVERIFY(palette);
-        auto* query   = palette->findChild<QLineEdit*>();
-        auto* list    = palette->findChild<QListView*>();
+        auto*                    query = palette->findChild<QLineEdit*>();
+        auto*                    list  = palette->findChild<QListView*>();
         QAbstractItemModelTester tester(list->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
         QTest::keyClicks(query, "pixel");
         QVERIFY(list->model()->rowCount() >= 5);
         QTest::keyClick(query, Qt::Key_Down);
         QTest::keyClick(query, Qt::Key_Down);
         QCOMPARE(list->currentIndex().row(), 2);
-        if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty()) palette->grab().save(where + "/palette.png");
+        if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty())
+            palette->grab().save(where + "/palette.png");
         QTest::keyClicks(query, "qqqq");
         QCOMPARE(list->model()->rowCount(), 0);
         QTest::keyClick(query, Qt::Key_Return);  // nothing to run
@@ -154,7 +158,8 @@ private slots:
         CommandModel palette(desk.window.findChild<Actions*>()->bindings().commands());
         const auto   heardOf = [&](const QString& name) {
             for (int row = 0; row < palette.rowCount(); ++row)
-                if (palette.at(row)->objectName() == name) return palette.index(row).data(Qt::AccessibleTextRole).toString();
+                if (palette.at(row)->objectName() == name)
+                    return palette.index(row).data(Qt::AccessibleTextRole).toString();
             return QString();
         };
         QCOMPARE(heardOf("measure.open").trimmed(), QString("Open a record… Measure"));
@@ -174,7 +179,8 @@ private slots:
             auto*      dialog   = new KeysDialog(bindings, &window);
             dialog->show();
             auto*                    table = dialog->findChild<QTableView*>();
-            QAbstractItemModelTester tester(dialog->findChild<KeysModel*>(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+            QAbstractItemModelTester tester(dialog->findChild<KeysModel*>(),
+                                            QAbstractItemModelTester::FailureReportingMode::QtTest);
             dialog->findChild<QLineEdit*>()->setText("Play or pause");
             QVERIFY(table->model()->rowCount() == 1);
             auto* keys = dialog->findChild<QKeySequenceEdit*>();
@@ -182,14 +188,15 @@ private slots:
             QString conflict;
             for (auto* label : dialog->findChildren<QLabel*>()) conflict += label->text();
             QVERIFY2(conflict.contains("Wipe"), qPrintable(conflict));
-            if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty()) dialog->grab().save(where + "/keys.png");
+            if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty())
+                dialog->grab().save(where + "/keys.png");
             for (auto* button : dialog->findChildren<QPushButton*>())
                 if (button->text() == "Assign") QTest::mouseClick(button, Qt::LeftButton);
             QCOMPARE(window.findChild<QAction*>("step.play")->shortcut(), QKeySequence("W"));
             QVERIFY(window.findChild<QAction*>("compare.wipe")->shortcuts().isEmpty());
         }
-        Settings settings(file);  // the next start
-        Session  session;
+        Settings   settings(file);  // the next start
+        Session    session;
         MainWindow window(session, settings, QApplication::palette());
         QCOMPARE(window.findChild<QAction*>("step.play")->shortcut(), QKeySequence("W"));
         QVERIFY(window.findChild<QAction*>("compare.wipe")->shortcuts().isEmpty());
@@ -199,7 +206,8 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return (sheet = window.findChild<QDialog*>("cheatSheet")) != nullptr; }, 2000));
         const auto text = [&] { return sheet->findChild<QTextBrowser*>()->toPlainText(); };
         QVERIFY(text().contains(QRegularExpression("W\\s+Play or pause")));
-        if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty()) sheet->grab().save(where + "/cheat-sheet.png");
+        if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty())
+            sheet->grab().save(where + "/cheat-sheet.png");
         window.findChild<Actions*>()->bindings().resetAll();
         QVERIFY(QTest::qWaitFor([&] { return text().contains(QRegularExpression("Space\\s+Play or pause")); }, 2000));
         QCOMPARE(window.findChild<QAction*>("compare.wipe")->shortcut(), QKeySequence("W"));

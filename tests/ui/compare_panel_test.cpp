@@ -46,11 +46,11 @@ class CompareTest final : public QObject {
 private slots:
     void everyPixelHasItsKindOfDifference()
     {
-        const float    near = 0.5f, nearer = std::nextafter(near, 1.0f), far = 0.25f;
-        const auto     a = bufferOf({{1, near}, {1, near}, {1, near}, {1, near}, {-1, 0}, {-1, 0}, {1, near}});
-        const auto     b = bufferOf({{1, near}, {1, nearer}, {1, far}, {-1, 0}, {2, near}, {-1, 0}, {2, near}});
+        const float near = 0.5f, nearer = std::nextafter(near, 1.0f), far = 0.25f;
+        const auto  a = bufferOf({{1, near}, {1, near}, {1, near}, {1, near}, {-1, 0}, {-1, 0}, {1, near}});
+        const auto  b = bufferOf({{1, near}, {1, nearer}, {1, far}, {-1, 0}, {2, near}, {-1, 0}, {2, near}});
         using enum PixelDifference;
-        const Difference exact = differenceOf(a, b, 0);
+        const Difference                   exact = differenceOf(a, b, 0);
         const std::vector<PixelDifference> kinds{None, DepthNearer, DepthFarther, Hole, Spill, None, Surface};
         for (std::size_t x = 0; x < kinds.size(); ++x) QCOMPARE(exact.kinds.at(static_cast<int>(x), 0), kinds[x]);
         QCOMPARE(exact.differing(), std::uint64_t{5});
@@ -87,7 +87,8 @@ private slots:
         QVERIFY(result->figures.wrongPixels() > 0);
         QCOMPARE(result->difference.counts[static_cast<std::size_t>(PixelDifference::Hole)], result->figures.holes);
         QCOMPARE(result->difference.counts[static_cast<std::size_t>(PixelDifference::Spill)], result->figures.spills);
-        QCOMPARE(result->difference.counts[static_cast<std::size_t>(PixelDifference::Surface)], result->figures.wrongSurface());
+        QCOMPARE(result->difference.counts[static_cast<std::size_t>(PixelDifference::Surface)],
+                 result->figures.wrongSurface());
         desk.window.dock("compare")->raise();
         for (auto* button : desk.window.dock("compare")->findChildren<QPushButton*>())
             if (button->text() == "Worst pixel") QTest::mouseClick(button, Qt::LeftButton);
@@ -136,10 +137,11 @@ private slots:
         QCOMPARE(desk.session.now().picked, std::optional(pixel));
         QTest::mouseClick(&view, Qt::RightButton, {}, QPoint(view.width() / 2, at.y()));  // between them lies no pixel
         QVERIFY(!desk.session.now().picked);
-        const QImage seen = view.grab().toImage();
+        const QImage seen   = view.grab().toImage();
         const QRgb   ground = seen.pixel(2, seen.height() - 2);
         int          left = 0, right = 0;
-        for (int x = 0; x < seen.width(); ++x) (x < seen.width() / 2 ? left : right) += seen.pixel(x, seen.height() / 2) != ground;
+        for (int x = 0; x < seen.width(); ++x)
+            (x < seen.width() / 2 ? left : right) += seen.pixel(x, seen.height() / 2) != ground;
         QVERIFY(left > 50 && right > 50);
         desk.photograph("side-by-side");
         desk.press(Qt::Key_B);
@@ -167,7 +169,8 @@ private slots:
         QCOMPARE(idShown(), desk.session.now().frame->frame.visible.idAt(differs.x(), differs.y()));
         desk.session.setWipe(0);
         QCOMPARE(idShown(), desk.session.now().compare.frame->frame.visible.idAt(differs.x(), differs.y()));
-        QVERIFY(desk.session.now().frame->frame.visible.idAt(differs.x(), differs.y()) != desk.session.now().compare.frame->frame.visible.idAt(differs.x(), differs.y()));
+        QVERIFY(desk.session.now().frame->frame.visible.idAt(differs.x(), differs.y())
+                != desk.session.now().compare.frame->frame.visible.idAt(differs.x(), differs.y()));
     }
     void keysChooseBFlipWipeAndShowTheDifference()
     {
@@ -216,8 +219,10 @@ private slots:
         desk.session.compareWith(wrong());
         QVERIFY(desk.settles());
         desk.press(Qt::Key_W);
-        FrameView&  view = desk.window.view();
-        const auto  placeOf = [&](double x) { return (view.view().toView(QPointF(x, 100)) / view.devicePixelRatioF()).toPoint(); };
+        FrameView& view    = desk.window.view();
+        const auto placeOf = [&](double x) {
+            return (view.view().toView(QPointF(x, 100)) / view.devicePixelRatioF()).toPoint();
+        };
         QTest::mousePress(&view, Qt::LeftButton, {}, placeOf(320));
         QTest::mouseMove(&view, placeOf(200));
         QTest::mouseMove(&view, placeOf(160));
@@ -251,7 +256,8 @@ private slots:
         desk.window.dock("compare")->raise();
         desk.photograph("compare");
         const double partA = static_cast<double>(now.step->state.step.value) / static_cast<double>(now.step->last());
-        const double partB = static_cast<double>(now.compare.step->state.step.value) / static_cast<double>(now.compare.step->last());
+        const double partB =
+            static_cast<double>(now.compare.step->state.step.value) / static_cast<double>(now.compare.step->last());
         QVERIFY(std::abs(partA - partB) < 0.01);
         desk.session.goToEnd();
         QVERIFY(desk.settles());
@@ -261,7 +267,7 @@ private slots:
     {
         Desk desk("zbuffer");
         QVERIFY(desk.open("builtin:teapot"));
-        Pipeline rough = pipelineOf("zbuffer");
+        Pipeline rough             = pipelineOf("zbuffer");
         rough.approximation.format = DepthFormat::Fixed16;
         desk.session.compareWith(rough);
         QVERIFY(desk.settles());
@@ -271,7 +277,7 @@ private slots:
         QVERIFY(compare.frame->camera == desk.session.now().frame->camera);
         QVERIFY(compare.result && compare.result->b == compare.frame);
         const std::uint64_t strict = compare.result->difference.differing();
-        auto* box = desk.window.dock("compare")->findChild<QSpinBox*>();
+        auto*               box    = desk.window.dock("compare")->findChild<QSpinBox*>();
         box->setValue(100'000'000);
         QVERIFY(desk.settles());
         QCOMPARE(compare.result->tolerance, 100'000'000u);

@@ -46,11 +46,16 @@ struct Desk {
     bool goTo(Grain grain, std::int64_t step)
     {
         session.setGrain(grain);
-        if (step < 0) session.goToEnd();
-        else session.goToStep(static_cast<std::uint64_t>(step));
+        if (step < 0)
+            session.goToEnd();
+        else
+            session.goToStep(static_cast<std::uint64_t>(step));
         return settles() && session.now().step && session.now().step->state.grain == grain;
     }
-    void press(int key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(&window, static_cast<Qt::Key>(key), modifiers); }
+    void press(int key, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::keyClick(&window, static_cast<Qt::Key>(key), modifiers);
+    }
 
     /// A picture of the window for whoever looks at it, if ZSCOPE_PICTURES names a folder.
     void photograph(const QString& name)

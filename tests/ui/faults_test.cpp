@@ -23,11 +23,13 @@ struct Gallery {
 
     bool isComplete() const
     {
-        return QTest::qWaitFor([&] {
-            for (int row = 0; row < model.rowCount(); ++row)
-                if (!model.pictureOf(row)) return false;
-            return panel.isIdle();
-        }, Desk::kLong);
+        return QTest::qWaitFor(
+            [&] {
+                for (int row = 0; row < model.rowCount(); ++row)
+                    if (!model.pictureOf(row)) return false;
+                return panel.isIdle();
+            },
+            Desk::kLong);
     }
 };
 
@@ -70,18 +72,21 @@ private slots:
             Frame       right, wrong;
             request.pipeline       = of.pipeline;
             request.pipeline.fault = Fault::None;
-            QVERIFY(Renderer().draw(request, right).ok());  // a renderer of its own: where stripes meet moves from frame to frame
+            // a renderer of its own: where stripes meet moves from frame to frame
+            QVERIFY(Renderer().draw(request, right).ok());
             request.pipeline = of.pipeline;
             QVERIFY(Renderer().draw(request, wrong).ok());
             std::uint64_t differ = 0;
             for (int y = 0; y < right.visible.height(); ++y)
                 for (int x = 0; x < right.visible.width(); ++x)
-                    differ += right.visible.idAt(x, y) != wrong.visible.idAt(x, y) || right.visible.depthAt(x, y) != wrong.visible.depthAt(x, y);
+                    differ += right.visible.idAt(x, y) != wrong.visible.idAt(x, y)
+                              || right.visible.depthAt(x, y) != wrong.visible.depthAt(x, y);
             QCOMPARE(of.wrongPixels, differ);
             spoilt += differ > 0;
             bool seen = false;
             for (int y = 0; y < of.picture.height() && !seen; ++y)
-                for (int x = 0; x < of.picture.width() && !seen; ++x) seen = of.picture.pixel(x, y) == QRgb{kWrongColour};
+                for (int x = 0; x < of.picture.width() && !seen; ++x)
+                    seen = of.picture.pixel(x, y) == QRgb{kWrongColour};
             QCOMPARE(seen, differ > 0);
         }
         QVERIFY2(spoilt >= 8, qPrintable(QString::number(spoilt)));

@@ -29,10 +29,12 @@ namespace {
 bool isName(const QString& word)
 {
     static const std::set<QString> kNames = [] {
-        std::set<QString> names{"ZScope", "Language", "English", "Ctrl", "Shift", "Alt", "Esc", "Del", "Home", "End", "Enter", "PageUp", "PageDown", "WASD", "OBJ", "PNG", "CSV", "BVH", "teapot",
-                                "near", "float", "px", "dx", "Newell", "scalar", "avx", "sse", "neon", "builtin", "default", "body", "glaze",
-                                "exponent", "apart", "level"};
-        const auto add = [&](std::string_view words) {
+        std::set<QString> names{"ZScope",  "Language", "English", "Ctrl",   "Shift",    "Alt",      "Esc",
+                                "Del",     "Home",     "End",     "Enter",  "PageUp",   "PageDown", "WASD",
+                                "OBJ",     "PNG",      "CSV",     "BVH",    "teapot",   "near",     "float",
+                                "px",      "dx",       "Newell",  "scalar", "avx",      "sse",      "neon",
+                                "builtin", "default",  "body",    "glaze",  "exponent", "apart",    "level"};
+        const auto        add = [&](std::string_view words) {
             const QString text = QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
             for (const QString& name : text.split(QRegularExpression("[^A-Za-z]+"))) names.insert(name);
         };
@@ -86,7 +88,8 @@ QStringList textsOf(const MainWindow& window)
         if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) texts << button->text();
         if (const auto* edit = qobject_cast<const QLineEdit*>(widget)) texts << edit->placeholderText();
         if (const auto* box = qobject_cast<const QComboBox*>(widget))
-            for (int i = 0; i < box->count(); ++i) texts << box->itemText(i) << box->itemData(i, Qt::ToolTipRole).toString();
+            for (int i = 0; i < box->count(); ++i)
+                texts << box->itemText(i) << box->itemData(i, Qt::ToolTipRole).toString();
         if (const auto* view = qobject_cast<const QAbstractItemView*>(widget); view && view->model())
             for (int column = 0; column < view->model()->columnCount(); ++column)
                 texts << view->model()->headerData(column, Qt::Horizontal).toString()
@@ -170,7 +173,7 @@ private slots:
         desk.window.speak(Language::Chinese);
         QCoreApplication::processEvents();
         const CheatSheet sheet(*desk.window.menuBar(), &desk.window);
-        QStringList lines = sheet.findChild<QTextBrowser*>()->toPlainText().split('\n');
+        QStringList      lines = sheet.findChild<QTextBrowser*>()->toPlainText().split('\n');
         for (const char* tool : {"tool.inspect", "tool.camera"}) {  // in this order at the top of the sheet
             const QString name = plainName(*desk.window.findChild<QAction*>(tool));
             QCOMPARE(desk.window.findChild<QAction*>(tool)->iconText(), name);
@@ -181,8 +184,10 @@ private slots:
     }
     void qtsOwnWordsFollow()
     {
-        Desk desk;
-        const auto cancel = [] { return QDialogButtonBox(QDialogButtonBox::Cancel).button(QDialogButtonBox::Cancel)->text(); };
+        Desk       desk;
+        const auto cancel = [] {
+            return QDialogButtonBox(QDialogButtonBox::Cancel).button(QDialogButtonBox::Cancel)->text();
+        };
         QVERIFY(cancel().contains("Cancel"));
         desk.window.speak(Language::Chinese);
         QVERIFY(cancel().contains(QStringLiteral("取消")));

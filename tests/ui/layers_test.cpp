@@ -25,7 +25,8 @@ private slots:
     void aPlaceInTheBarAndItsDepthAreInverse()
     {
         for (const bool isLogarithmic : {false, true}) {
-            const RangeScale scale{{.isAutomatic = false, .farthest = 0.001f, .nearest = 0.8f, .isLogarithmic = isLogarithmic}};
+            const RangeScale scale{
+                {.isAutomatic = false, .farthest = 0.001f, .nearest = 0.8f, .isLogarithmic = isLogarithmic}};
             for (int i = 0; i <= 20; ++i) QVERIFY(std::abs(scale.partOf(scale.depthAt(i / 20.0)) - i / 20.0) < 1e-5);
         }
         const RangeScale scale{{.isAutomatic = false, .farthest = 0.01f, .nearest = 1, .isLogarithmic = true}};
@@ -54,11 +55,12 @@ private slots:
         const QImage picture = shownBy(desk.session);
         const auto&  visible = *desk.session.now().visible();
         const auto&  used    = desk.session.now().spread()->used;
-        int darkest = 0, lightest = 0;
+        int          darkest = 0, lightest = 0;
         for (int y = 0; y < visible.height(); ++y)
             for (int x = 0; x < visible.width(); ++x) {
                 if (visible.idAt(x, y) < 0) continue;
-                const bool isNearest = visible.depthAt(x, y) == used.nearest, isFarthest = visible.depthAt(x, y) == used.farthest;
+                const bool isNearest  = visible.depthAt(x, y) == used.nearest,
+                           isFarthest = visible.depthAt(x, y) == used.farthest;
                 lightest += isNearest;
                 darkest += isFarthest;
                 if (isNearest) QCOMPARE(picture.pixel(x, y), cividis(1));
@@ -110,7 +112,7 @@ private slots:
             for (const std::uint32_t tests : desk.session.now().step->state.tests.values()) sum += tests;
             return sum;
         };
-        const std::uint64_t all = sumOf();
+        const std::uint64_t all   = sumOf();
         const QImage        whole = shownBy(desk.session);
         QVERIFY(whole != imageOf(desk.session.now().frame->frame.colour));  // the finished picture shows them, too
         desk.photograph("tests");

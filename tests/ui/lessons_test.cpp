@@ -24,7 +24,9 @@ namespace {
 
 bool arrives(Desk& desk)
 {
-    return QTest::qWaitFor([&] { return desk.session.course().isReady() && desk.session.course().isSettled() && desk.session.isIdle(); }, Desk::kLong);
+    return QTest::qWaitFor(
+        [&] { return desk.session.course().isReady() && desk.session.course().isSettled() && desk.session.isIdle(); },
+        Desk::kLong);
 }
 
 void key(int key, Qt::KeyboardModifiers modifiers = {})
@@ -77,7 +79,9 @@ private slots:
     void everyPanelThatAPageMayRaiseIsThere()
     {
         Desk desk("zbuffer");
-        for (const std::string_view word : kLessonPanels) QVERIFY2(desk.window.dock(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()))), word.data());
+        for (const std::string_view word : kLessonPanels)
+            QVERIFY2(desk.window.dock(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()))),
+                     word.data());
     }
     void aWholeLessonIsDoneByKeysAlone()
     {
@@ -101,7 +105,7 @@ private slots:
             QVERIFY(arrives(desk));
             QVERIFY(QTest::qWaitFor([] { return QApplication::focusWidget(); }, 2000));
             QVERIFY(course.page()->question);
-            const LessonQuestion& question = *course.page()->question;
+            const LessonQuestion& question         = *course.page()->question;
             kinds[static_cast<int>(question.kind)] = true;
             QVERIFY(!course.given());
             if (question.kind == LessonQuestion::Kind::Number) {
@@ -147,7 +151,8 @@ private slots:
             QVERIFY(course.given());
             QVERIFY(course.given()->isRight);
             if (page == 1) desk.photograph("lesson");
-            if (page + 1 < course.lesson()->pages.size()) desk.press(Qt::Key_PageDown, Qt::ControlModifier | Qt::ShiftModifier);
+            if (page + 1 < course.lesson()->pages.size())
+                desk.press(Qt::Key_PageDown, Qt::ControlModifier | Qt::ShiftModifier);
         }
         QVERIFY(kinds[0] && kinds[1] && kinds[2]);
         QCOMPARE(course.scoreOf(0).right, course.scoreOf(0).questions);
@@ -160,8 +165,8 @@ private slots:
     }
     void aPageStopsAtItsStepWithItsPickItsPanelAndItsAlgorithm()
     {
-        Desk    desk("zbuffer");
-        Course& course = desk.session.course();
+        Desk       desk("zbuffer");
+        Course&    course = desk.session.course();
         const auto lesson = course.find("06-two-polygons-that-cross");
         QVERIFY(lesson);
         course.open(*lesson, 1);
@@ -252,7 +257,8 @@ private slots:
         QVERIFY(desk.session.now().camera.width != 640);
         desk.window.open("builtin:teapot");
         QVERIFY(desk.settles());
-        QVERIFY(QTest::qWaitFor([&] { return desk.session.now().frame && desk.session.now().frame->camera.width == 640; }, Desk::kLong));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return desk.session.now().frame && desk.session.now().frame->camera.width == 640; }, Desk::kLong));
         QVERIFY(!course.page());
     }
     void theKeysStepWhileAPageIsReadAndOnceItsQuestionIsAnswered()
@@ -282,7 +288,8 @@ private slots:
             }
             key(Qt::Key_Return);
             QVERIFY(course.given());
-            if (course.page()->question->kind == LessonQuestion::Kind::Number) {  // which was wrong: the field is ready for another
+            // which was wrong: the field is ready for another
+            if (course.page()->question->kind == LessonQuestion::Kind::Number) {
                 QVERIFY(page->findChild<QLineEdit*>()->hasFocus());
                 QVERIFY(page->findChild<QLineEdit*>()->text().isEmpty());
             } else {
@@ -297,7 +304,8 @@ private slots:
         Desk desk;
         for (const Lesson& lesson : desk.session.course().lessons())
             for (const LessonPage& page : lesson.pages)
-                QVERIFY2(page.panel.empty() || desk.window.dock(QString::fromStdString(page.panel)), lesson.file.c_str());
+                QVERIFY2(page.panel.empty() || desk.window.dock(QString::fromStdString(page.panel)),
+                         lesson.file.c_str());
     }
     void aTeachersFileAppearsWhenItIsSavedAndABrokenOneTellsWhere()
     {
@@ -314,19 +322,32 @@ private slots:
         QVERIFY(arrives(desk));
         QCOMPARE(desk.session.now().sweep()->y, 9);
 
-        write(teacher.filePath("02-broken.md"), "=== lesson\n{\"title\": \"Broken\"}\n=== page\n{\"scene\": \"builtin:cube\",\n\"algorithm\": \"zbufer\"}\n");
+        write(teacher.filePath("02-broken.md"),
+              "=== lesson\n{\"title\": \"Broken\"}\n=== page\n{\"scene\": \"builtin:cube\",\n\"algorithm\": "
+              "\"zbufer\"}\n");
         QVERIFY(QTest::qWaitFor([&] { return !course.troubles().isEmpty(); }, Desk::kLong));
         QVERIFY(course.troubles().front().contains("02-broken.md:5: "));
         QCOMPARE(course.lessons().size(), bundled + 1);
 
         write(teacher.filePath("01-mine.md"), lessonText("Mine", "12"));  // the page on show follows its file
-        QVERIFY(QTest::qWaitFor([&] { return course.isReady() && desk.session.isIdle() && desk.session.now().sweep() && desk.session.now().sweep()->y == 12; }, Desk::kLong));
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                return course.isReady() && desk.session.isIdle() && desk.session.now().sweep()
+                       && desk.session.now().sweep()->y == 12;
+            },
+            Desk::kLong));
 
-        write(teacher.filePath("01-mine.md"), "=== lesson\n{\"title\": \n");  // and comes back when what broke it is mended
+        // and comes back when what broke it is mended
+        write(teacher.filePath("01-mine.md"), "=== lesson\n{\"title\": \n");
         QVERIFY(QTest::qWaitFor([&] { return course.troubles().size() == 2; }, Desk::kLong));
         QVERIFY(!course.lesson());
         write(teacher.filePath("01-mine.md"), lessonText("Mine", "10"));
-        QVERIFY(QTest::qWaitFor([&] { return course.isReady() && desk.session.isIdle() && desk.session.now().sweep() && desk.session.now().sweep()->y == 10; }, Desk::kLong));
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                return course.isReady() && desk.session.isIdle() && desk.session.now().sweep()
+                       && desk.session.now().sweep()->y == 10;
+            },
+            Desk::kLong));
 
         course.close();
         QVERIFY(shownText(desk.window.dock("lessons")->panel()).contains("02-broken.md:5: "));
@@ -341,7 +362,9 @@ private slots:
         write(teacher.filePath("x.md"), lessonText("X", "40"));
         desk.window.openLessons(teacher.path());
         desk.session.course().open(*desk.session.course().find("x"));
-        QVERIFY(QTest::qWaitFor([&] { return desk.session.course().isSettled() && !desk.window.messages().sentence().isEmpty(); }, Desk::kLong));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return desk.session.course().isSettled() && !desk.window.messages().sentence().isEmpty(); },
+            Desk::kLong));
         QVERIFY2(desk.window.messages().sentence().contains("x.md:5: "), qPrintable(desk.window.messages().sentence()));
         QVERIFY(!desk.session.course().isReady());
     }
@@ -372,14 +395,15 @@ private slots:
     }
     void itsKeysAreNobodyElses()
     {
-        Desk desk;
-        int  keys = 0;
+        Desk       desk;
+        int        keys    = 0;
         const auto actions = desk.window.findChildren<QAction*>();
         for (const QAction* own : actions) {
             if (!own->objectName().startsWith("lessons.")) continue;
             for (const QKeySequence& key : own->shortcuts()) {
                 ++keys;
-                for (const QAction* other : actions) QVERIFY2(other == own || !other->shortcuts().contains(key), qPrintable(other->objectName()));
+                for (const QAction* other : actions)
+                    QVERIFY2(other == own || !other->shortcuts().contains(key), qPrintable(other->objectName()));
             }
         }
         QCOMPARE(keys, 5);

@@ -30,7 +30,9 @@ constexpr double kSeen     = 3;    // likewise, marks without letters
 
 double luminance(const QColor& colour)
 {
-    const auto linear = [](double part) { return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4); };
+    const auto linear = [](double part) {
+        return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+    };
     return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
 }
 
@@ -54,7 +56,8 @@ double contrastIn(const QImage& picture, const QRect& part)
     return contrast(darkest, brightest);
 }
 
-/// Of the colour that covers most of a part of a picture, and the one there that is farthest from it: ground and letters.
+/// Of the colour that covers most of a part of a picture, and the one there that is farthest from it: ground and
+/// letters.
 double contrastOfText(const QImage& picture, const QRect& part)
 {
     std::map<QRgb, int> counts;
@@ -66,7 +69,10 @@ double contrastOfText(const QImage& picture, const QRect& part)
     return most;
 }
 
-void wear(const Desk& desk, const char* look) { desk.window.findChild<QAction*>(QStringLiteral("appearance.") + look)->trigger(); }
+void wear(const Desk& desk, const char* look)
+{
+    desk.window.findChild<QAction*>(QStringLiteral("appearance.") + look)->trigger();
+}
 
 }  // namespace
 
@@ -89,7 +95,8 @@ private slots:
                 const QImage picture = box->view()->viewport()->grab().toImage();
                 const double found   = contrastOfText(picture, row.adjusted(4, 4, -4, -4) & picture.rect());
                 box->hidePopup();
-                QVERIFY2(found >= kReadable, qPrintable(QStringLiteral("%1: %2").arg(box->accessibleName()).arg(found)));
+                QVERIFY2(found >= kReadable,
+                         qPrintable(QStringLiteral("%1: %2").arg(box->accessibleName()).arg(found)));
             }
         }
     }
@@ -105,10 +112,13 @@ private slots:
                 const auto& stages = track->marks().stages;
                 const auto  raster = std::ranges::find(stages, nameOf(Stage::Raster), &TrackMarks::Named::name);
                 QVERIFY(raster != stages.end());
-                const double from = track->placeOf(raster->step), to = raster + 1 == stages.end() ? track->width() : track->placeOf((raster + 1)->step);
-                const QRect  name = QRect(0, 0, 60, 14).translated(static_cast<int>((from + to) / 2) - 30, track->height() / 2 - 7);
+                const double from = track->placeOf(raster->step),
+                             to   = raster + 1 == stages.end() ? track->width() : track->placeOf((raster + 1)->step);
+                const QRect name =
+                    QRect(0, 0, 60, 14).translated(static_cast<int>((from + to) / 2) - 30, track->height() / 2 - 7);
                 const double found = contrastOfText(track->grab().toImage(), name);
-                QVERIFY2(found >= kReadable, qPrintable(QStringLiteral("%1, step %2: %3").arg(look).arg(step).arg(found)));
+                QVERIFY2(found >= kReadable,
+                         qPrintable(QStringLiteral("%1, step %2: %3").arg(look).arg(step).arg(found)));
             }
         }
     }
@@ -121,8 +131,9 @@ private slots:
         for (const char* look : {"light", "dark"}) {
             wear(desk, look);
             QVERIFY(magnifier->isVisible());
-            const QRect  lens  = QRect(0, 0, 150, 150).translated(kStep, kStep);
-            const double found = contrastIn(magnifier->grab().toImage(), QRect(0, 0, 16, 16).translated(lens.center() - QPoint(8, 8)));
+            const QRect  lens = QRect(0, 0, 150, 150).translated(kStep, kStep);
+            const double found =
+                contrastIn(magnifier->grab().toImage(), QRect(0, 0, 16, 16).translated(lens.center() - QPoint(8, 8)));
             QVERIFY2(found >= kSeen, qPrintable(QStringLiteral("%1: %2").arg(look).arg(found)));
         }
     }
@@ -134,14 +145,17 @@ private slots:
             QFileDialog dialog(&desk.window);
             dialog.setOption(QFileDialog::DontUseNativeDialog);
             dialog.show();
-            for (const char* name : {"backButton", "forwardButton", "toParentButton", "newFolderButton", "listModeButton", "detailModeButton"}) {
+            for (const char* name : {"backButton", "forwardButton", "toParentButton", "newFolderButton",
+                                     "listModeButton", "detailModeButton"}) {
                 auto*        button = dialog.findChild<QToolButton*>(name);
                 const QImage inside = button->grab(button->rect().adjusted(3, 3, -3, -3)).toImage();
                 QRect        ink;
                 for (int y = 0; y < inside.height(); ++y)
                     for (int x = 0; x < inside.width(); ++x)
                         if (inside.pixel(x, y) != inside.pixel(0, 0)) ink |= QRect(x, y, 1, 1);
-                QVERIFY2(ink.width() >= 8 && ink.height() >= 8, qPrintable(QStringLiteral("%1, %2: %3 x %4").arg(look, name).arg(ink.width()).arg(ink.height())));
+                QVERIFY2(
+                    ink.width() >= 8 && ink.height() >= 8,
+                    qPrintable(QStringLiteral("%1, %2: %3 x %4").arg(look, name).arg(ink.width()).arg(ink.height())));
             }
         }
     }
@@ -170,7 +184,7 @@ private slots:
     void oneIsNoPlural()
     {
         Desk          desk;
-        const QString path = desk.folder.filePath("one.obj");
+        const QString path  = desk.folder.filePath("one.obj");
         const auto    write = [&](const char* text) {
             QFile file(path);
             return file.open(QIODevice::WriteOnly) && file.write(text) > 0;
@@ -186,7 +200,9 @@ private slots:
         QVERIFY(desk.settles());
         said << desk.window.messages().sentence();
         QVERIFY2(said.back().contains("1 vertex but no faces"), qPrintable(said.back()));
-        for (const QString& text : said) QVERIFY2(!text.contains(QRegularExpression("(^|[^0-9,.])1 (triangles|vertices|pixels|faces)")), qPrintable(text));
+        for (const QString& text : said)
+            QVERIFY2(!text.contains(QRegularExpression("(^|[^0-9,.])1 (triangles|vertices|pixels|faces)")),
+                     qPrintable(text));
     }
 };
 

@@ -60,7 +60,8 @@ private slots:
         session.pick(pixel);
         QVERIFY(desk.settles());
         QVERIFY(marksOf(session).isEmpty());
-        const auto triangle = TriangleId{static_cast<std::uint32_t>(session.now().visible()->idAt(pixel.x(), pixel.y()))};
+        const auto triangle =
+            TriangleId{static_cast<std::uint32_t>(session.now().visible()->idAt(pixel.x(), pixel.y()))};
         session.toggleBreakpoint({.on = Breakpoint::On::Line, .line = 50});
         session.toggleBreakpoint({.on = Breakpoint::On::Line, .line = 9999});  // has no place
         session.toggleBreakpoint({.on = Breakpoint::On::Pixel, .pixel = {pixel.x(), pixel.y()}});
@@ -71,19 +72,21 @@ private slots:
 
         session.toggleBreakpoint({.on = Breakpoint::On::Triangle, .triangle = triangle});
         QCOMPARE(marksOf(session).outlines.size(), std::size_t{1});
-        QVERIFY(boundsOf(marksOf(session).outlines[0]).adjusted(-1, -1, 1, 1).contains(QPointF(pixel) + QPointF(0.5, 0.5)));
+        QVERIFY(
+            boundsOf(marksOf(session).outlines[0]).adjusted(-1, -1, 1, 1).contains(QPointF(pixel) + QPointF(0.5, 0.5)));
         Breakpoint unknown{.on = Breakpoint::On::Node};
         unknown.node = {std::nullopt, "0.7.7.7.7.7"};
         session.toggleBreakpoint(unknown);
         QCOMPARE(marksOf(session).outlines.size(), std::size_t{1});
         const HierarchyState& hierarchy = *session.now().hierarchy();
-        const int             id        = nodeHolding(triangle, hierarchy.nodes, *session.now().scene->prepared, TreeKind::Octree);
+        const int id = nodeHolding(triangle, hierarchy.nodes, *session.now().scene->prepared, TreeKind::Octree);
         QVERIFY(id >= 0);
         Breakpoint node{.on = Breakpoint::On::Node};
         node.node = nameOf(hierarchy.nodes[static_cast<std::size_t>(id)]);
         session.toggleBreakpoint(node);
         QCOMPARE(marksOf(session).outlines.size(), std::size_t{2});
-        QVERIFY(boundsOf(marksOf(session).outlines[1]).contains(QPointF(pixel) + QPointF(0.5, 0.5)));  // its triangle is inside it
+        // its triangle is inside it
+        QVERIFY(boundsOf(marksOf(session).outlines[1]).contains(QPointF(pixel) + QPointF(0.5, 0.5)));
         desk.photograph("breakpoints");
     }
     void aMarkIsSeenOverThePictureAndCanBeHidden()
@@ -101,7 +104,7 @@ private slots:
         QVERIFY(marked != bare);
         QCOMPARE(marked.pixel(pixel), bare.pixel(pixel));  // what it shows is still to be seen
         desk.session.toggleBreakpoint({.on = Breakpoint::On::Line, .line = 30});
-        const QImage lined = view();
+        const QImage lined   = view();
         int          touched = 0;
         for (int x = 0; x < lined.width(); ++x) touched += lined.pixel(x, 30) != marked.pixel(x, 30);
         QVERIFY(touched > lined.width() / 2);
@@ -113,9 +116,11 @@ private slots:
     }
     void aTemplateIsHeldAgainstWhatAFileMayBeCalled()
     {
-        for (const char* good : {"{scene}_{algorithm}_{n}", "{n}", "lesson 3 {grain} {step} ({n})", "\xE5\x9B\xBE{n}"}) QVERIFY2(!whyNoPictureTemplate(QString::fromUtf8(good)), good);
+        for (const char* good : {"{scene}_{algorithm}_{n}", "{n}", "lesson 3 {grain} {step} ({n})", "\xE5\x9B\xBE{n}"})
+            QVERIFY2(!whyNoPictureTemplate(QString::fromUtf8(good)), good);
         std::set<QString> reasons;
-        for (const char* bad : {"", "  ", "{scene}", "../{n}", "a/{n}", "a\\{n}", "{n}:", ".{n}", "{size}_{n}", "{n", "n}", "{scene{n}}", "a\nb{n}"}) {
+        for (const char* bad : {"", "  ", "{scene}", "../{n}", "a/{n}", "a\\{n}", "{n}:", ".{n}", "{size}_{n}", "{n",
+                                "n}", "{scene{n}}", "a\nb{n}"}) {
             const auto why = whyNoPictureTemplate(bad);
             QVERIFY2(why && !why->isEmpty(), bad);
             reasons.insert(*why);
@@ -143,8 +148,10 @@ private slots:
             QTest::keyClicks(field, "view of {scene}");  // all was selected: it is typed over
             wasRefused = !keep->isEnabled();
             QTest::keyClicks(field, " {n}");
-            for (const QLabel* label : dialog->findChildren<QLabel*>()) showedNext = showedNext || label->text().contains("view of teapot 1.png");
-            if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty()) dialog->grab().save(where + "/picture-names.png");
+            for (const QLabel* label : dialog->findChildren<QLabel*>())
+                showedNext = showedNext || label->text().contains("view of teapot 1.png");
+            if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty())
+                dialog->grab().save(where + "/picture-names.png");
             QTest::keyClick(field, Qt::Key_Return);
         });
         desk.window.findChild<QAction*>("file.picture-names")->trigger();

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measuring as a person does it: press, see runs come, take one apart, click a point, stop, close in the middle. Nothing here
-// depends on how long anything takes.
+// Measuring as a person does it: press, see runs come, take one apart, click a point, stop, close in the middle.
+// Nothing here depends on how long anything takes.
 #include <limits>
 #include <set>
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QComboBox>
 #include <QFile>
 #include <QHeaderView>
-#include <QSignalSpy>
-#include <QAction>
-#include <QMenu>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSignalSpy>
 #include <QSortFilterProxyModel>
 #include <QSpinBox>
 #include <QTableView>
 
-#include "tests/ui/desk.h"
-#include "ui/charts/speed_error_chart.h"
 #include "core/scene/camera_path.h"
+#include "tests/ui/measuring_desk.h"
+#include "ui/charts/speed_error_chart.h"
 #include "ui/panels/measure/measure_panel.h"
-#include "ui/text/numbers.h"
 #include "ui/panels/measure/runs_model.h"
 #include "ui/panels/measure/stages_model.h"
+#include "ui/text/numbers.h"
 
 using namespace zscope;
 using namespace zscope::ui;
@@ -36,63 +36,12 @@ namespace {
 
 const Pipeline& pipelineOf(std::string_view name) { return findPreset(name)->pipeline; }
 
-struct MeasuringDesk : Desk {
-    explicit MeasuringDesk(std::string_view algorithm = "zbuffer", const QSize& size = {1280, 800}) : Desk(algorithm, size)
-    {
-        window.useLayout("profile");
-        QTest::qWait(0);
-    }
-    MeasurePanel&    panel() { return static_cast<MeasurePanel&>(window.dock("measure")->panel()); }
-    Measurer&        measurer() { return panel().measurer(); }
-    SpeedErrorChart& chart() { return *panel().findChild<SpeedErrorChart*>(); }
-    QTableView*      table(const QString& name)
-    {
-        for (auto* table : panel().findChildren<QTableView*>())
-            if (table->accessibleName() == name) return table;
-        return nullptr;
-    }
-    QTableView*  runs() { return table("Runs of this view"); }
-    QPushButton* button(const QString& text)
-    {
-        for (auto* button : panel().findChildren<QPushButton*>())
-            if (button->text() == text) return button;
-        return nullptr;
-    }
-    void choose(MeasurePanel::What what, int frames)
-    {
-        for (auto* box : panel().findChildren<QComboBox*>())
-            if (box->accessibleName() == "What to time") box->setCurrentIndex(static_cast<int>(what));
-        panel().findChild<QSpinBox*>()->setValue(frames);
-    }
-    void dress(const QString& appearance) { window.findChild<QAction*>("appearance." + appearance)->trigger(); }
-    void press(const QString& text) { QTest::mouseClick(button(text), Qt::LeftButton); }
-    bool measures() { return QTest::qWaitFor([this] { return !measurer().isRunning(); }, kLong); }
-    bool measure(MeasurePanel::What what, int frames = 2)
-    {
-        choose(what, frames);
-        press("Measure");
-        return measurer().isRunning() && measures();
-    }
-    QString said()
-    {
-        QString all;
-        for (const auto* label : panel().findChildren<QLabel*>()) all += label->text() + ' ';
-        return all;
-    }
-    std::optional<std::size_t> pointNamed(const QString& name)
-    {
-        for (std::size_t i = 0; i < chart().points().size(); ++i)
-            if (chart().points()[i].name == name) return i;
-        return {};
-    }
-};
-
 BenchRow rowWith(Claim claim, std::uint64_t wrong)
 {
     BenchRow row;
-    row.algorithm      = "zbuffer";
-    row.claim          = claim;
-    row.wrongPixels    = wrong;
+    row.algorithm   = "zbuffer";
+    row.claim       = claim;
+    row.wrongPixels = wrong;
     row.figures.emplace();
     row.figures->pixels  = 100;
     row.figures->covered = 90;
@@ -124,7 +73,7 @@ private slots:
             QVERIFY(run.row.q1Ms <= run.row.medianMs && run.row.medianMs <= run.row.q3Ms);
         }
         QCOMPARE(names.size(), static_cast<qsizetype>(presets().size()));
-        const SpeedErrorChart& chart = desk.chart();
+        const SpeedErrorChart& chart   = desk.chart();
         const double           bandTop = chart.yAxis->coordToPixel(chart.errorScale().bandTop);
         for (std::size_t i = 0; i < chart.points().size(); ++i) QVERIFY(chart.placeOf(i).y() > bandTop);
         QVERIFY(chart.accessibleDescription().contains("The fastest without error is"));
@@ -145,7 +94,8 @@ private slots:
                 if (!labels[i]) continue;
                 ++placed;
                 QVERIFY(inside.contains(labels[i]->rect));
-                QVERIFY(labels[i]->rect.top() >= desk.chart().yAxis->coordToPixel(desk.chart().errorScale().bandTop));  // none has an error
+                // none has an error
+                QVERIFY(labels[i]->rect.top() >= desk.chart().yAxis->coordToPixel(desk.chart().errorScale().bandTop));
                 for (std::size_t j = 0; j < i; ++j) QVERIFY(!labels[j] || !labels[j]->rect.intersects(labels[i]->rect));
             }
             QVERIFY(placed >= 3);
@@ -156,10 +106,10 @@ private slots:
         MeasuringDesk desk("zbuffer");
         QVERIFY(desk.open("builtin:cubes"));
         QVERIFY(desk.measure(MeasurePanel::What::Switches));
-        Pipeline wanted             = pipelineOf("zbuffer");
-        wanted.approximation.near   = NearPlane::Drop;
-        const QString name          = QString::fromStdString(zscope::nameOf(wanted));
-        const auto    point         = desk.pointNamed(name);
+        Pipeline wanted           = pipelineOf("zbuffer");
+        wanted.approximation.near = NearPlane::Drop;
+        const QString name        = QString::fromStdString(zscope::nameOf(wanted));
+        const auto    point       = desk.pointNamed(name);
         QVERIFY(point);
         // Others may stand on the same spot: click where this one is the nearest, else it is the first of those.
         QTest::mouseClick(&desk.chart(), Qt::LeftButton, {}, desk.chart().placeOf(*point).toPoint());
@@ -168,7 +118,9 @@ private slots:
         QCOMPARE(QString::fromStdString(zscope::nameOf(desk.session.now().pipeline)), reached);
         const auto* sorted = static_cast<QSortFilterProxyModel*>(desk.runs()->model());
         const int   row    = sorted->mapToSource(desk.runs()->currentIndex()).row();
-        QCOMPARE(QString::fromStdString(desk.measurer().runsOf(viewOf(desk.session))[static_cast<std::size_t>(row)].row.algorithm), reached);
+        QCOMPARE(QString::fromStdString(
+                     desk.measurer().runsOf(viewOf(desk.session))[static_cast<std::size_t>(row)].row.algorithm),
+                 reached);
         QVERIFY(desk.settles());
         QVERIFY(desk.session.now().frame->pipeline == desk.session.now().pipeline);
     }
@@ -209,7 +161,8 @@ private slots:
         QVERIFY(desk.measure(MeasurePanel::What::This));
         const SpeedErrorChart& chart = desk.chart();
         QCOMPARE(chart.points().size(), std::size_t{2});
-        const auto wrong = desk.pointNamed(QString::fromStdString(zscope::nameOf(faulty))), right = desk.pointNamed("edge-walk");
+        const auto wrong = desk.pointNamed(QString::fromStdString(zscope::nameOf(faulty))),
+                   right = desk.pointNamed("edge-walk");
         QVERIFY(wrong && right);
         const double bandTop = chart.yAxis->coordToPixel(chart.errorScale().bandTop);
         QVERIFY(chart.placeOf(*wrong).y() < bandTop);
@@ -217,22 +170,28 @@ private slots:
         QVERIFY(chart.points()[*wrong].error >= 1);
         QCOMPARE(chart.points()[*wrong].mark, RunMark::Approximate);
         for (const Run& run : desk.measurer().runsOf(viewOf(desk.session)))
-            if (run.pipeline == faulty) QCOMPARE(static_cast<double>(run.row.figures->wrongPixels()), chart.points()[*wrong].error);
+            if (run.pipeline == faulty)
+                QCOMPARE(static_cast<double>(run.row.figures->wrongPixels()), chart.points()[*wrong].error);
     }
     void aWrongExactRunIsStruckOutAndCalledWrong()
     {
         RunsModel model;
-        model.present({{pipelineOf("zbuffer"), rowWith(Claim::Exact, 3)}, {pipelineOf("zbuffer"), rowWith(Claim::Exact, 0)},
+        model.present({{pipelineOf("zbuffer"), rowWith(Claim::Exact, 3)},
+                       {pipelineOf("zbuffer"), rowWith(Claim::Exact, 0)},
                        {pipelineOf("zbuffer"), rowWith(Claim::Approximate, 3)}});
-        const auto isStruck = [&](int row, RunsModel::Column column) { return model.index(row, column).data(Qt::FontRole).value<QFont>().strikeOut(); };
+        const auto isStruck = [&](int row, RunsModel::Column column) {
+            return model.index(row, column).data(Qt::FontRole).value<QFont>().strikeOut();
+        };
         QVERIFY(isStruck(0, RunsModel::Median) && isStruck(0, RunsModel::Best));
         QVERIFY(!isStruck(0, RunsModel::Wrong));
         QVERIFY(!isStruck(1, RunsModel::Median) && !isStruck(2, RunsModel::Median));
         QVERIFY(sentenceOf(model.runs()[0]).contains("Its time is no result"));
         QVERIFY(!sentenceOf(model.runs()[2]).contains("no result"));
-        QVERIFY(model.index(0, RunsModel::Algorithm).data().toString() != model.index(1, RunsModel::Algorithm).data().toString());
+        QVERIFY(model.index(0, RunsModel::Algorithm).data().toString()
+                != model.index(1, RunsModel::Algorithm).data().toString());
         QCOMPARE(markOf(model.runs()[0].row), RunMark::Broken);
-        const std::vector<SpeedErrorPoint> points{{"a", 1, 1, 1, 3, RunMark::Broken}, {"b", 2, 2, 2, 0, RunMark::Exact}};
+        const std::vector<SpeedErrorPoint> points{{"a", 1, 1, 1, 3, RunMark::Broken},
+                                                  {"b", 2, 2, 2, 0, RunMark::Exact}};
         QCOMPARE(worthChoosing(points), std::vector<std::size_t>{1});
         QVERIFY(sentenceOf(points, ErrorMeasure::WrongPixels).contains("1 is wrong although it promised to be exact"));
     }
@@ -259,7 +218,8 @@ private slots:
         QTableView* table = desk.table("Stages of the selected run");
         QFont       bold  = table->font();
         bold.setBold(true);  // the frame's
-        QVERIFY(table->columnWidth(StagesModel::Cost) >= QFontMetrics(bold).horizontalAdvance("999 / triangle \u00B7 99.9 / pixel"));
+        QVERIFY(table->columnWidth(StagesModel::Cost)
+                >= QFontMetrics(bold).horizontalAdvance("999 / triangle \u00B7 99.9 / pixel"));
     }
     void stoppingInTheMiddleKeepsWhatIsFinishedAndTheWindowGoesOn()
     {
@@ -339,14 +299,16 @@ private slots:
         QVERIFY(desk.measure(MeasurePanel::What::Presets));
         const auto values = [&] {
             std::vector<double> all;
-            for (int row = 0; row < desk.runs()->model()->rowCount(); ++row) all.push_back(desk.runs()->model()->index(row, RunsModel::Best).data(RunsModel::kSortRole).toDouble());
+            for (int row = 0; row < desk.runs()->model()->rowCount(); ++row)
+                all.push_back(desk.runs()->model()->index(row, RunsModel::Best).data(RunsModel::kSortRole).toDouble());
             return all;
         };
         auto* header = desk.runs()->horizontalHeader();
         desk.runs()->scrollTo(desk.runs()->model()->index(0, RunsModel::Best));
-        QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, QPoint(header->sectionViewportPosition(RunsModel::Best) + 8, header->height() / 2));
+        QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
+                          QPoint(header->sectionViewportPosition(RunsModel::Best) + 8, header->height() / 2));
         QCOMPARE(header->sortIndicatorSection(), static_cast<int>(RunsModel::Best));
-        const bool rises = header->sortIndicatorOrder() == Qt::AscendingOrder;
+        const bool rises  = header->sortIndicatorOrder() == Qt::AscendingOrder;
         auto       sorted = values();
         QVERIFY(rises ? std::ranges::is_sorted(sorted) : std::ranges::is_sorted(sorted, std::greater<>()));
     }
@@ -358,11 +320,13 @@ private slots:
         CountersModel         counters;
         sorted.setSourceModel(&runs);
         std::vector<std::unique_ptr<QAbstractItemModelTester>> testers;
-        for (QAbstractItemModel* model : {static_cast<QAbstractItemModel*>(&runs), static_cast<QAbstractItemModel*>(&sorted),
-                                          static_cast<QAbstractItemModel*>(&stages), static_cast<QAbstractItemModel*>(&counters)})
-            testers.push_back(std::make_unique<QAbstractItemModelTester>(model, QAbstractItemModelTester::FailureReportingMode::Fatal));
-        BenchRow row = rowWith(Claim::Exact, 0);
-        row.counters = {{"nodes_visited", 12}, {"edges", 0}};
+        for (QAbstractItemModel* model :
+             {static_cast<QAbstractItemModel*>(&runs), static_cast<QAbstractItemModel*>(&sorted),
+              static_cast<QAbstractItemModel*>(&stages), static_cast<QAbstractItemModel*>(&counters)})
+            testers.push_back(std::make_unique<QAbstractItemModelTester>(
+                model, QAbstractItemModelTester::FailureReportingMode::Fatal));
+        BenchRow row                                              = rowWith(Claim::Exact, 0);
+        row.counters                                              = {{"nodes_visited", 12}, {"edges", 0}};
         row.stageQuartiles[static_cast<std::size_t>(Stage::Cull)] = {1, 2, 3};
         const Run run{pipelineOf("hzb-octree"), row};
         runs.present({run, run});
@@ -416,7 +380,8 @@ private slots:
         QVERIFY(!desk.panel().openRecord(file));
         QCOMPARE(table->model()->rowCount(), 1);
         QTest::qWait(50);
-        if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty()) desk.window.grab().save(where + "/record.png");
+        if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty())
+            desk.window.grab().save(where + "/record.png");
         table->setCurrentIndex(table->model()->index(0, 0));
         emit table->activated(table->currentIndex());
         QVERIFY(desk.settles());
@@ -432,11 +397,16 @@ private slots:
         QVERIFY(desk.open("builtin:cubes"));
         for (const char* word : {"measure", "compare", "why"})
             for (const auto* button : desk.window.dock(word)->findChildren<QPushButton*>()) {
-                if (button->isHidden() || !(button->text() == "Save…" || button->text() == "Stop" || button->text() == "Swap" || button->text() == "Go there")) continue;
+                if (button->isHidden()
+                    || !(button->text() == "Save…" || button->text() == "Stop" || button->text() == "Swap"
+                         || button->text() == "Go there"))
+                    continue;
                 QVERIFY(!button->isEnabled());
-                QVERIFY2(QRegularExpression("^(There|Nothing|Choose)").match(button->toolTip()).hasMatch(), qPrintable(button->text() + ": " + button->toolTip()));
+                QVERIFY2(QRegularExpression("^(There|Nothing|Choose)").match(button->toolTip()).hasMatch(),
+                         qPrintable(button->text() + ": " + button->toolTip()));
             }
-        for (const char* name : {"compare.to-and-fro", "compare.wipe", "compare.difference", "compare.swap", "compare.end"}) {
+        for (const char* name :
+             {"compare.to-and-fro", "compare.wipe", "compare.difference", "compare.swap", "compare.end"}) {
             const auto* action = desk.window.findChild<QAction*>(name);
             QVERIFY(!action->isEnabled());
             QVERIFY2(action->toolTip().startsWith("There is no B"), name);
@@ -487,10 +457,15 @@ private slots:
     }
     void scalesHoldWhatTheyAreMadeForAndZeroHasItsBand()
     {
-        for (const std::vector<double>& errors : {std::vector<double>{}, {0}, {0, 3, 40'000}, {2e-7, 0, 0.03}, {0, 5, std::numeric_limits<double>::infinity()}}) {
+        for (const std::vector<double>& errors : {std::vector<double>{},
+                                                  {0},
+                                                  {0, 3, 40'000},
+                                                  {2e-7, 0, 0.03},
+                                                  {0, 5, std::numeric_limits<double>::infinity()}}) {
             const bool       whole = errors.empty() || errors.back() != 0.03;
             const ErrorScale scale = errorScaleOf(errors, whole);
-            QVERIFY(scale.bottom < scale.zero && scale.zero < scale.bandTop && scale.bandTop < scale.floor && scale.floor < scale.top);
+            QVERIFY(scale.bottom < scale.zero && scale.zero < scale.bandTop && scale.bandTop < scale.floor
+                    && scale.floor < scale.top);
             for (const double error : errors) {
                 const double place = scale.placeOf(error);
                 QVERIFY(place > scale.bottom && place < scale.top);
@@ -513,7 +488,7 @@ private slots:
         const std::vector<QPointF>     points(12, QPointF(100, 60));
         const std::vector<QSizeF>      sizes(12, QSizeF(80, 14));
         const std::vector<std::size_t> order{3, 0, 1, 2, 4, 5, 6, 7, 8, 9, 10, 11};
-        const auto places = placeLabels(points, sizes, order, std::vector<QRectF>(12, area), 5);
+        const auto                     places = placeLabels(points, sizes, order, std::vector<QRectF>(12, area), 5);
         QVERIFY(places[3] && !places[3]->isFar);
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!places[i]) continue;
@@ -532,12 +507,15 @@ private slots:
         desk.window.speak(Language::Chinese);
         QCoreApplication::processEvents();
         const QRegularExpression english("[a-z]{3,} [a-z]{2,} [a-z]{2,}");  // names of algorithms stay
-        QStringList texts{desk.chart().accessibleName(), desk.chart().accessibleDescription(), desk.chart().xAxis->label(), desk.chart().yAxis->label()};
+        QStringList              texts{desk.chart().accessibleName(), desk.chart().accessibleDescription(),
+                          desk.chart().xAxis->label(), desk.chart().yAxis->label()};
         for (const auto* label : desk.panel().findChildren<QLabel*>()) texts << label->text();
         for (const auto* view : desk.panel().findChildren<QTableView*>())
             for (int column = 0; column < view->model()->columnCount(); ++column) {
-                texts << view->model()->headerData(column, Qt::Horizontal).toString() << view->model()->headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString();
-                for (int row = 0; row < view->model()->rowCount(); ++row) texts << view->model()->index(row, column).data(Qt::ToolTipRole).toString();
+                texts << view->model()->headerData(column, Qt::Horizontal).toString()
+                      << view->model()->headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString();
+                for (int row = 0; row < view->model()->rowCount(); ++row)
+                    texts << view->model()->index(row, column).data(Qt::ToolTipRole).toString();
             }
         for (const QString& text : texts) QVERIFY2(!english.match(text).hasMatch(), qPrintable(text));
         QVERIFY(desk.chart().xAxis->label().contains(QStringLiteral("毫秒")));

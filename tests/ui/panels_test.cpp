@@ -4,10 +4,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QLabel>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
-#include <QScrollArea>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -71,8 +70,10 @@ private slots:
         desk.window.setFocus();
         const auto turn = [](QWidget& widget) {
             const QPoint at = widget.rect().center();
-            QWheelEvent  wheel(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
-            QSpontaneKeyEvent::setSpontaneous(&wheel);  // as a mouse does: it goes on to parents, and may give the focus
+            QWheelEvent  wheel(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                               Qt::NoScrollPhase, false);
+            // as a mouse does: it goes on to parents, and may give the focus
+            QSpontaneKeyEvent::setSpontaneous(&wheel);
             qApp->notify(&widget, &wheel);
         };
         auto&          panel    = desk.window.dock("pipeline")->panel();
@@ -122,7 +123,9 @@ private slots:
             box.resize(box.sizeHint());
             QStyleOptionComboBox option;
             option.initFrom(&box);
-            const int room = box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width() - 2;
+            const int room =
+                box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width()
+                - 2;
             QCOMPARE(box.fontMetrics().elidedText("triangle", Qt::ElideRight, room), QString("triangle"));
         }
     }
@@ -139,7 +142,8 @@ private slots:
             ++boxes;
             desk.window.setFocus();
             QTest::mouseClick(box, Qt::LeftButton);
-            QVERIFY2(QTest::qWaitFor([&] { return box->view()->isVisible(); }, 2000), qPrintable(box->accessibleName()));
+            QVERIFY2(QTest::qWaitFor([&] { return box->view()->isVisible(); }, 2000),
+                     qPrintable(box->accessibleName()));
             QTest::keyClick(box->view(), Qt::Key_Return);  // what was chosen before
             QVERIFY(QTest::qWaitFor([&] { return !box->view()->isVisible(); }, 2000));
             QVERIFY2(!box->hasFocus(), qPrintable(box->accessibleName()));
@@ -186,8 +190,9 @@ private slots:
             desk.session.setPipeline(preset.pipeline);
             QVERIFY(desk.settles());
             QTest::qWait(20);
-            const QByteArray size = QByteArray(preset.name.data(), static_cast<qsizetype>(preset.name.size())) + ": " +
-                                    QByteArray::number(desk.window.width()) + " x " + QByteArray::number(desk.window.height());
+            const QByteArray size = QByteArray(preset.name.data(), static_cast<qsizetype>(preset.name.size())) + ": "
+                                    + QByteArray::number(desk.window.width()) + " x "
+                                    + QByteArray::number(desk.window.height());
             QVERIFY2(desk.window.height() <= 800 && desk.window.width() <= 1280, size.constData());
         }
         desk.session.setPipeline(findPreset("hzb-octree")->pipeline);
@@ -197,7 +202,7 @@ private slots:
     void theWindowFitsALowScreenInEveryLayoutAndLanguage()
     {
         constexpr QSize kLow{1000, 680};  // what 1366 x 768 leaves below title and task bar, and narrower still
-        Desk desk;
+        Desk            desk;
         QVERIFY(desk.open("builtin:cubes"));
         desk.session.pick(QPoint(160, 90));
         for (const Language language : {Language::English, Language::Chinese}) {
@@ -212,7 +217,10 @@ private slots:
                         QTest::qWait(0);
                         const QSize least = desk.window.minimumSizeHint();
                         QVERIFY2(least.height() <= kLow.height() && least.width() <= kLow.width(),
-                                 qPrintable(QStringLiteral("%1, %2, %3: %4 x %5").arg(layout.word, preset, panel.word).arg(least.width()).arg(least.height())));
+                                 qPrintable(QStringLiteral("%1, %2, %3: %4 x %5")
+                                                .arg(layout.word, preset, panel.word)
+                                                .arg(least.width())
+                                                .arg(least.height())));
                     }
                 }
             }
@@ -224,7 +232,8 @@ private slots:
         Settings      settings(folder.filePath("settings.ini"));
         Session       session;
         MainWindow    window(session, settings, QApplication::palette());
-        QVERIFY(window.width() < std::max(1281, window.minimumSizeHint().width()) && window.height() < window.screen()->availableSize().height());
+        QVERIFY(window.width() < std::max(1281, window.minimumSizeHint().width())
+                && window.height() < window.screen()->availableSize().height());
     }
     void aNarrowWindowCutsNothingAndAWideOneHasItsColumnsBack()
     {
@@ -234,7 +243,8 @@ private slots:
         auto*     table = desk.window.dock("active-edges")->findChild<QTableView*>();
         auto*     tools = desk.window.findChild<QToolBar*>("tools");
         const int wide  = desk.window.dock("active-edges")->width();
-        for (const QSize& size : {QSize(964, 700), QSize(1280, 800), QSize(1600, 1000), QSize(1000, 700), QSize(1280, 720)}) {
+        for (const QSize& size :
+             {QSize(964, 700), QSize(1280, 800), QSize(1600, 1000), QSize(1000, 700), QSize(1280, 720)}) {
             desk.window.resize(size);
             QTest::qWait(50);
             QCOMPARE(desk.window.size(), size);
@@ -244,13 +254,21 @@ private slots:
                 QVERIFY2(dock->minimumSizeHint().width() <= dock->width(), dock->entry().word);
             }
             for (auto* button : tools->findChildren<QToolButton*>()) {
-                if (button->objectName() == "qt_toolbar_ext_button") QVERIFY(!button->isVisible());
-                else QVERIFY2(button->isVisible() && tools->rect().adjusted(0, 0, 0, -kStep).contains(button->geometry()), qPrintable(button->text()));
+                if (button->objectName() == "qt_toolbar_ext_button")
+                    QVERIFY(!button->isVisible());
+                else
+                    QVERIFY2(
+                        button->isVisible() && tools->rect().adjusted(0, 0, 0, -kStep).contains(button->geometry()),
+                        qPrintable(button->text()));
             }
             if (size.width() < 1280) continue;
             QCOMPARE(desk.window.dock("active-edges")->width(), wide);
             QVERIFY2(QTest::qWaitFor([&] { return !table->horizontalScrollBar()->isVisible(); }, 2000),
-                     qPrintable(QStringLiteral("%1 x %2: %3 of %4").arg(size.width()).arg(size.height()).arg(table->viewport()->width()).arg(table->horizontalHeader()->length())));
+                     qPrintable(QStringLiteral("%1 x %2: %3 of %4")
+                                    .arg(size.width())
+                                    .arg(size.height())
+                                    .arg(table->viewport()->width())
+                                    .arg(table->horizontalHeader()->length())));
         }
     }
     void theSweepsTableStripAndBucketsAreAllSeenAt1280By800()
@@ -264,7 +282,11 @@ private slots:
             QTest::qWait(50);
             for (const char* panel : {"active-edges", "scene"})
                 for (auto* area : desk.window.dock(panel)->findChildren<QScrollArea*>())
-                    QVERIFY2(!area->verticalScrollBar()->isVisible(), qPrintable(QStringLiteral("%1: %2 of %3").arg(panel).arg(area->height()).arg(area->widget()->minimumSizeHint().height())));
+                    QVERIFY2(!area->verticalScrollBar()->isVisible(),
+                             qPrintable(QStringLiteral("%1: %2 of %3")
+                                            .arg(panel)
+                                            .arg(area->height())
+                                            .arg(area->widget()->minimumSizeHint().height())));
         }
     }
     void theTreesColumnsFitBesideItsScrollBar()
@@ -300,8 +322,8 @@ private slots:
         auto* thumbs = panel->findChild<LevelThumbs*>();
         QVERIFY(desk.session.now().hierarchy()->query);
         QCOMPARE(levelOnShow(desk.session.now()), desk.session.now().hierarchy()->query->level);
-        const int           count  = static_cast<int>(desk.session.now().step->pyramid.levels.size());
-        const ThumbLayout   layout = thumbLayout(count, thumbs->width(), {640, 360}, 6);
+        const int         count  = static_cast<int>(desk.session.now().step->pyramid.levels.size());
+        const ThumbLayout layout = thumbLayout(count, thumbs->width(), {640, 360}, 6);
         QVERIFY(thumbs->height() >= layout.placeOf(count - 1, 6).bottom());  // all of them are seen
         QTest::mouseClick(thumbs, Qt::LeftButton, {}, layout.placeOf(2, 6).center());
         QCOMPARE(desk.session.now().selectedLevel, std::optional(2));
@@ -320,8 +342,10 @@ private slots:
             QVERIFY(desk.goTo(Grain::Query, step));
             const HierarchyState* hierarchy = desk.session.now().hierarchy();
             if (!hierarchy || !hierarchy->query) continue;
-            const PyramidWords words = wordsOf(*hierarchy, desk.session.now().step->pyramid.empty, themeOf(desk.window.palette()));
-            QVERIFY(words.question.contains(QString("%1 × %2 px").arg(hierarchy->query->box.x1 - hierarchy->query->box.x0)
+            const PyramidWords words =
+                wordsOf(*hierarchy, desk.session.now().step->pyramid.empty, themeOf(desk.window.palette()));
+            QVERIFY(words.question.contains(QString("%1 × %2 px")
+                                                .arg(hierarchy->query->box.x1 - hierarchy->query->box.x0)
                                                 .arg(hierarchy->query->box.y1 - hierarchy->query->box.y0)));
             QCOMPARE(words.question.contains("<b>hidden</b>"), hierarchy->query->hidden);
             (hierarchy->query->hidden ? hidden : seen) = true;
@@ -353,7 +377,7 @@ private slots:
         auto* large = desk.window.dock("pyramid")->findChild<LevelView*>();
         QTest::mouseClick(large, Qt::LeftButton, {}, large->rect().center());
         QVERIFY(desk.session.now().picked);
-        const QPoint off = *desk.session.now().picked - QPoint(160, 90);
+        const QPoint off      = *desk.session.now().picked - QPoint(160, 90);
         const double perPixel = 180.0 / large->height();  // the middle of the widget, to a pixel of the screen
         QVERIFY(std::abs(off.x()) <= 1 + perPixel && std::abs(off.y()) <= 1 + perPixel);
     }
@@ -457,7 +481,8 @@ private slots:
         desk.session.showNodes(onlyHidden);
         const Overlay some = overlayOf(desk.session.now(), desk.session.now().layers);
         QVERIFY(some.boxesWanted < all.boxesWanted);
-        for (const OverlayBox& box : some.boxes) QVERIFY(box.kind != OverlayBox::Kind::Plain || box.verdict == NodeVerdict::Hidden);
+        for (const OverlayBox& box : some.boxes)
+            QVERIFY(box.kind != OverlayBox::Kind::Plain || box.verdict == NodeVerdict::Hidden);
     }
 
     void theObserverSeesTheFrustumFliesAndSelects()
@@ -482,15 +507,16 @@ private slots:
         QVERIFY(view->grab().toImage() != first);
         QVERIFY(!desk.session.now().selectedNode);  // a drag is not a click
 
-        QPoint      place;
-        int         node = -1;
+        QPoint place;
+        int    node = -1;
         for (int y = 0; y < view->height() && node < 0; y += 3)
             for (int x = 0; x < view->width() && node < 0; x += 3)
                 if (const int at = view->nodeAt(QPointF(x, y)); at > 0) node = at, place = QPoint(x, y);
         QVERIFY(node > 0);
         QTest::mouseClick(view, Qt::LeftButton, {}, place);
         QVERIFY(desk.session.now().selectedNode);
-        QVERIFY(*desk.session.now().selectedNode == nameOf(desk.session.now().hierarchy()->nodes[static_cast<std::size_t>(node)]));
+        QVERIFY(*desk.session.now().selectedNode
+                == nameOf(desk.session.now().hierarchy()->nodes[static_cast<std::size_t>(node)]));
         QVERIFY(isDrawn(*view));
         desk.session.selectNode({});
         QVERIFY(isDrawn(*view));

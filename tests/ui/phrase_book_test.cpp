@@ -44,7 +44,7 @@ Texts textsOf(const QString& file)
         if (xml.name() == QLatin1String("name")) context = xml.readElementText();
         if (xml.name() == QLatin1String("source")) english = xml.readElementText();
         if (xml.name() == QLatin1String("translation")) {
-            const bool isFinished = !xml.attributes().hasAttribute("type");
+            const bool isFinished     = !xml.attributes().hasAttribute("type");
             texts[{context, english}] = {xml.readElementText(), isFinished};
         }
     }
@@ -70,7 +70,8 @@ DrawRequest requestFor(const std::string& word, int width, int height)
 std::vector<DrawRequest> fewScenes()
 {
     std::vector<DrawRequest> scenes;
-    for (const char* word : {"cubes", "cutouts", "reliefs", "glass", "hard/D6", "hard/B1", "hard/D9", "hard/A8", "hard/C1", "hard/G2"})
+    for (const char* word :
+         {"cubes", "cutouts", "reliefs", "glass", "hard/D6", "hard/B1", "hard/D9", "hard/A8", "hard/C1", "hard/G2"})
         scenes.push_back(requestFor(word, 32, 24));
     scenes.push_back(scenes.front());
     scenes.back().faceCulling = FaceCulling::Back;
@@ -124,25 +125,31 @@ private slots:
         const QTemporaryDir folder;
         const QString       fresh = folder.filePath("fresh.ts");
         QProcess            lupdate;
-        lupdate.start(ZSCOPE_LUPDATE, {"-silent", "-no-obsolete", "-I", ZSCOPE_SOURCE_DIR, ZSCOPE_SOURCE_DIR "/ui", "-ts", fresh});
+        lupdate.start(ZSCOPE_LUPDATE,
+                      {"-silent", "-no-obsolete", "-I", ZSCOPE_SOURCE_DIR, ZSCOPE_SOURCE_DIR "/ui", "-ts", fresh});
         QVERIFY(lupdate.waitForFinished(300'000));
         QCOMPARE(lupdate.exitCode(), 0);
-        QCOMPARE(QString::fromUtf8(lupdate.readAllStandardError()), QString());  // a text in no class's context cannot be found
+        // a text in no class's context cannot be found
+        QCOMPARE(QString::fromUtf8(lupdate.readAllStandardError()), QString());
         const Texts in = textsOf(fresh), kept = textsOf(kChinese);
         QVERIFY(!in.empty());
-        for (const auto& [key, entry] : in) QVERIFY2(kept.contains(key), qPrintable("run update_translations for: " + key.first + ": " + key.second));
-        for (const auto& [key, entry] : kept) QVERIFY2(in.contains(key), qPrintable("said nowhere: " + key.first + ": " + key.second));
+        for (const auto& [key, entry] : in)
+            QVERIFY2(kept.contains(key), qPrintable("run update_translations for: " + key.first + ": " + key.second));
+        for (const auto& [key, entry] : kept)
+            QVERIFY2(in.contains(key), qPrintable("said nowhere: " + key.first + ": " + key.second));
     }
     void phrasesAreMadeOfPhrasesAndAreAllOrNothing()
     {
         const PhraseBook book(QStringLiteral(":/i18n/core_zh_CN.json"));
         const auto       says = [&](const char* english) { return book.translate("Core", english); };
-        QCOMPARE(says("Triangle 1,234 is drawn: it is nearest so far at 5 pixels."), QStringLiteral("三角形 1,234 已绘制：目前它在 5 个像素处最近。"));
+        QCOMPARE(says("Triangle 1,234 is drawn: it is nearest so far at 5 pixels."),
+                 QStringLiteral("三角形 1,234 已绘制：目前它在 5 个像素处最近。"));
         QCOMPARE(says("Line 3 is drawn: no edge enters or leaves. 1 face between 2 active edges gave 1 span."),
                  QStringLiteral("第 3 行已绘制：没有边进入或离开。2 条活动边之间的 1 个面产生了 1 个跨度。"));
         QVERIFY(says("Line 3 is drawn: something new. 1 face between 2 active edges gave 1 span.").isNull());
         QVERIFY(says("No triangle meets it. And nothing else.").isNull());
-        QCOMPARE(says("No triangle meets it. No triangle meets it."), QStringLiteral("没有三角形与它相遇。没有三角形与它相遇。"));
+        QCOMPARE(says("No triangle meets it. No triangle meets it."),
+                 QStringLiteral("没有三角形与它相遇。没有三角形与它相遇。"));
         QCOMPARE(says("No triangle meets it. (the interval went to one as a whole.) No triangle meets it."),
                  QStringLiteral("没有三角形与它相遇。（该区间整体归一个多边形。）没有三角形与它相遇。"));
         QVERIFY(book.translate("Other", "order").isNull());
@@ -172,7 +179,8 @@ private slots:
                 for (const ChoiceEntry& first : one.choices)
                     for (const AxisEntry& other : axes())
                         for (const ChoiceEntry& second : other.choices) {
-                            const auto pipeline = withChoice(*withChoice(preset.pipeline, one.word, first.word), other.word, second.word);
+                            const auto pipeline =
+                                withChoice(*withChoice(preset.pipeline, one.word, first.word), other.word, second.word);
                             if (const auto why = explainInvalid(*pipeline)) missing.ask(*why);
                         }
         QVERIFY(missing.asked() > 1000);
@@ -230,7 +238,9 @@ private slots:
                 request.pipeline    = preset.pipeline;
                 request.faceCulling = random() % 2 ? FaceCulling::Back : FaceCulling::None;
                 std::vector<PixelPosition> pixels;
-                for (int i = 0; i < 40; ++i) pixels.push_back({static_cast<int>(random() % 4096) % request.camera.width, static_cast<int>(random() % 4096) % request.camera.height});
+                for (int i = 0; i < 40; ++i)
+                    pixels.push_back({static_cast<int>(random() % 4096) % request.camera.width,
+                                      static_cast<int>(random() % 4096) % request.camera.height});
                 const auto answers = explainPixels(request, pixels);
                 QVERIFY2(answers.ok(), answers.ok() ? "" : answers.error().text().c_str());
                 for (const PixelExplanation& answer : *answers) {
@@ -242,7 +252,8 @@ private slots:
                 }
                 const auto triangles = request.scene->scene().triangleCount();
                 for (int i = 0; i < 4; ++i) {
-                    const auto answer = explainTriangle(request, TriangleId{static_cast<std::uint32_t>(random() % triangles)});
+                    const auto answer =
+                        explainTriangle(request, TriangleId{static_cast<std::uint32_t>(random() % triangles)});
                     QVERIFY2(answer.ok(), answer.ok() ? "" : answer.error().text().c_str());
                     missing.ask(answer->sentence);
                     for (const Event& event : answer->events) missing.ask(event.sentence);
@@ -262,9 +273,11 @@ private slots:
         for (const char* preset : {"hzb-octree", "interval", "edge-walk"})
             for (const AxisEntry& axis : axes())
                 for (const ChoiceEntry& choice : axis.choices)
-                    if (const auto pipeline = withChoice(findPreset(preset)->pipeline, axis.word, choice.word); !explainInvalid(*pipeline)) pipelines.push_back(*pipeline);
+                    if (const auto pipeline = withChoice(findPreset(preset)->pipeline, axis.word, choice.word);
+                        !explainInvalid(*pipeline))
+                        pipelines.push_back(*pipeline);
         std::mt19937 random(13);
-        std::array   requests{requestFor("cubes", 32, 24), requestFor("cutouts", 32, 24), requestFor("hard/D6", 32, 24)};
+        std::array requests{requestFor("cubes", 32, 24), requestFor("cutouts", 32, 24), requestFor("hard/D6", 32, 24)};
         for (std::size_t i = 0; i < pipelines.size(); ++i) {
             const Pipeline& pipeline = pipelines[i];
             DrawRequest&    request  = requests[i % requests.size()];
@@ -278,7 +291,8 @@ private slots:
                 missing.ask(state->sentence);
             }
             std::vector<PixelPosition> pixels;
-            for (int n = 0; n < 8; ++n) pixels.push_back({static_cast<int>(random() % 32), static_cast<int>(random() % 24)});
+            for (int n = 0; n < 8; ++n)
+                pixels.push_back({static_cast<int>(random() % 32), static_cast<int>(random() % 24)});
             const auto answers = explainPixels(request, pixels);
             QVERIFY(answers.ok());
             for (const PixelExplanation& answer : *answers) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Predict mode: what is asked is true of the next step, nothing of it is shown before the answer, and the score is a table.
+// Predict mode: what is asked is true of the next step, nothing of it is
+// shown before the answer, and the score is a table.
 #include <QCheckBox>
 #include <QFile>
 #include <QLabel>
@@ -77,8 +78,8 @@ private slots:
         QVERIFY(predictions.isOn(Topic::Edges));
         QVERIFY(!predictions.open(Topic::Edges));
 
-        const QSize size = desk.window.size();
-        const int rowsBefore = static_cast<int>(model->rows().size());
+        const QSize size       = desk.window.size();
+        const int   rowsBefore = static_cast<int>(model->rows().size());
         QVERIFY(forward(desk));  // line 13, on which the first edges enter
         const Riddle* riddle = predictions.open(Topic::Edges);
         QVERIFY(riddle);
@@ -87,7 +88,7 @@ private slots:
         QCOMPARE(truth.sweep->y, 13);
         QCOMPARE(riddle->answer, static_cast<double>(truth.sweep->entered.size()));
         QVERIFY(truth.sweep->entered.size() > 0);
-        QCOMPARE(static_cast<int>(model->rows().size()), rowsBefore);              // the table of the line before
+        QCOMPARE(static_cast<int>(model->rows().size()), rowsBefore);  // the table of the line before
         QVERIFY(!shownText(*timeline).contains(QString::fromStdString(truth.sentence)));
         QVERIFY(shownText(*bar).contains("How many edges enter?"));
         QCOMPARE(desk.window.size(), size);  // the question finds room in its panel
@@ -100,7 +101,8 @@ private slots:
         QVERIFY(!predictions.open(Topic::Edges));
         QVERIFY(shownText(*bar).contains(QString::fromUtf8("✘")));
         QVERIFY(shownText(*bar).contains(QString::number(truth.sweep->entered.size()) + " enter"));
-        QCOMPARE(static_cast<std::size_t>(std::ranges::count_if(model->rows(), [](const auto& row) { return row.state != EdgeTableModel::State::Left; })),
+        QCOMPARE(static_cast<std::size_t>(std::ranges::count_if(
+                     model->rows(), [](const auto& row) { return row.state != EdgeTableModel::State::Left; })),
                  truth.sweep->activeEdges.size());
         QVERIFY(shownText(*timeline).contains(QString::fromStdString(truth.sentence)));
         QVERIFY(shownText(*edgesPanel).contains("0 of 1 right"));
@@ -109,7 +111,8 @@ private slots:
         QVERIFY(forward(desk));  // line 14: nothing enters or leaves, so an edge is asked about
         riddle = predictions.open(Topic::Edges);
         QVERIFY(riddle && riddle->ask == Riddle::Ask::EdgeX);
-        const double right = riddle->edge.x + static_cast<double>(riddle->edge.dx[0]) / static_cast<double>(riddle->edge.dx[1]);
+        const double right =
+            riddle->edge.x + static_cast<double>(riddle->edge.dx[0]) / static_cast<double>(riddle->edge.dx[1]);
         QVERIFY(riddle->accepts(right));
         QVERIFY(!riddle->accepts(right + 0.5));
         QTest::keyClicks(field, QString::number(right, 'f', 2));
@@ -236,7 +239,8 @@ private slots:
                 QVERIFY(predictions.last(Topic::Pyramid)->isRight);
             }
             if (const Riddle* riddle = predictions.open(Topic::Nodes)) {
-                const NodeVerdict verdict = after.hierarchy->nodes[static_cast<std::size_t>(after.hierarchy->now)].verdict;
+                const NodeVerdict verdict =
+                    after.hierarchy->nodes[static_cast<std::size_t>(after.hierarchy->now)].verdict;
                 const int right = verdict == NodeVerdict::Outside ? 0 : verdict == NodeVerdict::Hidden ? 1 : 2;
                 QCOMPARE(riddle->answer, static_cast<double>(right));
                 predictions.answer(Topic::Nodes, 2);
@@ -245,7 +249,8 @@ private slots:
             }
             QVERIFY(!predictions.isAnyOpen());
         }
-        QVERIFY2(isEnough(), qPrintable(QStringLiteral("%1 hidden, %2 seen, %3 nodes").arg(hidden).arg(seen).arg(nodes)));
+        QVERIFY2(isEnough(),
+                 qPrintable(QStringLiteral("%1 hidden, %2 seen, %3 nodes").arg(hidden).arg(seen).arg(nodes)));
 
         desk.session.setPipeline(*withChoice(findPreset("quadtree")->pipeline, "upkeep", "pushed"));
         QVERIFY(desk.settles());
@@ -282,9 +287,10 @@ private slots:
             QCOMPARE(veiled->hierarchy()->nodes.size(), before.hierarchy->nodes.size());
             QVERIFY(countText().contains(QString("%1 nodes").arg(before.hierarchy->nodes.size())));
             if (i == 5) desk.photograph("predict-nodes");
-            auto* bar     = barOf(desk, "hierarchy");
+            auto*      bar     = barOf(desk, "hierarchy");
             const auto buttons = bar->findChildren<QPushButton*>();
-            const auto entered = std::ranges::find_if(buttons, [](const QPushButton* b) { return b->text() == "Entered" && b->isVisibleTo(b->window()); });
+            const auto entered = std::ranges::find_if(
+                buttons, [](const QPushButton* b) { return b->text() == "Entered" && b->isVisibleTo(b->window()); });
             QVERIFY(entered != buttons.end());
             QTest::mouseClick(*entered, Qt::LeftButton);
             QVERIFY(!predictions.open(Topic::Nodes));
@@ -329,7 +335,7 @@ private slots:
         QVERIFY(lines[2].endsWith(",1,0"));
         QVERIFY(lines[4].endsWith(",0,1"));
         for (const QString& line : lines) {  // as many cells everywhere, commas inside quotes not counted
-            int  cells = 1;
+            int  cells  = 1;
             bool quoted = false;
             for (const QChar c : line) {
                 if (c == '"') quoted = !quoted;

@@ -30,7 +30,7 @@ BenchRow row(const std::string& algorithm, double ms, std::uint64_t wrong, Claim
     made.figures.emplace();
     made.figures->holes = wrong;
     made.bestMs = made.q1Ms = made.medianMs = made.q3Ms = ms;
-    made.roundMs    = {ms, ms, ms};
+    made.roundMs                                        = {ms, ms, ms};
     made.stageMs[1] = ms / 4, made.stageMs[6] = 3 * ms / 4;
     return made;
 }
@@ -39,19 +39,32 @@ BenchRow row(const std::string& algorithm, double ms, std::uint64_t wrong, Claim
 std::string smallRecord()
 {
     const auto experiment = experimentFromJson(
-        R"({"title":{"en":"A question","zh_CN":"一个问题"},"question":{"en":"Which?","zh_CN":"哪个？"},"baseline":"zbuffer","parts":[
-           {"title":{"en":"Part <one>","zh_CN":"第一部分"},"x":{"en":"triangles","zh_CN":"三角形"},"scenes":["a","b"],"algorithms":["zbuffer"]}]})", "e.json");
+        R"({"title":{"en":"A question","zh_CN":"一个问题"},"question":{"en":"Which?","zh_CN":"哪个？"},"baseline":"zbuffer",
+            "parts":[
+           {"title":{"en":"Part <one>","zh_CN":"第一部分"},"x":{"en":"triangles","zh_CN":"三角形"},"scenes":["a","b"],
+               "algorithms":["zbuffer"]}]})",
+        "e.json");
     Series series;
     series.frames.resize(6);
-    for (std::size_t i = 0; i < series.frames.size(); ++i) series.frames[i].ms = 1 + static_cast<double>(i), series.frames[i].covered = 50, series.frames[i].wrongPixels = i == 3 ? 9 : 0;
+    for (std::size_t i = 0; i < series.frames.size(); ++i)
+        series.frames[i].ms = 1 + static_cast<double>(i), series.frames[i].covered = 50,
+        series.frames[i].wrongPixels = i == 3 ? 9 : 0;
     series.lags = {{3, 1}};
     Record record{recordHeadFor(*experiment), {}};
     for (std::size_t i = 0; i < 2; ++i) {
         const double ms = i == 0 ? 1 : 100;
-        std::vector rows{row("zbuffer", ms, 0, Claim::Exact), row("zbuffer+snap=4-bits", ms / 2, 7, Claim::Approximate), row("scanline", 2 * ms, 3, Claim::Exact)};
+        std::vector rows{row("zbuffer", ms, 0, Claim::Exact), row("zbuffer+snap=4-bits", ms / 2, 7, Claim::Approximate),
+                         row("scanline", 2 * ms, 3, Claim::Exact)};
         if (i == 1) rows[1].series = series;
-        record.add({.index = i, .part = experiment->parts[0].title, .x = experiment->parts[0].x, .scene = i == 0 ? "small" : "large", .sceneDigest = "d",
-                    .place = i == 0 ? 10.0 : 1000.0, .width = 10, .height = 10, .rows = benchToJson(rows)});
+        record.add({.index       = i,
+                    .part        = experiment->parts[0].title,
+                    .x           = experiment->parts[0].x,
+                    .scene       = i == 0 ? "small" : "large",
+                    .sceneDigest = "d",
+                    .place       = i == 0 ? 10.0 : 1000.0,
+                    .width       = 10,
+                    .height      = 10,
+                    .rows        = benchToJson(rows)});
     }
     return recordToJson(record);
 }
@@ -113,7 +126,8 @@ private slots:
         const QString record = folder.filePath("r.json");
         QVERIFY(writeFile(record.toStdString(), smallRecord()));
         QVERIFY(writeReport(record.toStdString(), folder.filePath("out").toStdString()));
-        for (const char* name : {"1-stages", "1-growth", "1-break-even", "1-speed-error-1", "1-speed-error-2", "1-series-2", "1-lag-2"})
+        for (const char* name :
+             {"1-stages", "1-growth", "1-break-even", "1-speed-error-1", "1-speed-error-2", "1-series-2", "1-lag-2"})
             for (const char* language : {"", "-zh_CN"}) {
                 const QImage image(folder.filePath(QStringLiteral("out/%1%2.png").arg(name, language)));
                 QVERIFY2(image.width() == 1800, name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sessions: saved, closed and opened again they are the same view; broken ones say where they are broken. Layouts, the start
-// page and broken settings.
+// Sessions: saved, closed and opened again they are the same view; broken
+// ones say where they are broken. Layouts, the start page and broken settings.
 #include <QAbstractButton>
 #include <QAction>
 #include <QFile>
@@ -117,8 +117,8 @@ private slots:
         Desk desk("zbuffer");
         QVERIFY(desk.open("builtin:teapot"));
         arrange(desk);
-        SessionFile session = *sessionFileOf(desk.session);
-        session.layout      = desk.window.layoutNow();
+        SessionFile session    = *sessionFileOf(desk.session);
+        session.layout         = desk.window.layoutNow();
         const std::string text = sessionToJson(session, "/a/b.zscope-session");
         const auto        read = sessionFromJson(text, "/a/b.zscope-session");
         QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
@@ -127,8 +127,8 @@ private slots:
         QCOMPARE(read->layout.name, session.layout.name);
         QVERIFY(!read->layout.name.isEmpty());
 
-        SessionFile below = session;
-        below.scene       = "/a/models/x.obj";
+        SessionFile below          = session;
+        below.scene                = "/a/models/x.obj";
         const std::string relative = sessionToJson(below, "/a/b.zscope-session");
         QVERIFY(relative.find("\"models/x.obj\"") != std::string::npos);
         QCOMPARE(sessionFromJson(relative, "/elsewhere/b.zscope-session")->scene, QString("/elsewhere/models/x.obj"));
@@ -137,7 +137,7 @@ private slots:
     {
         Desk desk("zbuffer");
         QVERIFY(desk.open("builtin:cubes"));
-        const std::string good = sessionToJson(*sessionFileOf(desk.session), "x");
+        const std::string good   = sessionToJson(*sessionFileOf(desk.session), "x");
         const auto        broken = [&](const char* what, const char* with) {
             std::string text = good;
             const auto  at   = text.find(what);
@@ -166,7 +166,8 @@ private slots:
             desk.window.open(file);
             QVERIFY(desk.settles());
             QVERIFY2(desk.window.messages().isVisible(), qPrintable(file));
-            QVERIFY2(desk.window.messages().sentence().contains(word) && desk.window.messages().sentence().contains(".zscope-session:"),
+            QVERIFY2(desk.window.messages().sentence().contains(word)
+                         && desk.window.messages().sentence().contains(".zscope-session:"),
                      qPrintable(desk.window.messages().sentence()));
             QCOMPARE(desk.session.now().scene, before);
             QVERIFY(desk.session.now().pipeline == findPreset("zbuffer")->pipeline);
@@ -273,12 +274,17 @@ private slots:
                 // All that can stand in the line below at once, with numbers of a large scene.
                 for (auto* part : desk.window.statusBar()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
                     part->show();
-                    if (auto* label = qobject_cast<QLabel*>(part); label && label->accessibleName() == "Triangles") label->setText("3,516,000 of 3,516,000 triangles seen in 8,294,400 pixels");
-                    else if (label && label->text().isEmpty()) label->setText("Drawing the picture to compare");
+                    if (auto* label = qobject_cast<QLabel*>(part); label && label->accessibleName() == "Triangles")
+                        label->setText("3,516,000 of 3,516,000 triangles seen in 8,294,400 pixels");
+                    else if (label && label->text().isEmpty())
+                        label->setText("Drawing the picture to compare");
                 }
                 QTest::qWait(50);
                 QVERIFY2(desk.window.height() <= 800 && desk.window.width() <= 1280,
-                         qPrintable(QString("%1, %2: %3 x %4").arg(algorithm, layout.word).arg(desk.window.width()).arg(desk.window.height())));
+                         qPrintable(QString("%1, %2: %3 x %4")
+                                        .arg(algorithm, layout.word)
+                                        .arg(desk.window.width())
+                                        .arg(desk.window.height())));
             }
         }
     }

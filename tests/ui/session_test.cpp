@@ -112,15 +112,17 @@ private slots:
     {
         Worker           worker;
         std::atomic<int> finished = 0;
-        const auto       slow = [&](const std::atomic<bool>& cancel) {
+        const auto       slow     = [&](const std::atomic<bool>& cancel) {
             const auto end = std::chrono::steady_clock::now() + 3 * Worker::kPatience;
             while (!cancel && std::chrono::steady_clock::now() < end) std::this_thread::yield();
             finished += !cancel;
         };
-        QVERIFY(QTest::qWaitFor([&] {
-            worker.post(Worker::Slot::Draw, slow);
-            return finished >= 2;
-        }, kLong));
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                worker.post(Worker::Slot::Draw, slow);
+                return finished >= 2;
+            },
+            kLong));
     }
     void aStepDoesNotStopADrawing()
     {
@@ -211,7 +213,7 @@ private slots:
     {
         const auto session = teapot();
         QVERIFY(session);
-        QObject once;
+        QObject    once;
         QSignalSpy told(session.get(), &Session::noticed);
         connect(session.get(), &Session::changed, &once, [&](Changes what) {
             if (what & Change::Scene) QTimer::singleShot(0, &once, [&] { session->cancelWork(); });
@@ -262,8 +264,8 @@ private slots:
         QVERIFY(session);
         session->goToStep(50);
         QVERIFY(settles(*session));
-        const std::string    sentence = session->now().step->state.sentence;
-        const QImage         picture  = shownBy(*session);
+        const std::string sentence = session->now().step->state.sentence;
+        const QImage      picture  = shownBy(*session);
         session->setGrain(Grain::Span);
         QVERIFY(settles(*session));
         QCOMPARE(session->now().step->state.grain, Grain::Span);
@@ -343,7 +345,7 @@ private slots:
         const auto session = teapot();
         QVERIFY(session);
         const VisibilityBuffer& visible = *session->now().visible();
-        QPoint covered(-1, -1);
+        QPoint                  covered(-1, -1);
         for (int y = 0; y < visible.height() && covered.x() < 0; ++y)
             for (int x = 0; x < visible.width(); ++x)
                 if (visible.idAt(x, y) >= 0) {
@@ -373,7 +375,7 @@ private slots:
             session->goToStep(step);
             QVERIFY(settles(*session));
             model.present(session->now());
-            const SweepState* sweep = session->now().sweep();
+            const SweepState* sweep  = session->now().sweep();
             const std::size_t wanted = sweep ? sweep->activeEdges.size() + sweep->left.size() : 0;
             QCOMPARE(model.rows().size(), wanted);
             QVERIFY(std::ranges::is_sorted(model.rows(), {}, [](const auto& row) { return row.edge.x; }));

@@ -31,7 +31,8 @@ private slots:
         desk.session.open("builtin:teapot", Session::seenBy(camera, FaceCulling::None));
         QVERIFY(desk.settles());
         QVERIFY(desk.session.now().view.exact);
-        const std::vector pair{BenchAlgorithm{"zbuffer", findPreset("zbuffer")->pipeline}, BenchAlgorithm{"scanline", findPreset("scanline")->pipeline}};
+        const std::vector pair{BenchAlgorithm{"zbuffer", findPreset("zbuffer")->pipeline},
+                               BenchAlgorithm{"scanline", findPreset("scanline")->pipeline}};
         QSignalSpy        made(&desk.window.sheets(), &SheetMaker::made);
         for (const char* name : {"exact.png", "exact.pdf"}) {
             desk.window.sheets().make(pair, desk.folder.filePath(name));
@@ -59,7 +60,7 @@ private slots:
         QCOMPARE(likely, std::size_t{2});  // A and B
         QCOMPARE(all.size(), presets().size());
         const std::vector pair{all[0], all[1]};
-        QSignalSpy        made(&desk.window.sheets(), &SheetMaker::made), failed(&desk.window.sheets(), &SheetMaker::failed);
+        QSignalSpy made(&desk.window.sheets(), &SheetMaker::made), failed(&desk.window.sheets(), &SheetMaker::failed);
         for (const char* language : {"english", "chinese"}) {
             desk.window.findChild<QAction*>(QStringLiteral("language.") + language)->trigger();
             for (const char* name : {"sheet.pdf", "sheet.png"}) {
@@ -79,7 +80,8 @@ private slots:
             }
         }
         if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty())
-            for (const char* name : {"englishsheet.png", "chinesesheet.png", "chinesesheet.pdf"}) QFile::copy(desk.folder.filePath(name), where + '/' + name);
+            for (const char* name : {"englishsheet.png", "chinesesheet.png", "chinesesheet.pdf"})
+                QFile::copy(desk.folder.filePath(name), where + '/' + name);
         QVERIFY(QImage(desk.folder.filePath("englishsheet.png")) != QImage(desk.folder.filePath("chinesesheet.png")));
         desk.window.sheets().make(pair, "/no/such/folder/sheet.pdf");
         QVERIFY(failed.wait(60'000));
@@ -88,17 +90,25 @@ private slots:
     {
         struct Writer final : SheetCanvas {
             std::vector<QString> texts;
-            void begin(int, int) override {}
+            void                 begin(int, int) override {}
             int  width(std::string_view utf8, int size) override { return static_cast<int>(utf8.size()) * size / 2; }
-            void text(int, int, std::string_view utf8, int, std::uint32_t) override { texts.push_back(QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()))); }
+            void text(int, int, std::string_view utf8, int, std::uint32_t) override
+            {
+                texts.push_back(QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())));
+            }
             void fill(int, int, int, int, std::uint32_t) override {}
             void picture(int, int, int, int, const Grid<std::uint32_t>&) override {}
         } writer;
         Desk desk("zbuffer");
         QVERIFY(desk.open("builtin:teapot"));
-        std::size_t likely = 0;
-        const auto  pair   = std::vector{SheetMaker::choices(desk.session, likely)[0], BenchAlgorithm{"scanline", findPreset("scanline")->pipeline}};
-        CompareRequest request{.scene = desk.session.now().scene->prepared, .camera = desk.session.now().camera, .algorithms = pair, .frames = 1, .useReference = false};
+        std::size_t    likely = 0;
+        const auto     pair   = std::vector{SheetMaker::choices(desk.session, likely)[0],
+                                      BenchAlgorithm{"scanline", findPreset("scanline")->pipeline}};
+        CompareRequest request{.scene        = desk.session.now().scene->prepared,
+                               .camera       = desk.session.now().camera,
+                               .algorithms   = pair,
+                               .frames       = 1,
+                               .useReference = false};
         const auto     made = compareAlgorithms(request);
         QVERIFY(made);
         const Scene& scene = request.scene->scene();
@@ -106,9 +116,12 @@ private slots:
         QVERIFY(scene.triangleCount() > 999);
         QCOMPARE(std::ranges::count(writer.texts, QString("triangles_in")), 2);
         QCOMPARE(std::ranges::count(writer.texts, grouped(scene.triangleCount())), 2);
-        QCOMPARE(std::ranges::count(writer.texts, QString("active_edge_lines")), 2);  // of one of them only, and a dash for the other
-        QVERIFY(std::ranges::none_of(writer.texts, [](const QString& text) { return text == "pyramid_queries"; }));  // of neither
-        for (const QString& text : writer.texts) QVERIFY2(!text.contains(QRegularExpression("[0-9] [0-9]{3}\\b")), qPrintable(text));
+        // of one of them only, and a dash for the other
+        QCOMPARE(std::ranges::count(writer.texts, QString("active_edge_lines")), 2);
+        // of neither
+        QVERIFY(std::ranges::none_of(writer.texts, [](const QString& text) { return text == "pyramid_queries"; }));
+        for (const QString& text : writer.texts)
+            QVERIFY2(!text.contains(QRegularExpression("[0-9] [0-9]{3}\\b")), qPrintable(text));
     }
     void theDialogOfASheetBeginsWithWhatIsShownAndWantsTwoColumns()
     {
@@ -118,15 +131,16 @@ private slots:
         QTimer::singleShot(0, &desk.window, [&] {
             auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
             if (!dialog) return;
-            wasAsked   = true;
+            wasAsked         = true;
             const auto boxes = dialog->findChildren<QCheckBox*>();
-            auto* ok   = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+            auto*      ok    = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
             QCOMPARE(boxes[0]->text(), QString("hzb-octree"));
             QVERIFY(ok->isEnabled());  // two are checked
             boxes[1]->setChecked(false);
             QVERIFY(!ok->isEnabled() && !ok->toolTip().isEmpty());
             boxes[3]->setChecked(true);
-            if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty()) dialog->grab().save(where + "/sheet-dialog.png");
+            if (const QString where = qEnvironmentVariable("ZSCOPE_PICTURES"); !where.isEmpty())
+                dialog->grab().save(where + "/sheet-dialog.png");
             ok->click();
         });
         const auto chosen = SheetMaker::ask(&desk.window, desk.session);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lesson's hour in one go, by mouse and keyboard only: open the bunny, step, pick a pixel, read why it shows what it shows, flip,
-// wipe, take the difference, bookmark, break, answer a question, save a picture. What is looked at is what the session and the
-// widgets show; nothing is asked of them but through keys and clicks.
+// A lesson's hour in one go, by mouse and keyboard only: open the bunny,
+// step, pick a pixel, read why it shows what it shows, flip, wipe, take the difference, bookmark, break, answer a
+// question, save a picture. What is looked at is what the session and the widgets show; nothing is asked of them but
+// through keys and clicks.
 #include <QAbstractItemModelTester>
 #include <QComboBox>
 #include <QFile>
@@ -32,7 +33,8 @@ namespace {
 QString model()
 {
     const QString bunny = QStringLiteral(ZSCOPE_SOURCE_DIR "/../shared/models/stanford-bunny.obj");
-    return QFileInfo::exists(bunny) ? QFileInfo(bunny).canonicalFilePath() : QStringLiteral(ZSCOPE_SOURCE_DIR "/assets/models/lighthouse.obj");
+    return QFileInfo::exists(bunny) ? QFileInfo(bunny).canonicalFilePath()
+                                    : QStringLiteral(ZSCOPE_SOURCE_DIR "/assets/models/lighthouse.obj");
 }
 
 Qt::Key digitOf(std::string_view preset)
@@ -76,7 +78,8 @@ struct Person : Desk {
             for (int i = 0; i < tabs->count(); ++i)
                 if (tabs->isVisible() && tabs->tabText(i) == title) {
                     QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(i).center());
-                    return QTest::qWaitFor([&] { return !window.dock(panel)->panel().visibleRegion().isEmpty(); }, 2000);
+                    return QTest::qWaitFor([&] { return !window.dock(panel)->panel().visibleRegion().isEmpty(); },
+                                           2000);
                 }
         return !window.dock(panel)->panel().visibleRegion().isEmpty();
     }
@@ -142,7 +145,8 @@ private slots:
         for (auto* box : desk.window.findChildren<QComboBox*>())
             if (box->accessibleName() == "Grain of a step") grain = box;
         QVERIFY(grain);
-        for (int i = 0; i < grain->count() && grain->currentData().toInt() != static_cast<int>(Grain::Line); ++i) QTest::keyClick(grain, Qt::Key_Down);
+        for (int i = 0; i < grain->count() && grain->currentData().toInt() != static_cast<int>(Grain::Line); ++i)
+            QTest::keyClick(grain, Qt::Key_Down);
         QVERIFY(desk.settles());
         QCOMPARE(desk.session.now().grain, Grain::Line);
         auto* track = desk.window.findChild<StepTrack*>();
@@ -151,7 +155,7 @@ private slots:
         const auto middle = desk.step();
         QVERIFY(middle > 10 && middle + 10 < desk.session.position()->count);
         QVERIFY(desk.bringUp("active-edges"));
-        auto* edges = desk.window.dock("active-edges")->findChild<QTableView*>();
+        auto*                    edges = desk.window.dock("active-edges")->findChild<QTableView*>();
         QAbstractItemModelTester edgeTester(edges->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
         QVERIFY(edges->model()->rowCount() > 0);
         const int     line     = desk.session.now().sweep()->y;
@@ -173,24 +177,27 @@ private slots:
         QVERIFY(aim.x() >= 0);
         desk.click(aim);
         QVERIFY(desk.session.now().picked);
-        const QPoint pixel = *desk.session.now().picked;  // where the picture is shown smaller than it is, a hand hits a neighbour
+        // where the picture is shown smaller than it is, a hand hits a neighbour
+        const QPoint pixel = *desk.session.now().picked;
         QVERIFY((pixel - aim).manhattanLength() <= 4);
         while (desk.session.now().sweep()->y > pixel.y()) {  // back to its line
             desk.hit(Qt::Key_Left);
             QVERIFY(desk.settles());
         }
         int lit = 0;
-        for (int row = 0; row < edges->model()->rowCount(); ++row) lit += edges->model()->index(row, 1).data(Qt::BackgroundRole).isValid();
+        for (int row = 0; row < edges->model()->rowCount(); ++row)
+            lit += edges->model()->index(row, 1).data(Qt::BackgroundRole).isValid();
         QVERIFY(lit >= 1);  // the triangle's edges light up
         QVERIFY(desk.bringUp("why"));
         auto& why = static_cast<WhyPanel&>(desk.window.dock("why")->panel());
         QVERIFY(QTest::qWaitFor([&] { return why.isIdle() && why.answer(); }, Desk::kLong));
         QCOMPARE(why.answer()->winner, desk.session.now().frame->frame.visible.idAt(pixel.x(), pixel.y()));
         QVERIFY(shownText(why).contains(QString::fromStdString(why.answer()->sentence)));
-        auto* candidates = why.findChild<QTreeView*>();
+        auto*                    candidates = why.findChild<QTreeView*>();
         QAbstractItemModelTester whyTester(candidates->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
         QVERIFY(candidates->model()->rowCount() >= 2);  // front and back
-        QTest::mouseClick(candidates->viewport(), Qt::LeftButton, {}, candidates->visualRect(candidates->model()->index(0, 0)).center());
+        QTest::mouseClick(candidates->viewport(), Qt::LeftButton, {},
+                          candidates->visualRect(candidates->model()->index(0, 0)).center());
         QVERIFY(desk.session.now().selectedTriangle);
         desk.photograph("story-why");
         desk.hit(Qt::Key_Return);  // jumps to its moment
@@ -233,9 +240,12 @@ private slots:
         QVERIFY(desk.session.now().compare.seen() == CompareShow::A);
         desk.hit(Qt::Key_W);
         QVERIFY(desk.session.now().compare.seen() == CompareShow::Wipe);
-        const QRectF whole = desk.window.view().view().toView(QRectF(QPointF(0, 0), QSizeF(desk.window.view().picture(false).size())));
-        const auto   at    = [&](double part) {
-            return QPoint(static_cast<int>((whole.left() + whole.width() * part) / desk.window.view().devicePixelRatioF()), desk.window.view().height() / 2);
+        const QRectF whole =
+            desk.window.view().view().toView(QRectF(QPointF(0, 0), QSizeF(desk.window.view().picture(false).size())));
+        const auto at = [&](double part) {
+            return QPoint(
+                static_cast<int>((whole.left() + whole.width() * part) / desk.window.view().devicePixelRatioF()),
+                desk.window.view().height() / 2);
         };
         QTest::mousePress(&desk.window.view(), Qt::LeftButton, {}, at(0.5));
         QTest::mouseMove(&desk.window.view(), at(0.4));
@@ -254,7 +264,8 @@ private slots:
         // A picture, named by the template.
         desk.hit(Qt::Key_F12);
         const QString stem = QFileInfo(model()).completeBaseName();
-        QVERIFY2(QFile::exists(pictures.filePath(stem + "_scanline_1.png")), qPrintable(QDir(pictures.path()).entryList().join(' ')));
+        QVERIFY2(QFile::exists(pictures.filePath(stem + "_scanline_1.png")),
+                 qPrintable(QDir(pictures.path()).entryList().join(' ')));
 
         // The first lesson, its first question.
         desk.hit(Qt::Key_L, Qt::ControlModifier);
@@ -263,11 +274,16 @@ private slots:
         desk.hit(Qt::Key_Return);
         Course& course = desk.session.course();
         QVERIFY(course.lesson());
-        QVERIFY(QTest::qWaitFor([&] { return course.isReady() && course.isSettled() && desk.session.isIdle(); }, Desk::kLong));
+        QVERIFY(QTest::qWaitFor([&] { return course.isReady() && course.isSettled() && desk.session.isIdle(); },
+                                Desk::kLong));
         QVERIFY(QTest::qWaitFor([] { return QApplication::focusWidget(); }, 2000));
         QVERIFY(course.page()->question && !course.given());
         const bool isChoice = course.right()->choice.has_value();
-        for (int i = 0; i < 80 && !(isChoice ? qobject_cast<QRadioButton*>(desk.focus()) != nullptr : qobject_cast<QLineEdit*>(desk.focus()) != nullptr); ++i) desk.hit(Qt::Key_Tab);
+        for (int i = 0; i < 80
+                        && !(isChoice ? qobject_cast<QRadioButton*>(desk.focus()) != nullptr
+                                      : qobject_cast<QLineEdit*>(desk.focus()) != nullptr);
+             ++i)
+            desk.hit(Qt::Key_Tab);
         if (isChoice) {
             desk.hit(Qt::Key_Space);
             for (std::size_t i = 0; i < *course.right()->choice; ++i) desk.hit(Qt::Key_Down);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The timeline: stages and marks on the track, breakpoints both ways, the steps that change a pixel, and two runs stepped
-// together.
+// The timeline: stages and marks on the track, breakpoints both ways, the
+// steps that change a pixel, and two runs stepped together.
 #include <QAbstractItemModelTester>
 #include <QComboBox>
 #include <QLabel>
@@ -206,7 +206,8 @@ private slots:
         QVERIFY(desk.open("builtin:cubes"));
         const QPoint pixel = coveredPixel(desk.session);
         desk.session.pick(pixel);
-        desk.press(Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);  // back from the end: where it gets its last colour
+        // back from the end: where it gets its last colour
+        desk.press(Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(desk.settles());
         QVERIFY(desk.session.now().showsStep);
         desk.session.compareWith(findPreset("scanline")->pipeline);
@@ -238,8 +239,8 @@ private slots:
         desk.session.pick(pixel);
         QVERIFY(desk.goTo(Grain::Line, 90));
         QVERIFY(choose("same line"));
-        const int line = desk.session.now().step->state.sweep->y;
-        const auto& of = desk.session.now().compare.step->state;
+        const int   line = desk.session.now().step->state.sweep->y;
+        const auto& of   = desk.session.now().compare.step->state;
         QVERIFY(of.pixel);
         QCOMPARE(of.pixel->y, line);
 

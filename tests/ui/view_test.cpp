@@ -23,7 +23,8 @@ double distanceOf(const QPointF& a, const QPointF& b) { return std::hypot(a.x() 
 void verifyOrthonormal(const CameraControl& camera)
 {
     const auto dot = [](const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
-    for (const dvec3* axis : {&camera.right, &camera.up, &camera.forward}) QVERIFY(std::abs(dot(*axis, *axis) - 1) < 1e-12);
+    for (const dvec3* axis : {&camera.right, &camera.up, &camera.forward})
+        QVERIFY(std::abs(dot(*axis, *axis) - 1) < 1e-12);
     QVERIFY(std::abs(dot(camera.right, camera.up)) < 1e-12);
     QVERIFY(std::abs(dot(camera.right, camera.forward)) < 1e-12);
     QVERIFY(std::abs(dot(camera.up, camera.forward)) < 1e-12);
@@ -155,9 +156,9 @@ private slots:
     void lookingKeepsTheEyeAndFlyingMovesIt()
     {
         CameraControl camera;
-        camera.distance  = 4;
-        camera.unit      = 2;
-        const dvec3 eye  = camera.eye();
+        camera.distance = 4;
+        camera.unit     = 2;
+        const dvec3 eye = camera.eye();
         camera.look(0.7, 0.2);
         QVERIFY(distanceOf(camera.eye(), eye) < 1e-12);
         camera.fly(0, 0, 0.5);
@@ -183,19 +184,22 @@ private slots:
 
     void anEdgeIsDrawnFromItsFirstToItsLastLine()
     {
-        const EdgeRow edge{.polygon = {}, .x = 20, .xSubpixels = 20 * 256, .dx = {1, 2}, .firstLine = 10, .lastLine = 30};
-        const auto    segment = segmentOf(edge, 20, {100, 100});
+        const EdgeRow edge{
+            .polygon = {}, .x = 20, .xSubpixels = 20 * 256, .dx = {1, 2}, .firstLine = 10, .lastLine = 30};
+        const auto segment = segmentOf(edge, 20, {100, 100});
         QVERIFY(segment);
         QCOMPARE(segment->p1(), QPointF(15, 10.5));
         QCOMPARE(segment->p2(), QPointF(25, 30.5));
     }
     void anEdgeIsCutAtTheSidesOfThePicture()
     {
-        const EdgeRow steep{.polygon = {}, .x = 5, .xSubpixels = 5 * 256, .dx = {1000, 1}, .firstLine = -500, .lastLine = 500};
-        const auto    segment = segmentOf(steep, 50, {100, 100});
+        const EdgeRow steep{
+            .polygon = {}, .x = 5, .xSubpixels = 5 * 256, .dx = {1000, 1}, .firstLine = -500, .lastLine = 500};
+        const auto segment = segmentOf(steep, 50, {100, 100});
         QVERIFY(segment);
         QVERIFY(segment->x1() >= -1e-9 && segment->x2() <= 100 + 1e-9);
-        const EdgeRow outside{.polygon = {}, .x = 500, .xSubpixels = 500 * 256, .dx = {0, 1}, .firstLine = 0, .lastLine = 99};
+        const EdgeRow outside{
+            .polygon = {}, .x = 500, .xSubpixels = 500 * 256, .dx = {0, 1}, .firstLine = 0, .lastLine = 99};
         QVERIFY(!segmentOf(outside, 50, {100, 100}));
     }
 

@@ -26,7 +26,8 @@ WhyPanel& panelOf(Desk& desk)
 
 bool answers(WhyPanel& panel)
 {
-    return QTest::qWaitFor([&] { return panel.isIdle() && panel.findChild<QTreeView*>()->model()->rowCount() > 0; }, Desk::kLong);
+    return QTest::qWaitFor([&] { return panel.isIdle() && panel.findChild<QTreeView*>()->model()->rowCount() > 0; },
+                           Desk::kLong);
 }
 
 /// A pixel that several triangles cover.
@@ -63,8 +64,9 @@ private slots:
             QCOMPARE(model->rowCount(), static_cast<int>(panel.answer()->candidates.size()));
             QVERIFY(model->rowCount() >= 3);
             QAbstractItemModelTester tester(model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-            int winners = 0;
-            for (const PixelCandidate& candidate : panel.answer()->candidates) winners += candidate.fate == PixelFate::Winner;
+            int                      winners = 0;
+            for (const PixelCandidate& candidate : panel.answer()->candidates)
+                winners += candidate.fate == PixelFate::Winner;
             QCOMPARE(winners, 1);
         }
     }
@@ -80,13 +82,16 @@ private slots:
                 QVERIFY(answers(panel));
                 QTest::qWait(50);
                 auto* tree = panel.findChild<QTreeView*>();
-                for (const auto* area : panel.findChildren<QScrollArea*>()) bars += area->verticalScrollBar()->isVisible();
+                for (const auto* area : panel.findChildren<QScrollArea*>())
+                    bars += area->verticalScrollBar()->isVisible();
                 bars += tree->verticalScrollBar()->isVisible();
-                QVERIFY(tree->columnViewportPosition(WhyModel::Depth) + tree->columnWidth(WhyModel::Depth) <= tree->viewport()->width());
+                QVERIFY(tree->columnViewportPosition(WhyModel::Depth) + tree->columnWidth(WhyModel::Depth)
+                        <= tree->viewport()->width());
                 QFont bold = tree->font();
                 bold.setBold(true);
                 const QString depth = tree->model()->index(0, WhyModel::Depth).data().toString();
-                QVERIFY2(QFontMetrics(bold).horizontalAdvance(depth) < tree->columnWidth(WhyModel::Depth), qPrintable(depth));
+                QVERIFY2(QFontMetrics(bold).horizontalAdvance(depth) < tree->columnWidth(WhyModel::Depth),
+                         qPrintable(depth));
             }
         }
         QVERIFY(bars > 0);
@@ -100,7 +105,8 @@ private slots:
         QVERIFY(answers(panel));
         QTest::qWait(50);
         const auto* area = panel.findChild<QScrollArea*>();
-        QVERIFY(panel.findChild<QTreeView*>()->height() < panel.findChild<QTreeView*>()->sizeHint().height());  // else this would show nothing
+        // else this would show nothing
+        QVERIFY(panel.findChild<QTreeView*>()->height() < panel.findChild<QTreeView*>()->sizeHint().height());
         QVERIFY(!area->verticalScrollBar()->isVisible());
         for (const auto* button : panel.findChildren<QPushButton*>()) QVERIFY(!button->visibleRegion().isEmpty());
     }
@@ -161,7 +167,8 @@ private slots:
         // The first triangle that a hidden node kept out.
         QModelIndex hidden;
         for (int row = 0; row < model->rowCount() && !hidden.isValid(); ++row)
-            if (panel.answer()->candidates[static_cast<std::size_t>(row)].fate == PixelFate::NodeHidden) hidden = model->index(row, 0);
+            if (panel.answer()->candidates[static_cast<std::size_t>(row)].fate == PixelFate::NodeHidden)
+                hidden = model->index(row, 0);
         QVERIFY(hidden.isValid());
         tree->setCurrentIndex(hidden);
         QVERIFY(desk.session.now().selectedTriangle);
@@ -210,9 +217,13 @@ private slots:
             return QTest::qWaitFor([&] { return panel.isIdle(); }, Desk::kLong);
         };
         const auto says = [&](const QString& words) {
-            return QTest::qWaitFor([&] {
-                return std::ranges::any_of(panel.findChildren<QLabel*>(), [&](const QLabel* label) { return label->isVisible() && label->text().contains(words); });
-            }, 2000);
+            return QTest::qWaitFor(
+                [&] {
+                    return std::ranges::any_of(panel.findChildren<QLabel*>(), [&](const QLabel* label) {
+                        return label->isVisible() && label->text().contains(words);
+                    });
+                },
+                2000);
         };
         QVERIFY(asks("999999999"));  // nothing is picked yet
         QVERIFY(says("there is no triangle 999999999"));

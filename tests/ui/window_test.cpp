@@ -162,17 +162,19 @@ private slots:
             auto* menu    = qobject_cast<QMenu*>(camera->associatedObjects().front());
             QVERIFY(menu);
             menu->ensurePolished();
-            const QImage picture = menu->grab().toImage();
+            const QImage picture  = menu->grab().toImage();
             const auto   isMarked = [&](QAction* action) {  // something beside the name that is not the ground
                 QRect place = menu->actionGeometry(action);
                 place.setWidth(26);
                 const QColor ground = picture.pixelColor(place.topLeft() + QPoint(1, 1));
                 int          marks  = 0;
                 for (int y = place.top(); y <= place.bottom(); ++y)
-                    for (int x = place.left(); x <= place.right(); ++x) marks += std::abs(picture.pixelColor(x, y).lightness() - ground.lightness()) > 60;
+                    for (int x = place.left(); x <= place.right(); ++x)
+                        marks += std::abs(picture.pixelColor(x, y).lightness() - ground.lightness()) > 60;
                 return marks;
             };
-            QVERIFY(isMarked(tool == Tool::Camera ? camera : inspect) > isMarked(tool == Tool::Camera ? inspect : camera) + 8);
+            QVERIFY(isMarked(tool == Tool::Camera ? camera : inspect)
+                    > isMarked(tool == Tool::Camera ? inspect : camera) + 8);
         }
     }
     void itsFirstSizeIsMostOfTheScreenAndNeverMore()
@@ -231,11 +233,13 @@ private slots:
             QApplication::sendEvent(&widget, &asked);
             return asked.isAccepted();
         };
-        for (const Qt::Key key : {Qt::Key_1, Qt::Key_3, Qt::Key_7, Qt::Key_Enter}) QVERIFY(isTakenFrom(desk.window, key, {}));
+        for (const Qt::Key key : {Qt::Key_1, Qt::Key_3, Qt::Key_7, Qt::Key_Enter})
+            QVERIFY(isTakenFrom(desk.window, key, {}));
         QVERIFY(!isTakenFrom(desk.window, Qt::Key_2, "2"));
 
         const Camera camera = desk.session.now().camera;
-        for (QWidget* field : {static_cast<QWidget*>(new QSpinBox(&desk.window)), static_cast<QWidget*>(new QLineEdit(&desk.window))}) {
+        for (QWidget* field :
+             {static_cast<QWidget*>(new QSpinBox(&desk.window)), static_cast<QWidget*>(new QLineEdit(&desk.window))}) {
             field->show();
             field->setFocus();
             QVERIFY(field->hasFocus());
@@ -263,9 +267,8 @@ private slots:
         const auto owner = pickedTriangle(desk.session.now());
         QVERIFY(owner);
         QAbstractItemModel& model = *desk.table()->model();
-        int lit = 0;
-        for (int row = 0; row < model.rowCount(); ++row)
-            lit += model.index(row, 1).data(Qt::BackgroundRole).isValid();
+        int                 lit   = 0;
+        for (int row = 0; row < model.rowCount(); ++row) lit += model.index(row, 1).data(Qt::BackgroundRole).isValid();
         QVERIFY(lit >= 1);
 
         desk.table()->setCurrentIndex(model.index(0, 1));
@@ -293,7 +296,8 @@ private slots:
         const QPoint  cursor = view.rect().center() + QPoint(40, 30);
         const QPointF held   = view.view().toPicture(QPointF(cursor) * view.devicePixelRatioF());
         const double  before = view.view().zoom();
-        QWheelEvent   wheel(cursor, view.mapToGlobal(cursor), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QWheelEvent   wheel(cursor, view.mapToGlobal(cursor), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                            Qt::NoScrollPhase, false);
         QApplication::sendEvent(&view, &wheel);
         QVERIFY(view.view().zoom() > before);
         const QPointF now = view.view().toPicture(QPointF(cursor) * view.devicePixelRatioF());
@@ -349,7 +353,8 @@ private slots:
         QTest::keyRelease(&view, Qt::Key_W);
         QVERIFY(desk.settles());
         QVERIFY(!(desk.session.now().camera.eye == orbited.eye));
-        QVERIFY(desk.session.now().camera.forward.x == orbited.forward.x || std::abs(desk.session.now().camera.forward.x - orbited.forward.x) < 1e-9);
+        QVERIFY(desk.session.now().camera.forward.x == orbited.forward.x
+                || std::abs(desk.session.now().camera.forward.x - orbited.forward.x) < 1e-9);
     }
     void aDroppedFileWithAChineseNameIsOpened()
     {
@@ -394,7 +399,8 @@ private slots:
         for (const auto* box : desk.window.findChildren<QComboBox*>()) QVERIFY(!box->accessibleName().isEmpty());
         for (const auto* button : desk.window.findChildren<QAbstractButton*>())
             if (button->isVisible() && !button->objectName().startsWith("qt_"))
-                QVERIFY2(!button->text().isEmpty() || !button->accessibleName().isEmpty(), qPrintable(button->objectName()));
+                QVERIFY2(!button->text().isEmpty() || !button->accessibleName().isEmpty(),
+                         qPrintable(button->objectName()));
     }
     void brokenSettingsDoNotBlockTheStart()
     {
@@ -402,7 +408,8 @@ private slots:
         const QString path = folder.filePath("settings.ini");
         QFile         file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("[window]\ngeometry=@ByteArray(nonsense)\nlayout=@Variant(\\0\\0\\xff)\n[files\nrecent=%%%\n\x01\x02");
+        file.write(
+            "[window]\ngeometry=@ByteArray(nonsense)\nlayout=@Variant(\\0\\0\\xff)\n[files\nrecent=%%%\n\x01\x02");
         file.close();
         Settings settings(path);
         settings.beginStart();

@@ -31,10 +31,10 @@ double sizeOf(const Bounds& scene)
 CameraControl CameraControl::of(const Camera& camera, const Bounds& scene)
 {
     CameraControl control;
-    control.right   = camera.right;
-    control.up      = camera.up;
-    control.forward = camera.forward;
-    control.unit    = sizeOf(scene);
+    control.right       = camera.right;
+    control.up          = camera.up;
+    control.forward     = camera.forward;
+    control.unit        = sizeOf(scene);
     const dvec3  middle = scene.isEmpty() ? camera.eye + camera.forward : (scene.min + scene.max) * 0.5;
     const double ahead  = glm::dot(middle - camera.eye, camera.forward);
     control.distance    = ahead > 1e-6 * control.unit ? ahead : control.unit;
@@ -64,10 +64,7 @@ void CameraControl::pan(double rightwards, double upwards, double focal)
     pivot += right * (rightwards * height) + up * (upwards * height);
 }
 
-void CameraControl::dolly(double factor)
-{
-    distance = std::clamp(distance * factor, 1e-6 * unit, 1e6 * unit);
-}
+void CameraControl::dolly(double factor) { distance = std::clamp(distance * factor, 1e-6 * unit, 1e6 * unit); }
 
 void CameraControl::fly(double rightwards, double upwards, double forwards)
 {
@@ -84,16 +81,22 @@ void CameraControl::look(double aboutUp, double aboutRight)
 void CameraControl::lookAlong(AxisView axis)
 {
     switch (axis) {
-    case AxisView::Front: right = {1, 0, 0}, up = {0, 1, 0}, forward = {0, 0, -1}; break;
-    case AxisView::Right: right = {0, 0, -1}, up = {0, 1, 0}, forward = {-1, 0, 0}; break;
-    case AxisView::Top: right = {1, 0, 0}, up = {0, 0, -1}, forward = {0, -1, 0}; break;
+        case AxisView::Front:
+            right = {1, 0, 0}, up = {0, 1, 0}, forward = {0, 0, -1};
+            break;
+        case AxisView::Right:
+            right = {0, 0, -1}, up = {0, 1, 0}, forward = {-1, 0, 0};
+            break;
+        case AxisView::Top:
+            right = {1, 0, 0}, up = {0, 0, -1}, forward = {0, -1, 0};
+            break;
     }
 }
 
 YzyAngles CameraControl::angles() const
 {
     // The rows of the model's rotation are the camera's axes: right, up, backwards.
-    const dvec3  back = -forward;
+    const dvec3  back      = -forward;
     const double cosSecond = std::clamp(up.y, -1.0, 1.0);
     const double sinSecond = std::hypot(up.x, up.z);
     if (sinSecond < 1e-9) {  // both outer axes coincide: everything is the third angle
@@ -142,7 +145,7 @@ NormalCube normalCubeOf(const Scene& scene)
         count += vertices;
     }
     if (count > 0) cube.centre = sum / count;
-    const dvec3 above = scene.bounds.max - cube.centre, below = cube.centre - scene.bounds.min;
+    const dvec3  above = scene.bounds.max - cube.centre, below = cube.centre - scene.bounds.min;
     const double reach = std::max({above.x, above.y, above.z, below.x, below.y, below.z});
     if (reach > 0 && std::isfinite(reach)) cube.halfSize = reach;
     return cube;

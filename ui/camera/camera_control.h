@@ -26,8 +26,8 @@ enum class AxisView { Front, Right, Top };  // looks along -z, -x, -y
 
 struct CameraControl {
     dvec3  pivot{0, 0, 0};
-    double distance = 1;          // from the eye to the pivot, > 0
-    double unit     = 1;          // a length of the scene's order of magnitude, > 0
+    double distance = 1;  // from the eye to the pivot, > 0
+    double unit     = 1;  // a length of the scene's order of magnitude, > 0
     dvec3  right{1, 0, 0};
     dvec3  up{0, 1, 0};
     dvec3  forward{0, 0, -1};

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kAir       = 1.12;  // of the range of times, to both sides
 constexpr double kLeast     = 1.6;   // of its ends to each other
-constexpr double kBandShare = 0.4;  // of the height of the chart
+constexpr double kBandShare = 0.4;   // of the height of the chart
 constexpr double kBandGap   = 0.12;  // decades between the band and what is above it
 constexpr int    kMostTicks = 7;
 
@@ -20,11 +20,13 @@ std::vector<double> readableTicks(double low, double high)
     for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::ceil(std::log10(high)); ++decade)
         for (const double digit : {1.0, 2.0, 5.0})
             if (const double tick = digit * std::pow(10, decade); tick >= low && tick <= high) ticks.push_back(tick);
-    if (ticks.size() > kMostTicks) std::erase_if(ticks, [](double tick) { return std::abs(std::log10(tick) - std::round(std::log10(tick))) > 1e-9; });
+    if (ticks.size() > kMostTicks)
+        std::erase_if(ticks,
+                      [](double tick) { return std::abs(std::log10(tick) - std::round(std::log10(tick))) > 1e-9; });
     if (ticks.size() >= 3) return ticks;
 
     const double rough = (high - low) / 5, unit = std::pow(10, std::floor(std::log10(rough)));
-    const double step  = unit * (rough / unit > 5 ? 10 : rough / unit > 2 ? 5 : 2);
+    const double step = unit * (rough / unit > 5 ? 10 : rough / unit > 2 ? 5 : 2);
     ticks.clear();
     for (double tick = std::ceil(low / step) * step; tick <= high; tick += step) ticks.push_back(tick);
     return ticks;
@@ -69,15 +71,15 @@ ErrorScale errorScaleOf(std::span<const double> errors, bool whole)
     int low  = static_cast<int>(std::floor(std::log10(least)));
     int high = static_cast<int>(std::ceil(std::log10(most)));
     if (high - low < 2) high = low + 2;
-    scale.floor         = std::pow(10, low);
-    scale.ceiling       = std::pow(10, high);
+    scale.floor          = std::pow(10, low);
+    scale.ceiling        = std::pow(10, high);
     const double decades = high - low + (scale.hasInfinite ? 0.8 : 0.25);
-    scale.infinite      = std::pow(10, high + 0.5);
-    scale.top           = std::pow(10, low + decades);
+    scale.infinite       = std::pow(10, high + 0.5);
+    scale.top            = std::pow(10, low + decades);
     const double band    = decades * kBandShare / (1 - kBandShare);
-    scale.bandTop       = std::pow(10, low - kBandGap);
-    scale.bottom        = std::pow(10, low - kBandGap - band);
-    scale.zero          = std::pow(10, low - kBandGap - band / 2);
+    scale.bandTop        = std::pow(10, low - kBandGap);
+    scale.bottom         = std::pow(10, low - kBandGap - band);
+    scale.zero           = std::pow(10, low - kBandGap - band / 2);
     const int every      = 1 + (high - low) / kMostTicks;
     for (int decade = low; decade <= high; decade += every) scale.ticks.push_back(std::pow(10, decade));
     return scale;

@@ -14,7 +14,9 @@ std::vector<LabelPlace> candidates(const QPointF& point, const QSizeF& size, dou
 {
     const double            away = radius + kGap;
     std::vector<LabelPlace> all;
-    const auto add = [&](double left, double middle, bool isFar) { all.push_back({QRectF(QPointF(left, middle - size.height() / 2), size), isFar}); };
+    const auto              add = [&](double left, double middle, bool isFar) {
+        all.push_back({QRectF(QPointF(left, middle - size.height() / 2), size), isFar});
+    };
     add(point.x() + away, point.y(), false);
     add(point.x() - away - size.width(), point.y(), false);
     for (int row = 1; row <= kRows; ++row) {
@@ -29,10 +31,12 @@ std::vector<LabelPlace> candidates(const QPointF& point, const QSizeF& size, dou
 }  // namespace
 
 std::vector<std::optional<LabelPlace>> placeLabels(const std::vector<QPointF>& points, const std::vector<QSizeF>& sizes,
-                                                   const std::vector<std::size_t>& order, const std::vector<QRectF>& areas, double markRadius)
+                                                   const std::vector<std::size_t>& order,
+                                                   const std::vector<QRectF>& areas, double markRadius)
 {
     std::vector<QRectF> taken;
-    for (const QPointF& point : points) taken.emplace_back(point.x() - markRadius, point.y() - markRadius, 2 * markRadius, 2 * markRadius);
+    for (const QPointF& point : points)
+        taken.emplace_back(point.x() - markRadius, point.y() - markRadius, 2 * markRadius, 2 * markRadius);
     std::vector<std::optional<LabelPlace>> places(points.size());
     for (const std::size_t i : order) {
         for (const LabelPlace& place : candidates(points[i], sizes[i], markRadius)) {

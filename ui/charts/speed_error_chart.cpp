@@ -16,18 +16,23 @@
 namespace zscope::ui {
 namespace {
 
-constexpr double kMark = 9;      // pixels across
-constexpr double kReach = 12;    // how near a click has to be
+constexpr double     kMark  = 9;   // pixels across
+constexpr double     kReach = 12;  // how near a click has to be
 constexpr std::array kMarks{RunMark::Exact, RunMark::ByFace, RunMark::Approximate, RunMark::Broken};
 
 QCPScatterStyle::ScatterShape scatterOf(RunMark mark)
 {
     switch (mark) {
-    case RunMark::Exact: return QCPScatterStyle::ssCircle;
-    case RunMark::ByFace: return QCPScatterStyle::ssDiamond;
-    case RunMark::Approximate: return QCPScatterStyle::ssTriangle;
-    case RunMark::Broken: return QCPScatterStyle::ssCross;
-    case RunMark::Unchecked: break;
+        case RunMark::Exact:
+            return QCPScatterStyle::ssCircle;
+        case RunMark::ByFace:
+            return QCPScatterStyle::ssDiamond;
+        case RunMark::Approximate:
+            return QCPScatterStyle::ssTriangle;
+        case RunMark::Broken:
+            return QCPScatterStyle::ssCross;
+        case RunMark::Unchecked:
+            break;
     }
     return QCPScatterStyle::ssCircle;
 }
@@ -37,10 +42,12 @@ QString decadeText(double decade)
 {
     const int exponent = static_cast<int>(std::lround(std::log10(decade)));
     if (exponent >= 0 && exponent <= 6) return grouped(static_cast<std::uint64_t>(std::llround(decade)));
-    static constexpr std::array<char16_t, 10> kRaised{u'\u2070', u'\u00B9', u'\u00B2', u'\u00B3', u'\u2074', u'\u2075', u'\u2076', u'\u2077', u'\u2078', u'\u2079'};
-    QString text = QStringLiteral("10");
+    static constexpr std::array<char16_t, 10> kRaised{u'\u2070', u'\u00B9', u'\u00B2', u'\u00B3', u'\u2074',
+                                                      u'\u2075', u'\u2076', u'\u2077', u'\u2078', u'\u2079'};
+    QString                                   text = QStringLiteral("10");
     if (exponent < 0) text += QChar(0x207B);
-    for (const QChar digit : QString::number(std::abs(exponent))) text += QChar(kRaised[static_cast<std::size_t>(digit.digitValue())]);
+    for (const QChar digit : QString::number(std::abs(exponent)))
+        text += QChar(kRaised[static_cast<std::size_t>(digit.digitValue())]);
     return text;
 }
 
@@ -149,7 +156,8 @@ void SpeedErrorChart::dress()
 
     QStringList kinds;
     for (const RunMark mark : kMarks)
-        if (std::ranges::find(m_points, mark, &SpeedErrorPoint::mark) != m_points.end()) kinds << shapeOf(mark) + ' ' + nameOf(mark);
+        if (std::ranges::find(m_points, mark, &SpeedErrorPoint::mark) != m_points.end())
+            kinds << shapeOf(mark) + ' ' + nameOf(mark);
     if (kinds.isEmpty()) return;
     kinds << QStringLiteral("\u2014 ") + tr("unbeaten");
     plotLayout()->insertRow(0);
@@ -216,7 +224,8 @@ void SpeedErrorChart::addPoints()
         }
         auto* marks = addGraph();
         marks->setLineStyle(QCPGraph::lsNone);
-        QCPScatterStyle style(scatterOf(mark), QPen(mark == RunMark::Broken ? colour : theme.card, mark == RunMark::Broken ? 2 : 1),
+        QCPScatterStyle style(scatterOf(mark),
+                              QPen(mark == RunMark::Broken ? colour : theme.card, mark == RunMark::Broken ? 2 : 1),
                               QBrush(colour), kMark);
         marks->setScatterStyle(style);
         for (const SpeedErrorPoint& point : m_points)
@@ -227,7 +236,8 @@ void SpeedErrorChart::addPoints()
 void SpeedErrorChart::addRings()
 {
     const Theme& theme = themeOf(palette());
-    const auto   ring  = [this](std::optional<std::size_t> which, QCPScatterStyle::ScatterShape shape, const QColor& colour, double across) {
+    const auto   ring  = [this](std::optional<std::size_t> which, QCPScatterStyle::ScatterShape shape,
+                             const QColor& colour, double across) {
         if (!which || *which >= m_points.size()) return;
         auto* graph = addGraph();
         graph->setLineStyle(QCPGraph::lsNone);
@@ -256,12 +266,13 @@ void SpeedErrorChart::addLabels()
     const double         bandTop = yAxis->coordToPixel(m_errors.bandTop);
     for (std::size_t i = 0; i < m_points.size(); ++i) {
         places.push_back(placeOf(i));
-        areas.push_back(m_points[i].error > 0 ? QRectF(all.topLeft(), QPointF(all.right(), bandTop)) : QRectF(QPointF(all.left(), bandTop), all.bottomRight()));
+        areas.push_back(m_points[i].error > 0 ? QRectF(all.topLeft(), QPointF(all.right(), bandTop))
+                                              : QRectF(QPointF(all.left(), bandTop), all.bottomRight()));
         sizes.emplace_back(metrics.horizontalAdvance(m_points[i].name) + 2, metrics.height());
     }
     // Who is looked at first, then who is worth choosing, then the rest from the fastest on.
     std::vector<std::size_t> order;
-    const auto next = [&order](std::size_t i) {
+    const auto               next = [&order](std::size_t i) {
         if (std::ranges::find(order, i) == order.end()) order.push_back(i);
     };
     if (m_current && *m_current < m_points.size()) next(*m_current);
@@ -282,7 +293,8 @@ void SpeedErrorChart::addLabels()
             leader->start->setType(QCPItemPosition::ptAbsolute);
             leader->end->setType(QCPItemPosition::ptAbsolute);
             leader->start->setCoords(places[i]);
-            leader->end->setCoords(std::clamp(places[i].x(), rect.left(), rect.right()), rect.center().y() < places[i].y() ? rect.bottom() - 1 : rect.top() + 1);
+            leader->end->setCoords(std::clamp(places[i].x(), rect.left(), rect.right()),
+                                   rect.center().y() < places[i].y() ? rect.bottom() - 1 : rect.top() + 1);
             leader->setPen(QPen(theme.border, 1));
             leader->setLayer(QStringLiteral("grid"));
             m_labelItems.push_back(leader);
@@ -316,7 +328,8 @@ void SpeedErrorChart::walk(int by, bool byError)
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
         const SpeedErrorPoint &p = m_points[a], &q = m_points[b];
-        return byError ? std::pair(p.error, p.ms) < std::pair(q.error, q.ms) : std::pair(p.ms, p.error) < std::pair(q.ms, q.error);
+        return byError ? std::pair(p.error, p.ms) < std::pair(q.error, q.ms)
+                       : std::pair(p.ms, p.error) < std::pair(q.ms, q.error);
     });
     std::ptrdiff_t at = by > 0 ? -1 : static_cast<std::ptrdiff_t>(order.size());
     if (m_current) at = std::ranges::find(order, *m_current) - order.begin();
@@ -329,17 +342,24 @@ void SpeedErrorChart::keyPressEvent(QKeyEvent* event)
 {
     const int all = static_cast<int>(m_points.size());
     switch (event->key()) {
-    case Qt::Key_Left: return walk(-1, false);
-    case Qt::Key_Right: return walk(1, false);
-    case Qt::Key_Down: return walk(-1, true);
-    case Qt::Key_Up: return walk(1, true);
-    case Qt::Key_Home: return walk(-all, false);
-    case Qt::Key_End: return walk(all, false);
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        if (m_current) emit chosen(*m_current);
-        return;
-    default: QCustomPlot::keyPressEvent(event);
+        case Qt::Key_Left:
+            return walk(-1, false);
+        case Qt::Key_Right:
+            return walk(1, false);
+        case Qt::Key_Down:
+            return walk(-1, true);
+        case Qt::Key_Up:
+            return walk(1, true);
+        case Qt::Key_Home:
+            return walk(-all, false);
+        case Qt::Key_End:
+            return walk(all, false);
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            if (m_current) emit chosen(*m_current);
+            return;
+        default:
+            QCustomPlot::keyPressEvent(event);
     }
 }
 
@@ -399,8 +419,10 @@ bool SpeedErrorChart::event(QEvent* event)
 {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        if (const auto point = pointNear(help->pos())) QToolTip::showText(help->globalPos(), sentenceOf(m_points[*point], m_measure), this);
-        else QToolTip::hideText();
+        if (const auto point = pointNear(help->pos()))
+            QToolTip::showText(help->globalPos(), sentenceOf(m_points[*point], m_measure), this);
+        else
+            QToolTip::hideText();
         return true;
     }
     if (event->type() == QEvent::ShortcutOverride) {  // else they are the run's first and last step

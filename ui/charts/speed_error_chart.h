@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Speed against error, live: a point per run, the set that nothing beats in both joined by a line, a band for zero.
 //
-// Data       setPoints() lays everything out; painting only shows what was laid out. Sizes, palette and language likewise
-// Shapes     a mark's shape says what its picture was; colour only repeats it. The point that is current has a ring, the
-//            one that is in the window a square
+// Data       setPoints() lays everything out; painting only shows what was laid out. Sizes, palette and language
+//            likewise
+// Shapes     a mark's shape says what its picture was; colour only repeats it. The point that is current has a ring,
+//            the one that is in the window a square
 // Keys       Left and Right walk by time, Up and Down by error, Home and End to the fastest and slowest; Enter loads
 // Alone      needs a QApplication and no session: a report draws the same chart without a window (toPixmap)
 #pragma once
@@ -56,25 +57,25 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void layOut();
-    void dress();
-    void scaleAxes();
-    void addPoints();
-    void addRings();
-    void addLabels();  // once the axes have their places
-    void describe();
-    void walk(int by, bool byError);
+    void                       layOut();
+    void                       dress();
+    void                       scaleAxes();
+    void                       addPoints();
+    void                       addRings();
+    void                       addLabels();  // once the axes have their places
+    void                       describe();
+    void                       walk(int by, bool byError);
     std::optional<std::size_t> pointNear(const QPointF& place) const;
 
-    std::vector<SpeedErrorPoint> m_points;
-    ErrorMeasure                 m_measure = ErrorMeasure::WrongPixels;
-    std::optional<std::size_t>   m_current, m_loaded;
-    ErrorScale                   m_errors;
+    std::vector<SpeedErrorPoint>           m_points;
+    ErrorMeasure                           m_measure = ErrorMeasure::WrongPixels;
+    std::optional<std::size_t>             m_current, m_loaded;
+    ErrorScale                             m_errors;
     std::vector<std::optional<LabelPlace>> m_labels;
     std::vector<QCPAbstractItem*>          m_labelItems;
-    QPointer<QCPTextElement>     m_legend;
-    std::optional<QPointF>       m_pressed;
-    bool                         m_placesLabels = false;
+    QPointer<QCPTextElement>               m_legend;
+    std::optional<QPointF>                 m_pressed;
+    bool                                   m_placesLabels = false;
 };
 
 }  // namespace zscope::ui

@@ -25,9 +25,12 @@ RunMark markOf(const BenchRow& row)
     if (!row.figures) return RunMark::Unchecked;
     if (row.isBroken()) return RunMark::Broken;
     switch (row.claim) {
-    case Claim::Exact: return RunMark::Exact;
-    case Claim::ExactByFace: return RunMark::ByFace;
-    case Claim::Approximate: break;
+        case Claim::Exact:
+            return RunMark::Exact;
+        case Claim::ExactByFace:
+            return RunMark::ByFace;
+        case Claim::Approximate:
+            break;
     }
     return RunMark::Approximate;
 }
@@ -35,11 +38,16 @@ RunMark markOf(const BenchRow& row)
 QString shapeOf(RunMark mark)
 {
     switch (mark) {
-    case RunMark::Exact: return QStringLiteral("\u25CF");
-    case RunMark::ByFace: return QStringLiteral("\u25C6");
-    case RunMark::Approximate: return QStringLiteral("\u25B2");
-    case RunMark::Broken: return QStringLiteral("\u2716");
-    case RunMark::Unchecked: return QStringLiteral("\u25CB");
+        case RunMark::Exact:
+            return QStringLiteral("\u25CF");
+        case RunMark::ByFace:
+            return QStringLiteral("\u25C6");
+        case RunMark::Approximate:
+            return QStringLiteral("\u25B2");
+        case RunMark::Broken:
+            return QStringLiteral("\u2716");
+        case RunMark::Unchecked:
+            return QStringLiteral("\u25CB");
     }
     return {};
 }
@@ -47,11 +55,16 @@ QString shapeOf(RunMark mark)
 QString nameOf(RunMark mark)
 {
     switch (mark) {
-    case RunMark::Exact: return Words::tr("exact");
-    case RunMark::ByFace: return Words::tr("exact by face");
-    case RunMark::Approximate: return Words::tr("approximate");
-    case RunMark::Broken: return Words::tr("wrong");
-    case RunMark::Unchecked: return Words::tr("unchecked");
+        case RunMark::Exact:
+            return Words::tr("exact");
+        case RunMark::ByFace:
+            return Words::tr("exact by face");
+        case RunMark::Approximate:
+            return Words::tr("approximate");
+        case RunMark::Broken:
+            return Words::tr("wrong");
+        case RunMark::Unchecked:
+            return Words::tr("unchecked");
     }
     return {};
 }
@@ -59,11 +72,16 @@ QString nameOf(RunMark mark)
 const QColor& colourOf(RunMark mark, const Theme& theme)
 {
     switch (mark) {
-    case RunMark::Exact: return theme.entered;
-    case RunMark::ByFace: return theme.picked;
-    case RunMark::Approximate: return theme.left;
-    case RunMark::Broken: return theme.error;
-    case RunMark::Unchecked: break;
+        case RunMark::Exact:
+            return theme.entered;
+        case RunMark::ByFace:
+            return theme.picked;
+        case RunMark::Approximate:
+            return theme.left;
+        case RunMark::Broken:
+            return theme.error;
+        case RunMark::Unchecked:
+            break;
     }
     return theme.outside;
 }
@@ -72,13 +90,16 @@ double errorOf(const BenchRow& row, ErrorMeasure measure)
 {
     if (measure == ErrorMeasure::DepthDistance) return row.figures->worstDistance();
     // Of a method that draws faces it is what that method promises: coverage.
-    return static_cast<double>(row.claim == Claim::ExactByFace ? row.figures->wrongCoverage() : row.figures->wrongPixels());
+    return static_cast<double>(row.claim == Claim::ExactByFace ? row.figures->wrongCoverage()
+                                                               : row.figures->wrongPixels());
 }
 
 QString errorText(double error, ErrorMeasure measure)
 {
     if (measure == ErrorMeasure::WrongPixels)
-        return error <= 0 ? Words::tr("no wrong pixel") : counted(static_cast<std::uint64_t>(error), Words::tr("1 wrong pixel"), Words::tr("%1 wrong pixels"));
+        return error <= 0 ? Words::tr("no wrong pixel")
+                          : counted(static_cast<std::uint64_t>(error), Words::tr("1 wrong pixel"),
+                                    Words::tr("%1 wrong pixels"));
     return error <= 0 ? Words::tr("no depth is off") : Words::tr("depth off by up to %1").arg(significant(error, 3));
 }
 
@@ -99,25 +120,35 @@ std::vector<std::size_t> worthChoosing(const std::vector<SpeedErrorPoint>& point
 QString sentenceOf(const std::vector<SpeedErrorPoint>& points, ErrorMeasure measure)
 {
     if (points.empty()) return Words::tr("No run of this view has been checked against the reference.");
-    QString said = counted(points.size(), Words::tr("One run."), Words::tr("%1 runs."));
+    QString                said    = counted(points.size(), Words::tr("One run."), Words::tr("%1 runs."));
     const SpeedErrorPoint* fastest = nullptr;
     for (const SpeedErrorPoint& point : points)
         if (point.mark != RunMark::Broken && point.error <= 0 && (!fastest || point.ms < fastest->ms)) fastest = &point;
-    said += ' ' + (fastest ? Words::tr("The fastest without error is %1, at %2.").arg(fastest->name, timeText(fastest->ms)) : Words::tr("None is without error."));
+    said += ' '
+            + (fastest ? Words::tr("The fastest without error is %1, at %2.").arg(fastest->name, timeText(fastest->ms))
+                       : Words::tr("None is without error."));
     QStringList beyond;
     for (const std::size_t i : worthChoosing(points))
-        if (points[i].error > 0) beyond << Words::tr("%1 (%2, %3)").arg(points[i].name, timeText(points[i].ms), errorText(points[i].error, measure));
-    if (!beyond.isEmpty()) said += ' ' + Words::tr("Faster at the price of an error: %1.").arg(beyond.join(Words::tr(", ")));
-    else if (fastest) said += ' ' + Words::tr("No error buys more speed.");
+        if (points[i].error > 0)
+            beyond << Words::tr("%1 (%2, %3)")
+                          .arg(points[i].name, timeText(points[i].ms), errorText(points[i].error, measure));
+    if (!beyond.isEmpty())
+        said += ' ' + Words::tr("Faster at the price of an error: %1.").arg(beyond.join(Words::tr(", ")));
+    else if (fastest)
+        said += ' ' + Words::tr("No error buys more speed.");
     const auto broken = static_cast<std::uint64_t>(std::ranges::count(points, RunMark::Broken, &SpeedErrorPoint::mark));
-    if (broken > 0) said += ' ' + counted(broken, Words::tr("1 is wrong although it promised to be exact."), Words::tr("%1 are wrong although they promised to be exact."));
+    if (broken > 0)
+        said += ' '
+                + counted(broken, Words::tr("1 is wrong although it promised to be exact."),
+                          Words::tr("%1 are wrong although they promised to be exact."));
     return said;
 }
 
 QString sentenceOf(const SpeedErrorPoint& point, ErrorMeasure measure)
 {
     return Words::tr("%1, %2: %3, half of the frames between %4 and %5; %6.")
-        .arg(point.name, nameOf(point.mark), timeText(point.ms), decimal(point.q1, 3), timeText(point.q3), errorText(point.error, measure));
+        .arg(point.name, nameOf(point.mark), timeText(point.ms), decimal(point.q1, 3), timeText(point.q3),
+             errorText(point.error, measure));
 }
 
 }  // namespace zscope::ui

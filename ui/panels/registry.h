@@ -18,8 +18,8 @@ struct PanelEntry {
     Panel* (*make)(Session& session);
     bool (*isNeededBy)(const Pipeline& pipeline);  // a panel nothing would be shown in folds away
     const char* tabbedWith = nullptr;  // the word of the panel whose place it shares, as a tab, in the Teach layout
-    int         share = 1;             // of the height of its area, among those that are needed
-    bool        isInTeach = true;      // else the View menu, or another layout, opens it
+    int         share      = 1;        // of the height of its area, among those that are needed
+    bool        isInTeach  = true;     // else the View menu, or another layout, opens it
 
     QString translatedTitle() const;
 };

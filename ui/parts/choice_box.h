@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A box to choose from. A name that is longer than the box ends in an ellipsis, where Qt's own would be cut off in the middle of a letter, and a box that is
-// as wide as its longest name is so under a style sheet, too; and who has chosen with the mouse has not turned the keys away from the picture: Space still
-// plays.
+// A box to choose from. A name that is longer than the box ends in an
+// ellipsis, where Qt's own would be cut off in the middle of a letter, and a box that is as wide as its longest name is
+// so under a style sheet, too; and who has chosen with the mouse has not turned the keys away from the picture: Space
+// still plays.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,8 @@ public:
         QStyleOptionComboBox option;
         initStyleOption(&option);
         option.rect = QRect(QPoint(0, 0), hint);
-        hint.rwidth() += std::max(0, longest + 1 - roomIn(option));  // advances are rounded, and who shortens a name compares exactly
+        // advances are rounded, and who shortens a name compares exactly
+        hint.rwidth() += std::max(0, longest + 1 - roomIn(option));
         return hint;
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a row of a table or tree is drawn: its marks and verdicts keep their colours when it is selected, and no cell of it gets
-// a box of its own.
+// How a row of a table or tree is drawn: its marks and verdicts keep their
+// colours when it is selected, and no cell of it gets a box of its own.
 #pragma once
 
 #include <QStyledItemDelegate>

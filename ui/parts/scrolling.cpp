@@ -11,7 +11,7 @@ int ScrolledPart::heightForWidth(int width) const { return layout()->totalMinimu
 QWidget* scrolling(ScrolledPart* inside)
 {
     constexpr int kLowest = 88;
-    auto* area = new QScrollArea;
+    auto*         area    = new QScrollArea;
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -6,8 +6,9 @@
 
 namespace zscope::ui {
 
-/// What is scrolled; needs a layout. Lists and pictures in it give way down to their least height before anything scrolls: a scroll
-/// area by itself leaves a text that wraps, and with it everything beside it, the height that it likes best.
+/// What is scrolled; needs a layout. Lists and pictures in it give way down to their least height before anything
+/// scrolls: a scroll area by itself leaves a text that wraps, and with it everything beside it, the height that it
+/// likes best.
 class ScrolledPart : public QWidget {
 public:
     using QWidget::QWidget;

@@ -7,6 +7,9 @@
 
 namespace zscope::ui {
 
-inline bool isTyping(const QWidget& widget) { return qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget); }
+inline bool isTyping(const QWidget& widget)
+{
+    return qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget);
+}
 
 }  // namespace zscope::ui

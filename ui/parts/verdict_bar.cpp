@@ -50,11 +50,15 @@ void VerdictBar::dress()
         QToolButton& button = *m_buttons[at];
         button.setText(shapeOf(verdict) + QStringLiteral(" ") + grouped(m_counts[at]));
         button.setAccessibleName(tr("%1 nodes, %2").arg(nameOf(verdict), grouped(m_counts[at])));
-        button.setToolTip(m_chosen[at] ? tr("%1: shown. Click to hide them.").arg(nameOf(verdict)) : tr("%1: not shown. Click to show them.").arg(nameOf(verdict)));
-        const QString sheet = QStringLiteral("QToolButton#verdict { color: %1; border: 1px solid %2; background: %3; padding: 2px 6px; border-radius: 5px; }"
-                                             "QToolButton#verdict:focus { border-color: %4; }")
+        button.setToolTip(m_chosen[at] ? tr("%1: shown. Click to hide them.").arg(nameOf(verdict))
+                                       : tr("%1: not shown. Click to show them.").arg(nameOf(verdict)));
+        const QString sheet = QStringLiteral(
+                                  "QToolButton#verdict { color: %1; border: 1px solid %2; background: %3; padding: 2px "
+                                  "6px; border-radius: 5px; }"
+                                  "QToolButton#verdict:focus { border-color: %4; }")
                                   .arg(m_chosen[at] ? colourOf(verdict, theme).name() : theme.softText.name(),
-                                       m_chosen[at] ? colourOf(verdict, theme).name() : theme.border.name(), theme.card.name(), theme.picked.name());
+                                       m_chosen[at] ? colourOf(verdict, theme).name() : theme.border.name(),
+                                       theme.card.name(), theme.picked.name());
         if (button.styleSheet() != sheet) button.setStyleSheet(sheet);
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A row of switches, one per verdict, each with its shape, colour and how many nodes have it: filter, legend and count in one.
+// A row of switches, one per verdict, each with its shape, colour and how
+// many nodes have it: filter, legend and count in one.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wheel scrolls what is under the cursor and changes nothing on its way: a box with choices never turns by it, a field with a
-// number or a slider only while it has the focus, and the wheel gives the focus to none of them.
+// The wheel scrolls what is under the cursor and changes nothing on its way:
+// a box with choices never turns by it, a field with a number or a slider only while it has the focus, and the wheel
+// gives the focus to none of them.
 #pragma once
 
 #include <QObject>

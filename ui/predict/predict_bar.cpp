@@ -33,9 +33,9 @@ QLabel* wrapped(Qt::TextFormat format)
 }  // namespace
 
 PredictBar::PredictBar(Session& session, Topic topic, QWidget* parent)
-    : QWidget(parent), m_session(session), m_topic(topic), m_on(new QCheckBox), m_score(new QLabel), m_save(new QPushButton),
-      m_question(wrapped(Qt::PlainText)), m_answer(new QWidget), m_choices(new QHBoxLayout), m_number(new QLineEdit), m_check(new QPushButton),
-      m_verdict(wrapped(Qt::RichText))
+    : QWidget(parent), m_session(session), m_topic(topic), m_on(new QCheckBox), m_score(new QLabel),
+      m_save(new QPushButton), m_question(wrapped(Qt::PlainText)), m_answer(new QWidget), m_choices(new QHBoxLayout),
+      m_number(new QLineEdit), m_check(new QPushButton), m_verdict(wrapped(Qt::RichText))
 {
     m_on->setFocusPolicy(Qt::TabFocus);
     m_save->setFocusPolicy(Qt::TabFocus);
@@ -122,7 +122,8 @@ void PredictBar::presentQuestion()
 QString PredictBar::hintText() const
 {
     const Snapshot& now  = m_session.now();
-    const bool      asks = m_topic == Topic::Edges || now.grain == Grain::Node || (m_topic == Topic::Pyramid && (now.grain == Grain::Query || now.grain == Grain::Update));
+    const bool      asks = m_topic == Topic::Edges || now.grain == Grain::Node
+                      || (m_topic == Topic::Pyramid && (now.grain == Grain::Query || now.grain == Grain::Update));
     if (asks || !m_session.predictions().isOn(m_topic) || !now.scene) return {};
     return tr("Steps by the grain “%1” ask.").arg(nameOf(m_topic == Topic::Pyramid ? Grain::Query : Grain::Node));
 }
@@ -141,8 +142,13 @@ void PredictBar::presentScore()
     if (!last) return;
     const Theme& theme = themeOf(palette());
     m_verdict->setText(QStringLiteral("<b style='color:%1'>%2</b> %3")
-                           .arg((last->isRight ? theme.entered : last->given ? theme.error : theme.softText).name(),
-                                last->isRight ? tr("✔ Right.") : last->given ? tr("✘ Not right.") : tr("– Skipped."),
+                           .arg((last->isRight ? theme.entered
+                                 : last->given ? theme.error
+                                               : theme.softText)
+                                    .name(),
+                                last->isRight ? tr("✔ Right.")
+                                : last->given ? tr("✘ Not right.")
+                                              : tr("– Skipped."),
                                 truthText(last->riddle).toHtmlEscaped()));
 }
 
@@ -165,7 +171,8 @@ void PredictBar::answer(double given)
 
 void PredictBar::save()
 {
-    QString file = QFileDialog::getSaveFileName(this, tr("Save the score"), QDir::home().filePath("zscope-predictions.csv"), tr("Tables (*.csv)"));
+    QString file = QFileDialog::getSaveFileName(this, tr("Save the score"),
+                                                QDir::home().filePath("zscope-predictions.csv"), tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
     if (!file.endsWith(".csv", Qt::CaseInsensitive)) file += ".csv";
     if (const auto trouble = m_session.predictions().save(file)) emit m_session.failed(*trouble);

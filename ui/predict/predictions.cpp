@@ -20,19 +20,21 @@ bool isSameMoment(const ShownStep& a, const ShownStep& b)
 }
 bool followsDirectly(const ShownStep& before, const ShownStep& after)
 {
-    return before.generation == after.generation && before.state.grain == after.state.grain && after.state.step.value == before.state.step.value + 1;
+    return before.generation == after.generation && before.state.grain == after.state.grain
+           && after.state.step.value == before.state.step.value + 1;
 }
 
 bool isLater(const ShownStep& before, const ShownStep& after)
 {
-    return before.generation == after.generation && before.state.grain == after.state.grain && after.state.step.value > before.state.step.value;
+    return before.generation == after.generation && before.state.grain == after.state.grain
+           && after.state.step.value > before.state.step.value;
 }
 
 /// A cell of the table. What a spreadsheet would take for a formula is marked as text.
 QString cell(QString text)
 {
     static const QString kFormula = QStringLiteral("=+-@");
-    bool isNumber = false;
+    bool                 isNumber = false;
     text.toDouble(&isNumber);
     if (!isNumber && !text.isEmpty() && kFormula.contains(text.front())) text.prepend('\'');
     if (!text.contains(',') && !text.contains('"') && !text.contains('\n')) return text;
@@ -61,7 +63,7 @@ void Predictions::setOn(Topic topic, bool on)
 {
     if (isOn(topic) == on) return;
     m_on[static_cast<std::size_t>(topic)] = on;
-    at(topic) = {};
+    at(topic)                             = {};
     emit changed();
     m_session.presentAgain();
 }
@@ -115,9 +117,15 @@ std::optional<Snapshot> Predictions::before(const Snapshot& now) const
 void Predictions::keep(Topic topic, const ShownStep& step, std::optional<double> given)
 {
     const Riddle& riddle = *at(topic).riddle;
-    m_all.push_back({.at = QDateTime::currentDateTime(), .topic = topic, .scene = m_session.now().scene->word,
-                     .algorithm = QString::fromStdString(step.state.algorithm), .grain = fromWord(wordOf(step.state.grain)),
-                     .step = step.state.step.value + 1, .riddle = riddle, .given = given, .isRight = given && riddle.accepts(*given)});
+    m_all.push_back({.at        = QDateTime::currentDateTime(),
+                     .topic     = topic,
+                     .scene     = m_session.now().scene->word,
+                     .algorithm = QString::fromStdString(step.state.algorithm),
+                     .grain     = fromWord(wordOf(step.state.grain)),
+                     .step      = step.state.step.value + 1,
+                     .riddle    = riddle,
+                     .given     = given,
+                     .isRight   = given && riddle.accepts(*given)});
 }
 
 void Predictions::answer(Topic topic, double given)
@@ -136,22 +144,36 @@ const Predicted* Predictions::last(Topic topic) const { return at(topic).last ? 
 
 int Predictions::rightOf(Topic topic) const
 {
-    return static_cast<int>(std::ranges::count_if(m_all, [topic](const Predicted& one) { return one.topic == topic && one.isRight; }));
+    return static_cast<int>(
+        std::ranges::count_if(m_all, [topic](const Predicted& one) { return one.topic == topic && one.isRight; }));
 }
 
 int Predictions::skippedOf(Topic topic) const
 {
-    return static_cast<int>(std::ranges::count_if(m_all, [topic](const Predicted& one) { return one.topic == topic && !one.given; }));
+    return static_cast<int>(
+        std::ranges::count_if(m_all, [topic](const Predicted& one) { return one.topic == topic && !one.given; }));
 }
 
-int Predictions::countOf(Topic topic) const { return static_cast<int>(std::ranges::count(m_all, topic, &Predicted::topic)); }
+int Predictions::countOf(Topic topic) const
+{
+    return static_cast<int>(std::ranges::count(m_all, topic, &Predicted::topic));
+}
 
 QByteArray Predictions::table() const
 {
-    QString text = QStringLiteral("time,table,scene,algorithm,grain,step,question,answer,right answer,right,skipped\r\n");
+    QString text =
+        QStringLiteral("time,table,scene,algorithm,grain,step,question,answer,right answer,right,skipped\r\n");
     for (const Predicted& one : m_all) {
-        const QStringList row{one.at.toString(Qt::ISODate), titleOf(one.topic), one.scene, one.algorithm, one.grain, QString::number(one.step),
-                              askText(one.riddle), one.given ? answerText(one.riddle, *one.given) : QString(), answerText(one.riddle, one.riddle.answer), one.isRight ? "1" : "0",
+        const QStringList row{one.at.toString(Qt::ISODate),
+                              titleOf(one.topic),
+                              one.scene,
+                              one.algorithm,
+                              one.grain,
+                              QString::number(one.step),
+                              askText(one.riddle),
+                              one.given ? answerText(one.riddle, *one.given) : QString(),
+                              answerText(one.riddle, one.riddle.answer),
+                              one.isRight ? "1" : "0",
                               one.given ? "0" : "1"};
         for (qsizetype i = 0; i < row.size(); ++i) text += (i > 0 ? QStringLiteral(",") : QString()) + cell(row[i]);
         text += "\r\n";

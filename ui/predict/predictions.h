@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Predict mode: while it is on for a table, the next step is not shown there before the student has said what comes. It keeps
-// what was asked and answered, and writes it as a table for a spreadsheet.
+// Predict mode: while it is on for a table, the next step is not shown there
+// before the student has said what comes. It keeps what was asked and answered, and writes it as a table for a
+// spreadsheet.
 //
 // Skipped    going on with a question open is an answer, too: it is kept as skipped, and is not right
 // When       one step forward, by whatever key or button; a jump, a step back or another scene shows at once
-// Hidden     the table, as long as its question is open; the picture and the sentence under the timeline, as long as any is
+// Hidden     the table, as long as its question is open; the picture and the sentence under the timeline, as long as
+//            any is
 #pragma once
 
 #include <array>
@@ -23,13 +25,13 @@ class Session;
 
 /// One question that was answered, or passed by.
 struct Predicted {
-    QDateTime     at;
-    Topic         topic;
-    QString       scene, algorithm, grain;
-    std::uint64_t step = 0;  // from 1, as the window counts
-    Riddle        riddle;
-    std::optional<double> given = {};  // nothing: passed by
-    bool          isRight = false;
+    QDateTime             at;
+    Topic                 topic;
+    QString               scene, algorithm, grain;
+    std::uint64_t         step = 0;  // from 1, as the window counts
+    Riddle                riddle;
+    std::optional<double> given   = {};  // nothing: passed by
+    bool                  isRight = false;
 };
 
 class Predictions final : public QObject {
@@ -54,9 +56,9 @@ public:
     const Predicted* last(Topic topic) const;
 
     const std::vector<Predicted>& all() const { return m_all; }
-    int rightOf(Topic topic) const;
-    int countOf(Topic topic) const;
-    int skippedOf(Topic topic) const;
+    int                           rightOf(Topic topic) const;
+    int                           countOf(Topic topic) const;
+    int                           skippedOf(Topic topic) const;
     /// As CSV: UTF-8 with a byte order mark, commas, quotes where they are needed, so that any spreadsheet opens it.
     QByteArray table() const;
     /// Writes it whole or not at all. Returns the trouble as a sentence, or nothing.
@@ -73,8 +75,8 @@ private:
         std::optional<std::size_t>       last;    // of m_all
     };
 
-    void hear();
-    void keep(Topic topic, const ShownStep& step, std::optional<double> given);
+    void         hear();
+    void         keep(Topic topic, const ShownStep& step, std::optional<double> given);
     State&       at(Topic topic) { return m_state[static_cast<std::size_t>(topic)]; }
     const State& at(Topic topic) const { return m_state[static_cast<std::size_t>(topic)]; }
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include <QApplication>
 #include <qcustomplot.h>
+#include <QApplication>
 
 #include "ui/charts/speed_error_chart.h"
 #include "ui/report/report_words.h"
@@ -17,9 +17,8 @@ namespace zscope::ui {
 namespace {
 
 constexpr int    kWidth  = 900;
-constexpr double kScale  = 2;   // pixels of the picture per unit
+constexpr double kScale  = 2;  // pixels of the picture per unit
 constexpr int    kBarRow = 24;
-
 
 static_assert(kStages.size() <= 10);  // no two stages look alike
 
@@ -104,7 +103,8 @@ bool mixesShading(std::span<const ReportCase> cases)
 {
     const auto any = [cases](bool shaded) {
         return std::ranges::any_of(cases, [shaded](const ReportCase& each) {
-            return std::ranges::any_of(each.rows, [shaded](const BenchRow& row) { return !isPeer(row) && row.shaded == shaded; });
+            return std::ranges::any_of(each.rows,
+                                       [shaded](const BenchRow& row) { return !isPeer(row) && row.shaded == shaded; });
         });
     };
     return any(true) && any(false);
@@ -116,7 +116,8 @@ std::vector<QString> namesIn(std::span<const ReportCase> cases)
     std::vector<QString> names;
     for (const ReportCase& each : cases)
         for (const BenchRow& row : each.rows)
-            if (const QString name = nameOf(row, mixesShading(cases)); std::ranges::find(names, name) == names.end()) names.push_back(name);
+            if (const QString name = nameOf(row, mixesShading(cases)); std::ranges::find(names, name) == names.end())
+                names.push_back(name);
     return names;
 }
 
@@ -125,7 +126,7 @@ ReportChart stageChart(std::span<const ReportCase> cases)
     const bool  tellsShading = mixesShading(cases);
     QCustomPlot plot;
     dress(plot);
-    const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+    const auto                   ticker = QSharedPointer<QCPAxisTickerText>::create();
     std::vector<const BenchRow*> rows;
     double                       longest = 0;
     int                          place   = 0;
@@ -134,7 +135,9 @@ ReportChart stageChart(std::span<const ReportCase> cases)
         for (const BenchRow& row : each.rows) {
             if (row.isBroken()) continue;
             const bool isFirst = &row == &each.rows.front();
-            ticker->addTick(place, isFirst && cases.size() > 1 ? each.scene + QStringLiteral(":  ") + nameOf(row, tellsShading) : nameOf(row, tellsShading));
+            ticker->addTick(place, isFirst && cases.size() > 1
+                                       ? each.scene + QStringLiteral(":  ") + nameOf(row, tellsShading)
+                                       : nameOf(row, tellsShading));
             rows.push_back(&row);
             places.push_back(place++);
             longest = std::max(longest, row.medianMs);
@@ -143,10 +146,12 @@ ReportChart stageChart(std::span<const ReportCase> cases)
     }
     QCPBars* below = nullptr;
     for (std::size_t stage = 0; stage < kStages.size(); ++stage) {
-        if (std::ranges::none_of(rows, [&](const BenchRow* row) { return row->stageMs[stage] > 0.002 * longest; })) continue;
+        if (std::ranges::none_of(rows, [&](const BenchRow* row) { return row->stageMs[stage] > 0.002 * longest; }))
+            continue;
         auto*       bars = new QCPBars(plot.yAxis, plot.xAxis);
         const Look& look = lookOf(stage);
-        bars->setName(QString::fromUtf8(wordOf(kStages[stage]).data(), static_cast<qsizetype>(wordOf(kStages[stage]).size())));
+        bars->setName(
+            QString::fromUtf8(wordOf(kStages[stage]).data(), static_cast<qsizetype>(wordOf(kStages[stage]).size())));
         bars->setPen(QPen(look.colour.darker(130), 1));
         bars->setBrush(QBrush(look.colour, look.fill));
         bars->setWidth(0.72);
@@ -164,23 +169,28 @@ ReportChart stageChart(std::span<const ReportCase> cases)
     plot.xAxis->setLabel(Report::tr("ms, median frame"));
     putLegendBelow(plot, 6);
     plot.resize(kWidth, 110 + kBarRow * place);
-    return {QStringLiteral("stages"), Report::tr("Where the time goes"), plot.toPixmap(kWidth, 110 + kBarRow * place, kScale).toImage()};
+    return {QStringLiteral("stages"), Report::tr("Where the time goes"),
+            plot.toPixmap(kWidth, 110 + kBarRow * place, kScale).toImage()};
 }
 
 /// Times, or their ratios to a baseline, along the axis of the part.
-ReportChart growthChart(std::span<const ReportCase> cases, const QString& axis, const std::string& baseline, bool isRatio)
+ReportChart growthChart(std::span<const ReportCase> cases, const QString& axis, const std::string& baseline,
+                        bool isRatio)
 {
     QCustomPlot plot;
     dress(plot);
-    double lowX = 1e300, highX = 0, lowY = 1e300, highY = 0;
+    double                     lowX = 1e300, highX = 0, lowY = 1e300, highY = 0;
     const std::vector<QString> names        = namesIn(cases);
     const bool                 tellsShading = mixesShading(cases);
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::vector<double> x, y;
         for (const ReportCase& each : cases) {
-            const auto row = std::ranges::find_if(each.rows, [&](const BenchRow& r) { return nameOf(r, tellsShading) == names[i]; });
+            const auto row =
+                std::ranges::find_if(each.rows, [&](const BenchRow& r) { return nameOf(r, tellsShading) == names[i]; });
             if (row == each.rows.end() || row->isBroken() || each.place <= 0) continue;
-            const auto base = std::ranges::find_if(each.rows, [&](const BenchRow& r) { return r.algorithm == baseline && r.threads == row->threads && r.shaded == row->shaded; });
+            const auto base = std::ranges::find_if(each.rows, [&](const BenchRow& r) {
+                return r.algorithm == baseline && r.threads == row->threads && r.shaded == row->shaded;
+            });
             if (isRatio && (base == each.rows.end() || base->isBroken())) continue;
             x.push_back(each.place);
             y.push_back(isRatio ? row->medianMs / base->medianMs : row->medianMs);
@@ -192,10 +202,12 @@ ReportChart growthChart(std::span<const ReportCase> cases, const QString& axis, 
         graph->setPen(QPen(look.colour, 2, look.dash));
         graph->setScatterStyle(QCPScatterStyle(look.mark, QPen(look.colour, 1.5), QBrush(Qt::white), 9));
         const bool grows = !isRatio && x.size() >= 2;
-        graph->setName(grows ? Report::tr("%1: grows like n to the %2").arg(names[i], decimal(growthExponent(x, y), 2)) : names[i]);
+        graph->setName(grows ? Report::tr("%1: grows like n to the %2").arg(names[i], decimal(growthExponent(x, y), 2))
+                             : names[i]);
         const auto [left, right] = std::ranges::minmax(x);
         const auto [least, most] = std::ranges::minmax(y);
-        lowX = std::min(lowX, left), highX = std::max(highX, right), lowY = std::min(lowY, least), highY = std::max(highY, most);
+        lowX = std::min(lowX, left), highX = std::max(highX, right), lowY = std::min(lowY, least),
+        highY = std::max(highY, most);
     }
     if (isRatio) {
         lowY = std::min(lowY, 0.9), highY = std::max(highY, 1.1);
@@ -207,12 +219,14 @@ ReportChart growthChart(std::span<const ReportCase> cases, const QString& axis, 
     makeLogarithmic(*plot.xAxis, lowX, highX);
     makeLogarithmic(*plot.yAxis, lowY, highY);
     plot.xAxis->setLabel(axis);
-    plot.yAxis->setLabel(isRatio ? Report::tr("times as long as %1").arg(QString::fromStdString(baseline)) : Report::tr("ms, median frame"));
+    plot.yAxis->setLabel(isRatio ? Report::tr("times as long as %1").arg(QString::fromStdString(baseline))
+                                 : Report::tr("ms, median frame"));
     const int columns = isRatio ? 4 : 2;
     const int height  = 400 + 24 * ((static_cast<int>(names.size()) + columns - 1) / columns);
     putLegendBelow(plot, columns);
     return {isRatio ? QStringLiteral("break-even") : QStringLiteral("growth"),
-            isRatio ? Report::tr("Below the line: faster than %1").arg(QString::fromStdString(baseline)) : Report::tr("How the time grows"),
+            isRatio ? Report::tr("Below the line: faster than %1").arg(QString::fromStdString(baseline))
+                    : Report::tr("How the time grows"),
             plot.toPixmap(kWidth, height, kScale).toImage()};
 }
 
@@ -221,18 +235,20 @@ ReportChart errorChart(const ReportCase& each, std::size_t number)
     std::vector<SpeedErrorPoint> points;
     for (const BenchRow& row : each.rows)
         if (row.wrongPixels && row.medianMs > 0 && !isPeer(row))
-            points.push_back({nameOf(row, mixesShading({&each, 1})), row.medianMs, row.q1Ms, row.q3Ms, errorOf(row, ErrorMeasure::WrongPixels), markOf(row)});
+            points.push_back({nameOf(row, mixesShading({&each, 1})), row.medianMs, row.q1Ms, row.q3Ms,
+                              errorOf(row, ErrorMeasure::WrongPixels), markOf(row)});
     SpeedErrorChart chart;
     chart.setPalette(paletteOf(Appearance::Light, QPalette()));
     chart.resize(kWidth, 460);
     chart.setPoints(std::move(points), ErrorMeasure::WrongPixels);
-    return {QStringLiteral("speed-error-%1").arg(number), Report::tr("Speed against error: %1").arg(each.scene), chart.toPixmap(kWidth, 460, kScale).toImage()};
+    return {QStringLiteral("speed-error-%1").arg(number), Report::tr("Speed against error: %1").arg(each.scene),
+            chart.toPixmap(kWidth, 460, kScale).toImage()};
 }
 
 enum class SeriesFigure { Time, Wrong };
 
-/// Frame by frame along a camera path: times with the frame rate at the right, or the share of the picture that is wrong. A line
-/// stands where the camera cuts.
+/// Frame by frame along a camera path: times with the frame rate at the right, or the share of the picture that is
+/// wrong. A line stands where the camera cuts.
 ReportChart seriesChart(const ReportCase& each, std::size_t number, SeriesFigure figure)
 {
     const bool  isTime = figure == SeriesFigure::Time;
@@ -247,7 +263,9 @@ ReportChart seriesChart(const ReportCase& each, std::size_t number, SeriesFigure
         QVector<double>                 x, y;
         for (std::size_t frame = 0; frame < of.size(); ++frame) {
             x.push_back(static_cast<double>(frame));
-            y.push_back(isTime ? of[frame].ms : 100.0 * static_cast<double>(of[frame].wrongPixels.value_or(0)) / static_cast<double>(std::max<std::uint64_t>(of[frame].covered, 1)));
+            y.push_back(isTime ? of[frame].ms
+                               : 100.0 * static_cast<double>(of[frame].wrongPixels.value_or(0))
+                                     / static_cast<double>(std::max<std::uint64_t>(of[frame].covered, 1)));
             if (y.back() > 0) low = std::min(low, y.back());
             high = std::max(high, y.back());
         }
@@ -298,7 +316,8 @@ ReportChart seriesChart(const ReportCase& each, std::size_t number, SeriesFigure
     const int height = 360 + 24 * ((shown + 2) / 3);
     putLegendBelow(plot, 3);
     const QString title = isTime ? Report::tr("Frame by frame: %1") : Report::tr("Wrong pixels, frame by frame: %1");
-    return {QStringLiteral("%1-%2").arg(isTime ? "series" : "lag").arg(number), title.arg(each.scene), plot.toPixmap(kWidth, height, kScale).toImage()};
+    return {QStringLiteral("%1-%2").arg(isTime ? "series" : "lag").arg(number), title.arg(each.scene),
+            plot.toPixmap(kWidth, height, kScale).toImage()};
 }
 
 bool hasTime(const ReportCase& each)
@@ -327,7 +346,7 @@ void addStageCharts(std::span<const ReportCase> cases, std::vector<ReportChart>&
 
 double growthExponent(std::span<const double> x, std::span<const double> y)
 {
-    double meanX = 0, meanY = 0, both = 0, square = 0;
+    double     meanX = 0, meanY = 0, both = 0, square = 0;
     const auto n = static_cast<double>(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) meanX += std::log(x[i]) / n, meanY += std::log(y[i]) / n;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -343,17 +362,24 @@ std::vector<ReportChart> chartsOf(std::span<const ReportCase> cases, const QStri
     addStageCharts(cases, charts);
     const bool hasAxis = !axis.isEmpty() && cases.size() >= 2;
     if (hasAxis) charts.push_back(growthChart(cases, axis, baseline, false));
-    const bool hasBaseline = std::ranges::any_of(cases, [&](const ReportCase& each) { return std::ranges::find(each.rows, baseline, &BenchRow::algorithm) != each.rows.end(); });
+    const bool hasBaseline = std::ranges::any_of(cases, [&](const ReportCase& each) {
+        return std::ranges::find(each.rows, baseline, &BenchRow::algorithm) != each.rows.end();
+    });
     if (hasAxis && hasBaseline) charts.push_back(growthChart(cases, axis, baseline, true));
     std::size_t number = 0;
     for (const ReportCase& each : cases) {
         ++number;
-        if (std::ranges::any_of(each.rows, [](const BenchRow& row) { return row.series.has_value() && !row.isBroken(); })) {
+        if (std::ranges::any_of(each.rows,
+                                [](const BenchRow& row) { return row.series.has_value() && !row.isBroken(); })) {
             charts.push_back(seriesChart(each, number, SeriesFigure::Time));
-            if (std::ranges::any_of(each.rows, [](const BenchRow& row) { return row.series && !row.isBroken() && row.wrongPixels.value_or(0) > 0; }))
+            if (std::ranges::any_of(each.rows, [](const BenchRow& row) {
+                    return row.series && !row.isBroken() && row.wrongPixels.value_or(0) > 0;
+                }))
                 charts.push_back(seriesChart(each, number, SeriesFigure::Wrong));
         }
-        if (std::ranges::any_of(each.rows, [](const BenchRow& row) { return !isPeer(row) && row.wrongPixels.value_or(0) > 0; })) charts.push_back(errorChart(each, number));
+        if (std::ranges::any_of(each.rows,
+                                [](const BenchRow& row) { return !isPeer(row) && row.wrongPixels.value_or(0) > 0; }))
+            charts.push_back(errorChart(each, number));
     }
     return charts;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The charts of a report, drawn on paper's white whatever the window looks like.
 //
-// Fill, dash each stage has a filling and each algorithm a mark and a dash of its own, the same in all charts of a report
+// Fill, dash each stage has a filling and each algorithm a mark and a dash of its own, the same in all charts of a
+// report
 #pragma once
 
 #include <span>
@@ -30,8 +31,8 @@ struct ReportChart {
 /// Those of one part that have something to show. `axis`: what the places mean; empty: they are a list.
 std::vector<ReportChart> chartsOf(std::span<const ReportCase> cases, const QString& axis, const std::string& baseline);
 
-/// The slope of log(y) over log(x) by least squares: y grows like x to that power. At least two points, all above 0, not all at
-/// one x.
+/// The slope of log(y) over log(x) by least squares: y grows like x to that power. At least two points, all above 0,
+/// not all at one x.
 double growthExponent(std::span<const double> x, std::span<const double> y);
 
 }  // namespace zscope::ui

@@ -21,7 +21,7 @@ static void registerLessons()  // the macro wants to stand outside any namespace
 namespace zscope::ui {
 namespace {
 
-const QString kBundled = QStringLiteral(":/lessons");
+const QString kBundled  = QStringLiteral(":/lessons");
 constexpr int kSettleMs = 150;
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
@@ -31,7 +31,8 @@ QString nameOf(const QString& file) { return QFileInfo(file).completeBaseName();
 
 }  // namespace
 
-Course::Course(Session& session, QObject* parent) : QObject(parent), m_session(session), m_worker(std::make_unique<Worker>())
+Course::Course(Session& session, QObject* parent)
+    : QObject(parent), m_session(session), m_worker(std::make_unique<Worker>())
 {
     m_settle.setSingleShot(true);
     m_settle.setInterval(kSettleMs);
@@ -60,8 +61,11 @@ void Course::setFolder(const QString& folder)
 {
     m_folder = folder.isEmpty() ? QString() : QFileInfo(folder).absoluteFilePath();
     reload();
-    if (!m_folder.isEmpty() && !QFileInfo(m_folder).isDir()) emit troubled([folder = m_folder] { return tr("%1 is not a folder of lessons").arg(QDir::toNativeSeparators(folder)); });
-    else if (!m_troubles.empty()) emit troubled([error = m_troubles.front()] { return said(error); });
+    if (!m_folder.isEmpty() && !QFileInfo(m_folder).isDir())
+        emit troubled(
+            [folder = m_folder] { return tr("%1 is not a folder of lessons").arg(QDir::toNativeSeparators(folder)); });
+    else if (!m_troubles.empty())
+        emit troubled([error = m_troubles.front()] { return said(error); });
 }
 
 QStringList Course::troubles() const
@@ -76,15 +80,18 @@ void Course::readFolder(const QString& folder)
     const QDir here(folder);
     for (const QString& name : here.entryList({QStringLiteral("*.md")}, QDir::Files | QDir::Readable, QDir::Name)) {
         if (name.compare(QStringLiteral("README.md"), Qt::CaseInsensitive) == 0) continue;
-        const QString path = here.filePath(name);
+        const QString  path   = here.filePath(name);
         Result<Lesson> lesson = [&]() -> Result<Lesson> {
             if (!path.startsWith(':')) return readLesson(QDir::toNativeSeparators(path).toStdString());
             QFile file(path);
-            if (!file.open(QIODevice::ReadOnly)) return Error{Trouble::Input, "the lesson cannot be read", path.toStdString()};
+            if (!file.open(QIODevice::ReadOnly))
+                return Error{Trouble::Input, "the lesson cannot be read", path.toStdString()};
             return parseLesson(file.readAll().toStdString(), path.toStdString());
         }();
-        if (lesson) m_lessons.push_back(*std::move(lesson));
-        else m_troubles.push_back(lesson.error());
+        if (lesson)
+            m_lessons.push_back(*std::move(lesson));
+        else
+            m_troubles.push_back(lesson.error());
         if (!path.startsWith(':')) m_watcher.addPath(path);
     }
 }
@@ -107,8 +114,11 @@ void Course::reload()
     }
     if (before) {
         for (std::size_t i = 0; i < m_lessons.size(); ++i)
-            if (text(m_lessons[i].file) == before->first) goTo({i, std::min(before->second, m_lessons[i].pages.size() - 1)});
-        if (!m_place && std::ranges::any_of(m_troubles, [&](const Error& error) { return text(error.file) == before->first; })) m_broken = before;
+            if (text(m_lessons[i].file) == before->first)
+                goTo({i, std::min(before->second, m_lessons[i].pages.size() - 1)});
+        if (!m_place
+            && std::ranges::any_of(m_troubles, [&](const Error& error) { return text(error.file) == before->first; }))
+            m_broken = before;
     }
     emit changed();
 }
@@ -140,7 +150,8 @@ void Course::close()
     ++m_number;
     m_isComing = m_isAsked = false;
     m_worker->cancel();
-    if (const auto size = std::exchange(m_sizeBefore, {}); size && m_session.now().view.width > 0) m_session.setPictureSize(size->width(), size->height());
+    if (const auto size = std::exchange(m_sizeBefore, {}); size && m_session.now().view.width > 0)
+        m_session.setPictureSize(size->width(), size->height());
     emit changed();
 }
 
@@ -149,7 +160,8 @@ void Course::leaveIfElsewhere()
     const auto& scene = m_session.now().scene;
     if (!m_place || !scene || scene->word == text(page()->scene)) return;
     const ViewRequest &now = m_session.now().view, &ofPage = page()->view;
-    if (now.width != ofPage.width || now.height != ofPage.height) m_sizeBefore.reset();  // the new one has a size of its own
+    // the new one has a size of its own
+    if (now.width != ofPage.width || now.height != ofPage.height) m_sizeBefore.reset();
     showList();
 }
 
@@ -194,8 +206,10 @@ void Course::show()
     layers.pyramid = std::ranges::find(page.overlays, "pyramid") != page.overlays.end();
     m_session.setLayers(layers);
     const auto& scene = m_session.now().scene;
-    if (scene && scene->word == text(page.scene)) m_session.useView(viewOfPage(page, scene->scene()));
-    else m_session.open(text(page.scene), [page](const Scene& loaded) { return viewOfPage(page, loaded); });
+    if (scene && scene->word == text(page.scene))
+        m_session.useView(viewOfPage(page, scene->scene()));
+    else
+        m_session.open(text(page.scene), [page](const Scene& loaded) { return viewOfPage(page, loaded); });
     emit changed();
     runWhenThere();
 }
@@ -211,7 +225,8 @@ void Course::runWhenThere()
     if (!camera || now.camera != *camera) return;
     m_isAsked = true;
     m_session.setFaceCulling(view.faceCulling.value_or(FaceCulling::None));
-    m_worker->post(Worker::Slot::Step, [this, page, file = lesson()->file, request = m_session.request(), number = m_number](const std::atomic<bool>& cancel) mutable {
+    m_worker->post(Worker::Slot::Step, [this, page, file = lesson()->file, request = m_session.request(),
+                                        number = m_number](const std::atomic<bool>& cancel) mutable {
         request.cancel = &cancel;
         auto run       = runPage(page, file, request);
         m_worker->deliver([this, run = std::move(run), number] {
@@ -227,10 +242,12 @@ void Course::runWhenThere()
 void Course::arrived(const PageRun& run)
 {
     const LessonPage& page = *this->page();
-    m_run      = run;
-    m_isComing = false;
-    if (page.stop.isEnd()) m_session.goToEnd();
-    else m_session.goToStepOf(run.grain, run.step.value);
+    m_run                  = run;
+    m_isComing             = false;
+    if (page.stop.isEnd())
+        m_session.goToEnd();
+    else
+        m_session.goToStepOf(run.grain, run.step.value);
     m_session.pick(page.pick ? std::optional(QPoint(page.pick->x, page.pick->y)) : std::nullopt);
     if (!page.panel.empty()) emit panelWanted(text(page.panel));
     emit changed();
@@ -272,7 +289,8 @@ void Course::answerNumber(const QString& typed)
 void Course::answerPixel(const QPoint& pixel)
 {
     if (!right() || right()->pixels.width() == 0) return;
-    give({.isRight = right()->acceptsPixel({pixel.x(), pixel.y()}), .text = QStringLiteral("%1, %2").arg(pixel.x()).arg(pixel.y())});
+    give({.isRight = right()->acceptsPixel({pixel.x(), pixel.y()}),
+          .text    = QStringLiteral("%1, %2").arg(pixel.x()).arg(pixel.y())});
 }
 
 Course::Score Course::scoreOf(std::size_t lesson) const

@@ -31,8 +31,8 @@ class Session;
 /// An answer that was given to a page's question.
 struct GivenAnswer {
     bool                       isRight = false;
-    std::optional<std::size_t> choice = {};
-    QString                    text = {};  // a number as it was typed; a pixel
+    std::optional<std::size_t> choice  = {};
+    QString                    text    = {};  // a number as it was typed; a pixel
 };
 
 class Course final : public QObject {
@@ -47,10 +47,10 @@ public:
     void           setFolder(const QString& folder);
     const QString& folder() const { return m_folder; }
     /// Reads all files again.
-    void           reload();
+    void                       reload();
     const std::vector<Lesson>& lessons() const { return m_lessons; }
     /// "file:line: sentence" of each file that could not be read.
-    QStringList                troubles() const;
+    QStringList troubles() const;
     /// The place of a lesson by the name of its file, with or without folder and suffix; nothing: there is none.
     std::optional<std::size_t> find(const QString& name) const;
 
@@ -62,15 +62,15 @@ public:
     void next();
     void back();
     /// Brings the window to the page's scene and step again, after the student has been elsewhere.
-    void show();
+    void              show();
     const Lesson*     lesson() const { return m_place ? &m_lessons[m_place->lesson] : nullptr; }
     const LessonPage* page() const { return m_place ? &lesson()->pages[m_place->page] : nullptr; }
     std::size_t       lessonNumber() const { return m_place ? m_place->lesson : 0; }
     std::size_t       pageNumber() const { return m_place ? m_place->page : 0; }
     /// The session stands at the page's step, and the answer is known.
-    bool              isReady() const { return m_run.has_value(); }
+    bool isReady() const { return m_run.has_value(); }
     /// Nothing is on its way.
-    bool              isSettled() const { return !m_isComing; }
+    bool isSettled() const { return !m_isComing; }
 
     // Answers
     void answerChoice(std::size_t choice);
@@ -110,22 +110,22 @@ private:
     void     give(const GivenAnswer& answer);
     Answered keyOf(const Place& place) const;
 
-    Session&               m_session;
-    QString                m_folder;
-    std::vector<Lesson>    m_lessons;
-    std::vector<Error>     m_troubles;
-    std::optional<Place>   m_place;
-    std::optional<Answered> m_broken;   // the page that was on show when its file broke, for when that is mended
-    std::optional<PageRun> m_run;       // of m_place
-    std::uint64_t          m_number  = 0;      // of the page that was asked for last
-    bool                   m_isComing = false; // the session is on its way there, or the answer is
-    bool                   m_isAsked = false;  // the worker is at it
-    std::optional<QSize>    m_sizeBefore;      // of the picture, which the lesson's pages change
-    std::map<Answered, GivenAnswer> m_given;   // the latest
-    std::map<Answered, bool>        m_first;   // whether the first was right
-    QFileSystemWatcher      m_watcher;
-    QTimer                  m_settle;          // editors write a file in several goes
-    std::unique_ptr<Worker> m_worker;          // last: stops before anything else goes
+    Session&                        m_session;
+    QString                         m_folder;
+    std::vector<Lesson>             m_lessons;
+    std::vector<Error>              m_troubles;
+    std::optional<Place>            m_place;
+    std::optional<Answered>         m_broken;  // the page that was on show when its file broke, for when that is mended
+    std::optional<PageRun>          m_run;     // of m_place
+    std::uint64_t                   m_number   = 0;      // of the page that was asked for last
+    bool                            m_isComing = false;  // the session is on its way there, or the answer is
+    bool                            m_isAsked  = false;  // the worker is at it
+    std::optional<QSize>            m_sizeBefore;        // of the picture, which the lesson's pages change
+    std::map<Answered, GivenAnswer> m_given;             // the latest
+    std::map<Answered, bool>        m_first;             // whether the first was right
+    QFileSystemWatcher              m_watcher;
+    QTimer                          m_settle;  // editors write a file in several goes
+    std::unique_ptr<Worker>         m_worker;  // last: stops before anything else goes
 };
 
 }  // namespace zscope::ui

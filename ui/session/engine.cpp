@@ -11,8 +11,9 @@
 namespace zscope::ui {
 namespace {
 
-/// A first frame spends its time on fresh pages and on what is made once. Where it took less than so many ms, it is drawn again
-/// for a time worth telling: of another scene or pipeline so many times, or until that took so many ms; of another size once.
+/// A first frame spends its time on fresh pages and on what is made once. Where it took less than so many ms, it is
+/// drawn again for a time worth telling: of another scene or pipeline so many times, or until that took so many ms; of
+/// another size once.
 constexpr double      kWorthRepeating = 250;
 constexpr std::size_t kFramesToTell   = 9;
 constexpr double      kMsToTell       = 80;
@@ -22,7 +23,7 @@ constexpr std::size_t kFramesKept = 3;  // one shown, one in the queue of the wi
 /// Counts covered pixels and the triangles that own one.
 void takeStock(DrawnFrame& drawn, std::uint64_t triangles)
 {
-    std::vector<bool> seen(triangles + 1, false);  // by rank
+    std::vector<bool>       seen(triangles + 1, false);  // by rank
     const VisibilityBuffer& visible = drawn.frame.visible;
     for (int y = 0; y < visible.height(); ++y) {
         for (int x = 0; x < visible.width(); ++x) {
@@ -46,8 +47,8 @@ Grid<std::uint32_t> paintedBy(const Look& look, const Frame& frame, const Grid<s
 DepthSpread spreadOf(const Look& look, const VisibilityBuffer& visible)
 {
     if (look.layer->word != "depth") return {};
-    return {fixedRange({.isAutomatic = true, .isLogarithmic = look.range.isLogarithmic}, visible), fixedRange(look.range, visible),
-            depthHistogram(visible, look.range, DepthSpread::kParts)};
+    return {fixedRange({.isAutomatic = true, .isLogarithmic = look.range.isLogarithmic}, visible),
+            fixedRange(look.range, visible), depthHistogram(visible, look.range, DepthSpread::kParts)};
 }
 
 void paint(DrawnFrame& drawn, const Look& look)
@@ -92,21 +93,23 @@ Result<std::shared_ptr<const LoadedScene>> Engine::load(const QString& word, con
 Result<std::shared_ptr<const DrawnFrame>> Engine::draw(std::uint64_t generation, const DrawRequest& request,
                                                        const Look& look)
 {
-    std::shared_ptr<DrawnFrame> drawn = unusedFrame();
-    const bool isNewCase = m_drawnScene.lock() != request.scene || m_drawnPipeline != request.pipeline;
-    const bool isNewSize = drawn->frame.visible.width() != request.camera.width || drawn->frame.visible.height() != request.camera.height;
+    std::shared_ptr<DrawnFrame> drawn     = unusedFrame();
+    const bool                  isNewCase = m_drawnScene.lock() != request.scene || m_drawnPipeline != request.pipeline;
+    const bool                  isNewSize =
+        drawn->frame.visible.width() != request.camera.width || drawn->frame.visible.height() != request.camera.height;
     m_drawnScene    = request.scene;
     m_drawnPipeline = request.pipeline;
-    auto report = m_renderer.draw(request, drawn->frame);
+    auto report     = m_renderer.draw(request, drawn->frame);
     if (!report) return report.error();
     drawn->framesTimed = 1;
-    if ((isNewCase || isNewSize) && report->frameMs < kWorthRepeating) report = drawAgain(request, isNewCase ? kFramesToTell : 1, *drawn);
+    if ((isNewCase || isNewSize) && report->frameMs < kWorthRepeating)
+        report = drawAgain(request, isNewCase ? kFramesToTell : 1, *drawn);
     if (!report) return report.error();
 
-    drawn->generation       = generation;
-    drawn->camera           = request.camera;
-    drawn->pipeline         = request.pipeline;
-    drawn->report           = std::move(report).value();
+    drawn->generation = generation;
+    drawn->camera     = request.camera;
+    drawn->pipeline   = request.pipeline;
+    drawn->report     = std::move(report).value();
     paint(*drawn, look);
     drawn->coveredPixels    = 0;
     drawn->visibleTriangles = 0;
@@ -126,7 +129,8 @@ Result<FrameReport> Engine::drawAgain(const DrawRequest& request, std::size_t mo
         reports.push_back(std::move(report).value());
     }
     drawn.framesTimed = reports.size();
-    const auto median = reports.begin() + static_cast<std::ptrdiff_t>((reports.size() - 1) / 2);  // of an even number the lower one: a frame that was drawn
+    // of an even number the lower one: a frame that was drawn
+    const auto median = reports.begin() + static_cast<std::ptrdiff_t>((reports.size() - 1) / 2);
     std::ranges::nth_element(reports, median, {}, &FrameReport::frameMs);
     return std::move(*median);
 }
@@ -165,10 +169,9 @@ Result<std::shared_ptr<const ShownStep>> Engine::step(std::uint64_t generation, 
     shown->state      = std::move(state).value();
     if (auto stages = m_replay->stages(wish.grain)) shown->stages = std::move(stages).value();
     paint(*shown, look);
-    shown->pyramid    = pyramidOf(shown->state);
+    shown->pyramid = pyramidOf(shown->state);
     if (m_latest && m_latest->generation == generation) shown->ghosted = ghosted(*shown, *m_latest);
-    shown->replayMs =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    shown->replayMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return std::shared_ptr<const ShownStep>(std::move(shown));
 }
 
@@ -178,33 +181,38 @@ Result<std::uint64_t> Engine::resolve(const StepWish& wish, std::uint64_t count)
         return static_cast<std::uint64_t>(std::clamp<std::int64_t>(step, 0, static_cast<std::int64_t>(of) - 1));
     };
     const bool byPart  = wish.from == StepWish::From::Fraction || wish.from == StepWish::From::Stage;
-    const auto counted = byPart ? Result<std::uint64_t>(count)
-                                                               : m_replay->count(wish.counted);
+    const auto counted = byPart ? Result<std::uint64_t>(count) : m_replay->count(wish.counted);
     if (!counted) return counted.error();
     const auto offset = static_cast<std::int64_t>(wish.offset);
 
     std::uint64_t at    = 0;
     Grain         grain = wish.counted;
     switch (wish.from) {
-    case StepWish::From::Start: at = limited(offset, *counted); break;
-    case StepWish::From::End: at = limited(static_cast<std::int64_t>(*counted) - 1 - offset, *counted); break;
-    case StepWish::From::Fraction:
-        at    = limited(std::llround(wish.fraction * static_cast<double>(count - 1)), count);
-        grain = wish.grain;
-        break;
-    case StepWish::From::Stage: {
-        const auto stages = m_replay->stages(wish.grain);
-        if (!stages) return stages.error();
-        const auto    in  = std::ranges::find(*stages, wish.stage, &StageMark::stage);
-        std::uint64_t from = 0, end = count;
-        if (in != stages->end()) {
-            from = in->first;
-            end  = in + 1 != stages->end() ? (in + 1)->first : count;
+        case StepWish::From::Start:
+            at = limited(offset, *counted);
+            break;
+        case StepWish::From::End:
+            at = limited(static_cast<std::int64_t>(*counted) - 1 - offset, *counted);
+            break;
+        case StepWish::From::Fraction:
+            at    = limited(std::llround(wish.fraction * static_cast<double>(count - 1)), count);
+            grain = wish.grain;
+            break;
+        case StepWish::From::Stage: {
+            const auto stages = m_replay->stages(wish.grain);
+            if (!stages) return stages.error();
+            const auto    in   = std::ranges::find(*stages, wish.stage, &StageMark::stage);
+            std::uint64_t from = 0, end = count;
+            if (in != stages->end()) {
+                from = in->first;
+                end  = in + 1 != stages->end() ? (in + 1)->first : count;
+            }
+            at =
+                limited(static_cast<std::int64_t>(from) + std::llround(wish.fraction * static_cast<double>(end - from)),
+                        in != stages->end() ? end : count);
+            grain = wish.grain;
+            break;
         }
-        at    = limited(static_cast<std::int64_t>(from) + std::llround(wish.fraction * static_cast<double>(end - from)), in != stages->end() ? end : count);
-        grain = wish.grain;
-        break;
-    }
     }
     if (wish.move != 0) {
         const auto all  = m_replay->count(wish.moveGrain);
@@ -252,12 +260,14 @@ QImage ghosted(const ShownStep& step, const DrawnFrame& finished)
     const auto& complete = finished.painted.width() > 0 ? finished.painted : finished.frame.colour;
     QImage      image(visible.width(), visible.height(), QImage::Format_RGB32);
     for (int y = 0; y < visible.height(); ++y) {
-        const auto           here  = colours.view().row(y);
-        const auto           there = complete.view().row(y);
-        auto*                out   = reinterpret_cast<QRgb*>(image.scanLine(y));
+        const auto here  = colours.view().row(y);
+        const auto there = complete.view().row(y);
+        auto*      out   = reinterpret_cast<QRgb*>(image.scanLine(y));
         for (int x = 0; x < visible.width(); ++x) {
             const auto at = static_cast<std::size_t>(x);
-            out[x]        = visible.rankAt(x, y) == 0 && finished.frame.visible.rankAt(x, y) != 0 ? mixed(there[at], here[at], kPale) : here[at];
+            out[x]        = visible.rankAt(x, y) == 0 && finished.frame.visible.rankAt(x, y) != 0
+                                ? mixed(there[at], here[at], kPale)
+                                : here[at];
         }
     }
     return image;
@@ -265,10 +275,14 @@ QImage ghosted(const ShownStep& step, const DrawnFrame& finished)
 
 namespace {
 
-bool claimsToBeRight(const Pipeline& pipeline) { return pipeline.fault == Fault::None && claimOf(pipeline) == Claim::Exact; }
+bool claimsToBeRight(const Pipeline& pipeline)
+{
+    return pipeline.fault == Fault::None && claimOf(pipeline) == Claim::Exact;
+}
 
 template <class Shown>  // DrawnFrame or ShownStep
-void compareInto(Comparison& result, const Shown& shownA, const VisibilityBuffer& a, const Shown& shownB, const VisibilityBuffer& b, std::uint32_t tolerance)
+void compareInto(Comparison& result, const Shown& shownA, const VisibilityBuffer& a, const Shown& shownB,
+                 const VisibilityBuffer& b, std::uint32_t tolerance)
 {
     result.tolerance  = tolerance;
     result.difference = differenceOf(a, b, tolerance);
@@ -278,7 +292,8 @@ void compareInto(Comparison& result, const Shown& shownA, const VisibilityBuffer
 
 }  // namespace
 
-std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame> a, std::shared_ptr<const DrawnFrame> b, std::uint32_t tolerance)
+std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame> a, std::shared_ptr<const DrawnFrame> b,
+                                           std::uint32_t tolerance)
 {
     auto result = std::make_shared<Comparison>();
     compareInto(*result, *a, a->frame.visible, *b, b->frame.visible, tolerance);
@@ -287,7 +302,8 @@ std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame> a, 
     return result;
 }
 
-std::shared_ptr<const Comparison> compared(std::shared_ptr<const ShownStep> a, std::shared_ptr<const ShownStep> b, std::uint32_t tolerance)
+std::shared_ptr<const Comparison> compared(std::shared_ptr<const ShownStep> a, std::shared_ptr<const ShownStep> b,
+                                           std::uint32_t tolerance)
 {
     auto result = std::make_shared<Comparison>();
     compareInto(*result, *a, a->state.frame.visible, *b, b->state.frame.visible, tolerance);

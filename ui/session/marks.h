@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the user has marked in a run: places to come back to, things to stop at, and when a pixel changes.
 //
-// Steps      counted from 0 within a grain of a pipeline: a bookmark names all three, and going to it brings all three back
+// Steps      counted from 0 within a grain of a pipeline: a bookmark names all three, and going to it brings all three
+//            back
 // Promise    breakpoints hold for every pipeline and grain; the search finds them anew
 #pragma once
 

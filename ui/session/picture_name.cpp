@@ -30,7 +30,8 @@ QString sceneOf(const Snapshot& shown)
     if (!shown.scene) return QStringLiteral("picture");
     QString scene = shown.scene->title;
     for (const char* suffix : {".obj", ".json"})
-        if (scene.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) scene.chop(static_cast<qsizetype>(std::strlen(suffix)));
+        if (scene.endsWith(QLatin1String(suffix), Qt::CaseInsensitive))
+            scene.chop(static_cast<qsizetype>(std::strlen(suffix)));
     return fit(scene);
 }
 
@@ -44,17 +45,24 @@ QString stepOf(const Snapshot& shown)
 std::optional<QString> whyNoPictureTemplate(const QString& pattern)
 {
     if (pattern.trimmed().isEmpty()) return translated(QT_TRANSLATE_NOOP("PictureName", "The template is empty."));
-    if (pattern.size() > kLongestPattern) return translated(QT_TRANSLATE_NOOP("PictureName", "The template is longer than %1 letters.")).arg(kLongestPattern);
-    if (pattern.startsWith('.')) return translated(QT_TRANSLATE_NOOP("PictureName", "A name that begins with a dot would be hidden."));
+    if (pattern.size() > kLongestPattern)
+        return translated(QT_TRANSLATE_NOOP("PictureName", "The template is longer than %1 letters."))
+            .arg(kLongestPattern);
+    if (pattern.startsWith('.'))
+        return translated(QT_TRANSLATE_NOOP("PictureName", "A name that begins with a dot would be hidden."));
     static const QRegularExpression unfit(QStringLiteral("[/\\\\:*?\"<>|\\x00-\\x1F]"));
-    if (const auto bad = unfit.match(pattern); bad.hasMatch()) return translated(QT_TRANSLATE_NOOP("PictureName", "A file's name cannot hold “%1”.")).arg(bad.captured());
+    if (const auto bad = unfit.match(pattern); bad.hasMatch())
+        return translated(QT_TRANSLATE_NOOP("PictureName", "A file's name cannot hold “%1”.")).arg(bad.captured());
 
     static const QRegularExpression field(QStringLiteral("\\{([^{}]*)\\}"));
     for (const auto& match : field.globalMatch(pattern))
         if (std::ranges::find(kFields, match.captured(1)) == kFields.end())
             return translated(QT_TRANSLATE_NOOP("PictureName", "There is no field {%1}.")).arg(match.captured(1));
-    if (QString(pattern).remove(field).contains(QRegularExpression("[{}]"))) return translated(QT_TRANSLATE_NOOP("PictureName", "A brace has no counterpart."));
-    if (!pattern.contains("{n}")) return translated(QT_TRANSLATE_NOOP("PictureName", "{n} is missing: without a number one picture would take the place of another."));
+    if (QString(pattern).remove(field).contains(QRegularExpression("[{}]")))
+        return translated(QT_TRANSLATE_NOOP("PictureName", "A brace has no counterpart."));
+    if (!pattern.contains("{n}"))
+        return translated(QT_TRANSLATE_NOOP(
+            "PictureName", "{n} is missing: without a number one picture would take the place of another."));
     return {};
 }
 

@@ -7,7 +7,6 @@
 #include <QObject>
 #include <QTimer>
 
-
 namespace zscope::ui {
 
 class Session;

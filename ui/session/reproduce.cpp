@@ -47,8 +47,7 @@ void addPipeline(QStringList& words, const Pipeline& pipeline)
         words << "--algorithm" << text(preset.name);
         return;
     }
-    for (const AxisEntry& axis : axes())
-        words << "--set" << text(axis.word) + '=' + text(chosen(pipeline, axis.word));
+    for (const AxisEntry& axis : axes()) words << "--set" << text(axis.word) + '=' + text(chosen(pipeline, axis.word));
 }
 
 }  // namespace
@@ -59,7 +58,9 @@ QStringList commandOf(const Snapshot& shown, const DrawSettings& settings)
     QStringList words{"zscope-cli", stepped ? "step" : "render"};
     if (shown.scene) words << shown.scene->word;
     addView(words, shown.view);
-    if (settings.faceCulling == FaceCulling::Back) words << "--cull" << "back";
+    if (settings.faceCulling == FaceCulling::Back)
+        words << "--cull"
+              << "back";
     addPipeline(words, stepped ? shown.step->pipeline : shown.pipeline);
     if (stepped)
         words << "--grain" << text(wordOf(shown.step->state.grain)) << "--at"
@@ -71,7 +72,7 @@ QStringList commandOf(const Snapshot& shown, const DrawSettings& settings)
 QString commandLineOf(const QStringList& words)
 {
     static const QRegularExpression plain("^[A-Za-z0-9_./:=,+%@-]+$");
-    QStringList quoted;
+    QStringList                     quoted;
     for (QString word : words)
         quoted << (plain.match(word).hasMatch() ? word : '\'' + word.replace('\'', "'\\''") + '\'');
     return quoted.join(' ');
@@ -80,18 +81,20 @@ QString commandLineOf(const QStringList& words)
 std::optional<QString> savePicture(const QImage& image, const QString& file, const Snapshot& shown,
                                    const DrawSettings& settings, bool replace)
 {
-    if (!replace && QFileInfo::exists(file)) return QCoreApplication::translate("SavePicture", "%1 is there already; it was left as it is.").arg(file);
+    if (!replace && QFileInfo::exists(file))
+        return QCoreApplication::translate("SavePicture", "%1 is there already; it was left as it is.").arg(file);
 
     const auto texts = [&] {
         const std::string command = commandLineOf(commandOf(shown, settings)).toStdString();
-        auto all = reproducingTexts(command, shown.scene ? shown.scene->scene().digest : std::string());
+        auto              all = reproducingTexts(command, shown.scene ? shown.scene->scene().digest : std::string());
         if (shown.view.exact) all.push_back({kCameraFile, cameraToJson(*shown.view.exact)});
         return all;
     }();
-    const QImage opaque = image.convertToFormat(QImage::Format_RGB32);
-    const GridView<const std::uint32_t> pixels{reinterpret_cast<const std::uint32_t*>(opaque.constBits()), opaque.width(),
-                                               opaque.height(), static_cast<std::size_t>(opaque.bytesPerLine()) / 4};
-    const auto written = writePng(file.toStdString(), pixels, texts);
+    const QImage                        opaque = image.convertToFormat(QImage::Format_RGB32);
+    const GridView<const std::uint32_t> pixels{reinterpret_cast<const std::uint32_t*>(opaque.constBits()),
+                                               opaque.width(), opaque.height(),
+                                               static_cast<std::size_t>(opaque.bytesPerLine()) / 4};
+    const auto                          written = writePng(file.toStdString(), pixels, texts);
     if (!written) return said(written.error());
     return {};
 }

@@ -6,7 +6,8 @@
 
 namespace zscope::ui {
 
-/// What commandOf() calls the camera of a view that no options can say to the bit; who writes the command keeps it with that name.
+/// What commandOf() calls the camera of a view that no options can say to the bit; who writes the command keeps it with
+/// that name.
 inline constexpr const char* kCameraFile = "camera.json";
 
 /// The words of the command, unquoted, from "zscope-cli" on; the output is left for the user to name.

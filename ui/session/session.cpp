@@ -94,8 +94,10 @@ void Session::load(const QString& word, const ViewOf& viewOf, bool keepsCamera)
         deliver([this, loaded = std::move(loaded), viewOf, keepsCamera] {
             if (loaded) return sceneLoaded(*loaded, viewOf, keepsCamera);
             troubled(loaded.error());
-            if (m_now.scene && (!m_now.frame || m_now.frame->generation != m_generation)) draw();
-            else if (!isSettled()) step();  // the load has swept away what was waiting
+            if (m_now.scene && (!m_now.frame || m_now.frame->generation != m_generation))
+                draw();
+            else if (!isSettled())
+                step();  // the load has swept away what was waiting
         });
     });
 }
@@ -103,15 +105,19 @@ void Session::load(const QString& word, const ViewOf& viewOf, bool keepsCamera)
 void Session::cancelWork()
 {
     m_rest.stop();
-    const bool isDrawing = m_worker->isBusy() && m_now.scene && (!m_now.frame || m_now.frame->generation != m_generation);
+    const bool isDrawing =
+        m_worker->isBusy() && m_now.scene && (!m_now.frame || m_now.frame->generation != m_generation);
     m_worker->cancel();
-    if (isDrawing) emit noticed(tr("The drawing was cancelled. It begins again with the next step, or with another algorithm."));
+    if (isDrawing)
+        emit noticed(tr("The drawing was cancelled. It begins again with the next step, or with another algorithm."));
 }
 
 void Session::sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const ViewOf& viewOf, bool keepsCamera)
 {
     m_now.scene = scene;
-    m_now.frame.reset();  // of another scene, or of this one as it was: should the drawing be cancelled, nothing is shown under a name that is not its own
+    // of another scene, or of this one as it was: should the drawing be cancelled, nothing is shown under a name that
+    // is not its own
+    m_now.frame.reset();
     m_now.step.reset();
     m_now.showsStep     = false;
     m_now.compare.frame = nullptr;
@@ -126,8 +132,10 @@ void Session::sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const
         m_now.marks = {};
         m_control.reset();
         ViewRequest home;
-        if (viewOf) home = viewOf(scene->scene());
-        else if (!scene->scene().views.empty()) home = scene->scene().views.front().view;
+        if (viewOf)
+            home = viewOf(scene->scene());
+        else if (!scene->scene().views.empty())
+            home = scene->scene().views.front().view;
         if (!viewOf) {
             home.width  = m_now.view.width;
             home.height = m_now.view.height;
@@ -137,7 +145,8 @@ void Session::sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const
         if (home.faceCulling) m_settings.faceCulling = *home.faceCulling;
         m_wish = {.grain = m_now.grain, .counted = m_now.grain};
         if (m_firstStep)
-            m_wish = {.grain = m_now.grain, .from = StepWish::From::Start, .offset = *m_firstStep, .counted = m_now.grain};
+            m_wish = {
+                .grain = m_now.grain, .from = StepWish::From::Start, .offset = *m_firstStep, .counted = m_now.grain};
         m_firstStep.reset();
         if (m_firstSelection) {
             m_now.picked           = m_firstSelection->picked;
@@ -265,37 +274,41 @@ void Session::repaint()
 {
     const auto looks = [this](const auto& shown) { return !shown || shown->look == m_now.look; };
     if (looks(m_now.frame) && looks(m_now.step) && looks(m_now.compare.frame) && looks(m_now.compare.step)) return;
-    m_worker->post(Worker::Slot::Repaint, [this, look = m_now.look, frame = m_now.frame, step = m_now.step, other = m_now.compare.frame,
-                                           otherStep = m_now.compare.step](const std::atomic<bool>&) {
-        const auto ofFrame = [&](const auto& from) { return from && from->look != look ? repainted(*from, look) : from; };
-        const auto ofStep  = [&](const auto& from, const auto& finished) {
-            return from && from->look != look ? repainted(*from, finished.get(), look) : from;
-        };
-        auto newFrame = ofFrame(frame), newOther = ofFrame(other);
-        auto newStep = ofStep(step, newFrame), newOtherStep = ofStep(otherStep, newOther);
-        deliver([=, this] {
-            // Whatever has been made anew since then is painted on its own account.
-            if (m_now.frame == frame) m_now.frame = newFrame;
-            if (m_now.step == step) m_now.step = newStep;
-            if (m_now.compare.frame == other) m_now.compare.frame = newOther;
-            if (m_now.compare.step == otherStep) m_now.compare.step = newOtherStep;
-            emit changed(Change::Picture);
-            compareAgain();
-            repaint();
-        });
-    });
+    m_worker->post(Worker::Slot::Repaint,
+                   [this, look = m_now.look, frame = m_now.frame, step = m_now.step, other = m_now.compare.frame,
+                    otherStep = m_now.compare.step](const std::atomic<bool>&) {
+                       const auto ofFrame = [&](const auto& from) {
+                           return from && from->look != look ? repainted(*from, look) : from;
+                       };
+                       const auto ofStep = [&](const auto& from, const auto& finished) {
+                           return from && from->look != look ? repainted(*from, finished.get(), look) : from;
+                       };
+                       auto newFrame = ofFrame(frame), newOther = ofFrame(other);
+                       auto newStep = ofStep(step, newFrame), newOtherStep = ofStep(otherStep, newOther);
+                       deliver([=, this] {
+                           // Whatever has been made anew since then is painted on its own account.
+                           if (m_now.frame == frame) m_now.frame = newFrame;
+                           if (m_now.step == step) m_now.step = newStep;
+                           if (m_now.compare.frame == other) m_now.compare.frame = newOther;
+                           if (m_now.compare.step == otherStep) m_now.compare.step = newOtherStep;
+                           emit changed(Change::Picture);
+                           compareAgain();
+                           repaint();
+                       });
+                   });
 }
 
 void Session::adoptGrain()
 {
-    const std::vector<Grain> grains = grainsOf(m_now.pipeline);
-    const Grain wanted  = m_preferredGrain.value_or(naturalGrain(m_now.pipeline));
-    const Grain adopted = has(grains, wanted)                         ? wanted
-                          : has(grains, naturalGrain(m_now.pipeline)) ? naturalGrain(m_now.pipeline)
-                                                                      : grains.back();
+    const std::vector<Grain> grains  = grainsOf(m_now.pipeline);
+    const Grain              wanted  = m_preferredGrain.value_or(naturalGrain(m_now.pipeline));
+    const Grain              adopted = has(grains, wanted)                         ? wanted
+                                       : has(grains, naturalGrain(m_now.pipeline)) ? naturalGrain(m_now.pipeline)
+                                                                                   : grains.back();
     if (adopted == m_now.grain) return;
     StepWish wish{.grain = adopted, .counted = adopted};
-    if (const auto at = position(); at && at->step + 1 < at->count) {  // steps of another kind: keep the place in the run
+    // steps of another kind: keep the place in the run
+    if (const auto at = position(); at && at->step + 1 < at->count) {
         wish.from     = StepWish::From::Fraction;
         wish.fraction = static_cast<double>(at->step) / static_cast<double>(at->count - 1);
     }
@@ -408,13 +421,15 @@ void Session::draw()
 {
     m_rest.stop();
     setBusy(tr("Drawing"));
-    m_worker->post(Worker::Slot::Draw, [this, request = request(), generation = m_generation, look = m_now.look](
-                                           const std::atomic<bool>& cancel) mutable {
+    m_worker->post(Worker::Slot::Draw, [this, request = request(), generation = m_generation,
+                                        look = m_now.look](const std::atomic<bool>& cancel) mutable {
         request.cancel = &cancel;
         auto drawn     = m_engine->draw(generation, request, look);
         deliver([this, drawn = std::move(drawn)] {
-            if (drawn) frameDrawn(*drawn);
-            else troubled(drawn.error());
+            if (drawn)
+                frameDrawn(*drawn);
+            else
+                troubled(drawn.error());
         });
     });
 }
@@ -427,29 +442,33 @@ void Session::step()
         return;
     }
     setBusy(tr("Replaying"));
-    m_worker->post(Worker::Slot::Step, [this, request = request(), generation = m_generation, wish = m_wish,
-                                        number = m_wishNumber,
-                                        look = m_now.look](const std::atomic<bool>& cancel) mutable {
-        request.cancel = &cancel;
-        auto made      = m_engine->step(generation, request, look, wish);
-        deliver([this, made = std::move(made), number] {
-            if (made) stepMade(*made, number);
-            else troubled(made.error());
-        });
-    });
+    m_worker->post(Worker::Slot::Step,
+                   [this, request = request(), generation = m_generation, wish = m_wish, number = m_wishNumber,
+                    look = m_now.look](const std::atomic<bool>& cancel) mutable {
+                       request.cancel = &cancel;
+                       auto made      = m_engine->step(generation, request, look, wish);
+                       deliver([this, made = std::move(made), number] {
+                           if (made)
+                               stepMade(*made, number);
+                           else
+                               troubled(made.error());
+                       });
+                   });
 }
 
 void Session::frameDrawn(const std::shared_ptr<const DrawnFrame>& frame)
 {
-    m_now.frame = frame;
+    m_now.frame      = frame;
     const bool atEnd = m_wish.isEnd();
     if (atEnd || !m_now.step) m_now.showsStep = false;
     emit changed(Change::Picture);
-    repaint();  // if the look has changed while it was drawn
+    repaint();                                      // if the look has changed while it was drawn
     if (frame->generation != m_generation) return;  // a newer one is on its way
     if (m_now.compare.other) drawOther();
-    if (atEnd) m_rest.start();
-    else step();
+    if (atEnd)
+        m_rest.start();
+    else
+        step();
 }
 
 void Session::stepMade(const std::shared_ptr<const ShownStep>& step, std::uint64_t wish)
@@ -457,9 +476,9 @@ void Session::stepMade(const std::shared_ptr<const ShownStep>& step, std::uint64
     if (step->state.grain != m_now.grain || step->pipeline != m_now.pipeline) return;  // of another algorithm by now
     m_now.step = step;
     if (wish == m_wishNumber && step->generation == m_generation) {
-        m_settledWish = wish;
-        const bool wasExact = m_wish.from == StepWish::From::Start && m_wish.counted == m_now.grain && m_wish.move == 0 &&
-                              m_wish.after == 0;
+        m_settledWish       = wish;
+        const bool wasExact = m_wish.from == StepWish::From::Start && m_wish.counted == m_now.grain && m_wish.move == 0
+                              && m_wish.after == 0;
         if (step->isLast() && !(wasExact && m_wish.offset > step->last()))
             m_wish = {.grain = m_now.grain, .counted = m_now.grain};
         else if (!wasExact)  // from now on it is a number
@@ -498,7 +517,9 @@ void Session::pick(const std::optional<QPoint>& pixel)
     m_now.selectedTriangle.reset();
     if (m_now.hierarchy()) m_now.selectedNode = nodeOfPick(m_now);
     emit changed(Change::Selection);
-    if (m_now.compare.other && m_now.compare.link == Link::Pixel && m_now.compare.isLinked && m_now.showsStep && isSettled()) stepOther();
+    if (m_now.compare.other && m_now.compare.link == Link::Pixel && m_now.compare.isLinked && m_now.showsStep
+        && isSettled())
+        stepOther();
 }
 
 void Session::nudgePick(const QPoint& by)

@@ -57,7 +57,7 @@ public:
     // Camera
     void useView(const ViewRequest& view);
     /// Lets `move` change the camera; the session keeps picture size, field of view, near and far.
-    void moveCamera(const std::function<void(CameraControl&)>& move);
+    void          moveCamera(const std::function<void(CameraControl&)>& move);
     CameraControl control() const;
     void          resetCamera();
     void          normaliseModel();
@@ -78,7 +78,8 @@ public:
     void startWith(const Selection& selection) { m_firstSelection = selection; }
     void goToStart() { goToStep(0); }
     void goToEnd();
-    /// A step of another grain, which becomes the one that is stepped by; nothing happens if the algorithm has none such.
+    /// A step of another grain, which becomes the one that is stepped by; nothing happens if the algorithm has none
+    /// such.
     void goToStepOf(Grain grain, std::uint64_t step);
     void stepBy(int steps);
     /// To the next (+1) or an earlier (-1) step of the next coarser grain that the algorithm has.
@@ -125,9 +126,9 @@ public:
     /// To a step that changes the picked pixel.
     void goToPixelChange(PixelJump jump);
 
-    bool    isIdle() const;
-    Player& player() { return m_player; }
-    Course& course() { return *m_course; }
+    bool         isIdle() const;
+    Player&      player() { return m_player; }
+    Course&      course() { return *m_course; }
     Predictions& predictions() { return *m_predictions; }
     /// What is shown of the picture's step has changed without it: panels look again.
     void presentAgain() { emit changed(Change::Picture); }
@@ -152,20 +153,20 @@ signals:
 private:
     void draw();
     void step();
-    void repaint();               // if anything on show looks otherwise than it should
+    void repaint();  // if anything on show looks otherwise than it should
     void drawOther();
     void stepOther();
     struct SearchAnswer {
-        std::optional<std::uint64_t>        step;     // to go to
+        std::optional<std::uint64_t>        step;  // to go to
         QString                             notice;
         std::shared_ptr<const PixelHistory> history;
     };
     void search(std::function<Result<SearchAnswer>(const DrawRequest&)> find);
-    void compareAgain();          // with another tolerance, or after B was drawn
+    void compareAgain();  // with another tolerance, or after B was drawn
     void otherChanged();
-    void startOver();             // something the picture depends on has changed
+    void startOver();  // something the picture depends on has changed
     void applyView(const ViewRequest& view);
-    void adoptGrain();            // after a change of algorithm
+    void adoptGrain();  // after a change of algorithm
     void sceneLoaded(const std::shared_ptr<const LoadedScene>& scene, const ViewOf& viewOf, bool keepsCamera);
     void frameDrawn(const std::shared_ptr<const DrawnFrame>& frame);
     void stepMade(const std::shared_ptr<const ShownStep>& step, std::uint64_t wish);
@@ -183,8 +184,8 @@ private:
 
     DrawSettings                 m_settings;
     Snapshot                     m_now;
-    std::optional<CameraControl> m_control;      // once the user has moved the camera
-    ViewRequest                  m_home;         // what reset goes back to
+    std::optional<CameraControl> m_control;  // once the user has moved the camera
+    ViewRequest                  m_home;     // what reset goes back to
     std::uint64_t                m_generation = 0;
     StepWish                     m_wish;
     std::uint64_t                m_wishNumber  = 0;

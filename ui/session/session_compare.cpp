@@ -22,10 +22,13 @@ void Session::compareWith(const std::optional<Pipeline>& other)
 
 void Session::otherChanged()
 {
-    if (!m_now.compare.other || !m_now.scene || !m_now.frame || m_now.frame->generation != m_generation) return;  // after the drawing
+    // after the drawing
+    if (!m_now.compare.other || !m_now.scene || !m_now.frame || m_now.frame->generation != m_generation) return;
     drawOther();
-    if (!isSettled() && !m_rest.isActive()) step();  // posting the drawing has swept it away
-    else if (m_now.showsStep) stepOther();
+    if (!isSettled() && !m_rest.isActive())
+        step();  // posting the drawing has swept it away
+    else if (m_now.showsStep)
+        stepOther();
 }
 
 void Session::drawOther()
@@ -33,21 +36,22 @@ void Session::drawOther()
     setBusy(tr("Drawing B"));
     DrawRequest other = request();
     other.pipeline    = *m_now.compare.other;
-    m_worker->post(Worker::Slot::DrawOther, [this, other, generation = m_generation, look = m_now.look, a = m_now.frame,
-                                             tolerance = m_now.compare.tolerance](const std::atomic<bool>& cancel) mutable {
-        other.cancel = &cancel;
-        auto drawn   = m_otherEngine->draw(generation, other, look);
-        std::shared_ptr<const Comparison> result;
-        if (drawn) result = compared(a, *drawn, tolerance);
-        deliver([this, drawn = std::move(drawn), result, pipeline = other.pipeline] {
-            if (!drawn) return troubled(drawn.error());
-            if (m_now.compare.other != pipeline) return;  // another B by now
-            m_now.compare.frame = *drawn;
-            if (!m_now.showsStep || !m_now.compare.isLinked) m_now.compare.result = result;
-            emit changed(Change::Compare | Change::Picture);
-            if (result->tolerance != m_now.compare.tolerance) compareAgain();
-        });
-    });
+    m_worker->post(Worker::Slot::DrawOther,
+                   [this, other, generation = m_generation, look = m_now.look, a = m_now.frame,
+                    tolerance = m_now.compare.tolerance](const std::atomic<bool>& cancel) mutable {
+                       other.cancel                            = &cancel;
+                       auto                              drawn = m_otherEngine->draw(generation, other, look);
+                       std::shared_ptr<const Comparison> result;
+                       if (drawn) result = compared(a, *drawn, tolerance);
+                       deliver([this, drawn = std::move(drawn), result, pipeline = other.pipeline] {
+                           if (!drawn) return troubled(drawn.error());
+                           if (m_now.compare.other != pipeline) return;  // another B by now
+                           m_now.compare.frame = *drawn;
+                           if (!m_now.showsStep || !m_now.compare.isLinked) m_now.compare.result = result;
+                           emit changed(Change::Compare | Change::Picture);
+                           if (result->tolerance != m_now.compare.tolerance) compareAgain();
+                       });
+                   });
 }
 
 void Session::stepOther()
@@ -56,24 +60,25 @@ void Session::stepOther()
     setBusy(tr("Replaying B"));
     DrawRequest other = request();
     other.pipeline    = *m_now.compare.other;
-    m_worker->post(Worker::Slot::StepOther, [this, other, generation = m_generation, look = m_now.look, a = m_now.step,
-                                             link = m_now.compare.link, picked = m_now.picked,
-                                             tolerance = m_now.compare.tolerance](const std::atomic<bool>& cancel) mutable {
-        other.cancel = &cancel;
-        const auto linked = linkedTo(*a, link, picked, other);
-        if (!linked) return deliver([this, error = linked.error()] { troubled(error); });
-        auto made = m_otherEngine->step(generation, other, look, linked->wish);
-        std::shared_ptr<const Comparison> result;
-        if (made) result = compared(a, *made, tolerance);
-        deliver([this, made = std::move(made), result, pipeline = other.pipeline, note = linked->note] {
-            if (!made) return troubled(made.error());
-            if (m_now.compare.other != pipeline) return;
-            m_now.compare.step     = *made;
-            m_now.compare.linkNote = note;
-            m_now.compare.result = result;
-            emit changed(Change::Compare | Change::Picture);
+    m_worker->post(
+        Worker::Slot::StepOther,
+        [this, other, generation = m_generation, look = m_now.look, a = m_now.step, link = m_now.compare.link,
+         picked = m_now.picked, tolerance = m_now.compare.tolerance](const std::atomic<bool>& cancel) mutable {
+            other.cancel      = &cancel;
+            const auto linked = linkedTo(*a, link, picked, other);
+            if (!linked) return deliver([this, error = linked.error()] { troubled(error); });
+            auto                              made = m_otherEngine->step(generation, other, look, linked->wish);
+            std::shared_ptr<const Comparison> result;
+            if (made) result = compared(a, *made, tolerance);
+            deliver([this, made = std::move(made), result, pipeline = other.pipeline, note = linked->note] {
+                if (!made) return troubled(made.error());
+                if (m_now.compare.other != pipeline) return;
+                m_now.compare.step     = *made;
+                m_now.compare.linkNote = note;
+                m_now.compare.result   = result;
+                emit changed(Change::Compare | Change::Picture);
+            });
         });
-    });
 }
 
 void Session::compareAgain()
@@ -82,17 +87,19 @@ void Session::compareAgain()
     const bool          steps   = m_now.showsStep && compare.isLinked;
     if (!compare.other || (steps ? !compare.step || !m_now.step : !compare.frame || !m_now.frame)) return;
     if (!steps && compare.frame->generation != m_now.frame->generation) return;
-    if (compare.result && compare.result->tolerance == compare.tolerance && (steps ? compare.result->stepA == m_now.step : compare.result->a == m_now.frame))
+    if (compare.result && compare.result->tolerance == compare.tolerance
+        && (steps ? compare.result->stepA == m_now.step : compare.result->a == m_now.frame))
         return;
-    m_worker->post(Worker::Slot::StepOther, [this, steps, a = m_now.frame, b = compare.frame, stepA = m_now.step, stepB = compare.step,
-                                             tolerance = compare.tolerance](const std::atomic<bool>&) {
-        auto result = steps ? compared(stepA, stepB, tolerance) : compared(a, b, tolerance);
-        deliver([this, result = std::move(result), b, stepB, steps] {
-            if (steps ? m_now.compare.step != stepB : m_now.compare.frame != b) return;
-            m_now.compare.result = result;
-            emit changed(Change::Compare | Change::Picture);
-        });
-    });
+    m_worker->post(Worker::Slot::StepOther,
+                   [this, steps, a = m_now.frame, b = compare.frame, stepA = m_now.step, stepB = compare.step,
+                    tolerance = compare.tolerance](const std::atomic<bool>&) {
+                       auto result = steps ? compared(stepA, stepB, tolerance) : compared(a, b, tolerance);
+                       deliver([this, result = std::move(result), b, stepB, steps] {
+                           if (steps ? m_now.compare.step != stepB : m_now.compare.frame != b) return;
+                           m_now.compare.result = result;
+                           emit changed(Change::Compare | Change::Picture);
+                       });
+                   });
 }
 
 void Session::swapCompared()
@@ -144,8 +151,10 @@ void Session::linkSteps(bool linked)
     if (linked == m_now.compare.isLinked) return;
     m_now.compare.isLinked = linked;
     emit changed(Change::Compare | Change::Picture);
-    if (linked && m_now.showsStep && m_now.compare.other) stepOther();
-    else compareAgain();
+    if (linked && m_now.showsStep && m_now.compare.other)
+        stepOther();
+    else
+        compareAgain();
 }
 
 }  // namespace zscope::ui

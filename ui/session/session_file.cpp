@@ -20,15 +20,16 @@ constexpr int kVersion = 1;
 
 struct OverEntry {
     const char* word;
-    bool Layers::* part;
+    bool Layers::*part;
 };
-constexpr std::array kOver{OverEntry{"line", &Layers::line},       OverEntry{"edges", &Layers::edges},     OverEntry{"ghost", &Layers::ghost},
-                           OverEntry{"triangle", &Layers::triangle}, OverEntry{"query", &Layers::query},   OverEntry{"boxes", &Layers::boxes},
-                           OverEntry{"pyramid", &Layers::pyramid}, OverEntry{"grid", &Layers::grid},       OverEntry{"marks", &Layers::marks},
-                           OverEntry{"magnifier", &Layers::magnifier}};
+constexpr std::array kOver{OverEntry{"line", &Layers::line},       OverEntry{"edges", &Layers::edges},
+                           OverEntry{"ghost", &Layers::ghost},     OverEntry{"triangle", &Layers::triangle},
+                           OverEntry{"query", &Layers::query},     OverEntry{"boxes", &Layers::boxes},
+                           OverEntry{"pyramid", &Layers::pyramid}, OverEntry{"grid", &Layers::grid},
+                           OverEntry{"marks", &Layers::marks},     OverEntry{"magnifier", &Layers::magnifier}};
 constexpr std::array<std::string_view, 5> kShows{"a", "b", "wipe", "difference", "side-by-side"};  // by CompareShow
-constexpr std::array<std::string_view, 4> kLinks{"step", "line", "stage", "pixel"};       // by Link
-constexpr std::array<std::string_view, 4> kBreaks{"line", "pixel", "node", "triangle"};   // by Breakpoint::On
+constexpr std::array<std::string_view, 4> kLinks{"step", "line", "stage", "pixel"};                // by Link
+constexpr std::array<std::string_view, 4> kBreaks{"line", "pixel", "node", "triangle"};            // by Breakpoint::On
 
 // Writing -----------------------------------------------------------------------------------------------------------
 
@@ -47,7 +48,8 @@ std::string algorithmJson(const Pipeline& pipeline)
 
 std::string nodeJson(const NodeName& node)
 {
-    return "{\"path\": " + zscope::quoted(node.path) + (node.instance ? ", \"instance\": " + std::to_string(node.instance->value) : "") + "}";
+    return "{\"path\": " + zscope::quoted(node.path)
+           + (node.instance ? ", \"instance\": " + std::to_string(node.instance->value) : "") + "}";
 }
 
 std::string pixelJson(int x, int y) { return "[" + std::to_string(x) + ", " + std::to_string(y) + "]"; }
@@ -57,10 +59,14 @@ std::string breakpointJson(const Breakpoint& breakpoint)
     const std::string_view on   = kBreaks[static_cast<std::size_t>(breakpoint.on)];
     const auto             what = [&]() -> std::string {
         switch (breakpoint.on) {
-        case Breakpoint::On::Line: return std::to_string(breakpoint.line);
-        case Breakpoint::On::Pixel: return pixelJson(breakpoint.pixel.x, breakpoint.pixel.y);
-        case Breakpoint::On::Node: return nodeJson(breakpoint.node);
-        case Breakpoint::On::Triangle: return std::to_string(breakpoint.triangle.value);
+            case Breakpoint::On::Line:
+                return std::to_string(breakpoint.line);
+            case Breakpoint::On::Pixel:
+                return pixelJson(breakpoint.pixel.x, breakpoint.pixel.y);
+            case Breakpoint::On::Node:
+                return nodeJson(breakpoint.node);
+            case Breakpoint::On::Triangle:
+                return std::to_string(breakpoint.triangle.value);
         }
         return "0";
     };
@@ -69,8 +75,8 @@ std::string breakpointJson(const Breakpoint& breakpoint)
 
 std::string bookmarkJson(const Bookmark& mark)
 {
-    return "{\"name\": " + text(mark.name) + ", \"grain\": " + quoted(zscope::wordOf(mark.grain)) + ", \"step\": " + std::to_string(mark.step) +
-           ",\n   \"algorithm\": " + algorithmJson(mark.pipeline) + "}";
+    return "{\"name\": " + text(mark.name) + ", \"grain\": " + quoted(zscope::wordOf(mark.grain))
+           + ", \"step\": " + std::to_string(mark.step) + ",\n   \"algorithm\": " + algorithmJson(mark.pipeline) + "}";
 }
 
 template <class Values, class Json>
@@ -158,8 +164,10 @@ Pipeline algorithmOf(Reader& read, const JsonValue& value)
     for (const auto& [axis, choice] : read.object(value, "algorithm")) {
         if (axis == "fault") {
             const FaultEntry* fault = findFault(read.textOf(choice, axis));
-            if (fault) pipeline.fault = fault->fault;
-            else read.wrong(choice, "there is no such fault");
+            if (fault)
+                pipeline.fault = fault->fault;
+            else
+                read.wrong(choice, "there is no such fault");
             continue;
         }
         if (std::ranges::find(axes(), axis, &AxisEntry::word) == axes().end()) {
@@ -167,8 +175,10 @@ Pipeline algorithmOf(Reader& read, const JsonValue& value)
             continue;
         }
         const auto with = withChoice(pipeline, axis, read.textOf(choice, axis));
-        if (!with) read.wrong(choice, with.error().text());
-        else pipeline = *with;
+        if (!with)
+            read.wrong(choice, with.error().text());
+        else
+            pipeline = *with;
     }
     if (const auto why = explainInvalid(pipeline)) read.wrong(value, *why);
     return pipeline;
@@ -189,16 +199,20 @@ QPoint pixelOf(Reader& read, const JsonValue& value, std::string_view what)
         read.wrong(value, "'" + std::string(what) + "' must be [x, y]");
         return {};
     }
-    return {static_cast<int>(read.whole(pair[0], what, kMaxPictureSide - 1)), static_cast<int>(read.whole(pair[1], what, kMaxPictureSide - 1))};
+    return {static_cast<int>(read.whole(pair[0], what, kMaxPictureSide - 1)),
+            static_cast<int>(read.whole(pair[1], what, kMaxPictureSide - 1))};
 }
 
 NodeName nodeOf(Reader& read, const JsonValue& value)
 {
     NodeName node;
     for (const auto& [key, part] : read.object(value, "node")) {
-        if (key == "path") node.path = read.textOf(part, key);
-        else if (key == "instance") node.instance = InstanceId{static_cast<std::uint32_t>(read.whole(part, key, 0xFFFFFFFF))};
-        else read.unknown(part, "a node", key);
+        if (key == "path")
+            node.path = read.textOf(part, key);
+        else if (key == "instance")
+            node.instance = InstanceId{static_cast<std::uint32_t>(read.whole(part, key, 0xFFFFFFFF))};
+        else
+            read.unknown(part, "a node", key);
     }
     return node;
 }
@@ -240,11 +254,16 @@ Bookmark bookmarkOf(Reader& read, const JsonValue& value)
 {
     Bookmark mark;
     for (const auto& [key, part] : read.object(value, "bookmark")) {
-        if (key == "name") mark.name = QString::fromStdString(read.textOf(part, key));
-        else if (key == "grain") mark.grain = grainIn(read, part);
-        else if (key == "step") mark.step = static_cast<std::uint64_t>(read.whole(part, key));
-        else if (key == "algorithm") mark.pipeline = algorithmOf(read, part);
-        else read.unknown(part, "a bookmark", key);
+        if (key == "name")
+            mark.name = QString::fromStdString(read.textOf(part, key));
+        else if (key == "grain")
+            mark.grain = grainIn(read, part);
+        else if (key == "step")
+            mark.step = static_cast<std::uint64_t>(read.whole(part, key));
+        else if (key == "algorithm")
+            mark.pipeline = algorithmOf(read, part);
+        else
+            read.unknown(part, "a bookmark", key);
     }
     return mark;
 }
@@ -253,11 +272,16 @@ DepthRange rangeOf(Reader& read, const JsonValue& value)
 {
     DepthRange range;
     for (const auto& [key, part] : read.object(value, "range")) {
-        if (key == "automatic") range.isAutomatic = read.truthOf(part, key);
-        else if (key == "logarithmic") range.isLogarithmic = read.truthOf(part, key);
-        else if (key == "farthest") range.farthest = static_cast<float>(read.take(realOf(part, read.file(), key)));
-        else if (key == "nearest") range.nearest = static_cast<float>(read.take(realOf(part, read.file(), key)));
-        else read.unknown(part, "a range", key);
+        if (key == "automatic")
+            range.isAutomatic = read.truthOf(part, key);
+        else if (key == "logarithmic")
+            range.isLogarithmic = read.truthOf(part, key);
+        else if (key == "farthest")
+            range.farthest = static_cast<float>(read.take(realOf(part, read.file(), key)));
+        else if (key == "nearest")
+            range.nearest = static_cast<float>(read.take(realOf(part, read.file(), key)));
+        else
+            read.unknown(part, "a range", key);
     }
     return range;
 }
@@ -265,13 +289,20 @@ DepthRange rangeOf(Reader& read, const JsonValue& value)
 void readCompare(Reader& read, const JsonValue& value, SessionFile& session)
 {
     for (const auto& [key, part] : read.object(value, "compare")) {
-        if (key == "algorithm") session.other = algorithmOf(read, part);
-        else if (key == "show") session.show = static_cast<CompareShow>(read.oneOf(part, key, kShows));
-        else if (key == "follows") session.link = static_cast<Link>(read.oneOf(part, key, kLinks));
-        else if (key == "linked") session.isLinked = read.truthOf(part, key);
-        else if (key == "wipe") session.wipe = std::clamp(read.take(realOf(part, read.file(), key)), 0.0, 1.0);
-        else if (key == "tolerance") session.tolerance = static_cast<std::uint32_t>(read.whole(part, key, 1'000'000'000));
-        else read.unknown(part, "a comparison", key);
+        if (key == "algorithm")
+            session.other = algorithmOf(read, part);
+        else if (key == "show")
+            session.show = static_cast<CompareShow>(read.oneOf(part, key, kShows));
+        else if (key == "follows")
+            session.link = static_cast<Link>(read.oneOf(part, key, kLinks));
+        else if (key == "linked")
+            session.isLinked = read.truthOf(part, key);
+        else if (key == "wipe")
+            session.wipe = std::clamp(read.take(realOf(part, read.file(), key)), 0.0, 1.0);
+        else if (key == "tolerance")
+            session.tolerance = static_cast<std::uint32_t>(read.whole(part, key, 1'000'000'000));
+        else
+            read.unknown(part, "a comparison", key);
     }
 }
 
@@ -282,50 +313,80 @@ WindowLayout layoutOf(Reader& read, const JsonValue& value)
         return QByteArray::fromBase64(QByteArray::fromStdString(read.textOf(part, what)));
     };
     for (const auto& [key, part] : read.object(value, "layout")) {
-        if (key == "geometry") layout.geometry = bytesOf(part, key);
-        else if (key == "state") layout.state = bytesOf(part, key);
-        else if (key == "name") layout.name = QString::fromStdString(read.textOf(part, key));
+        if (key == "geometry")
+            layout.geometry = bytesOf(part, key);
+        else if (key == "state")
+            layout.state = bytesOf(part, key);
+        else if (key == "name")
+            layout.name = QString::fromStdString(read.textOf(part, key));
         else if (key == "hidden")
-            for (const JsonValue& word : read.list(part, key)) layout.hidden << QString::fromStdString(read.textOf(word, key));
-        else read.unknown(part, "a layout", key);
+            for (const JsonValue& word : read.list(part, key))
+                layout.hidden << QString::fromStdString(read.textOf(word, key));
+        else
+            read.unknown(part, "a layout", key);
     }
     return layout;
 }
 
 void readMember(Reader& read, const std::string& key, const JsonValue& value, SessionFile& session)
 {
-    if (key == "zscope-session") read.take(wholeOf(value, read.file(), key, kVersion, kVersion));
-    else if (key == "scene") session.scene = QString::fromStdString(read.textOf(value, key));
-    else if (key == "camera") session.camera = read.take(cameraOf(value, read.file()));
-    else if (key == "cull") session.faceCulling = read.oneOf(value, key, std::array<std::string_view, 2>{"none", "back"}) == 0 ? FaceCulling::None : FaceCulling::Back;
-    else if (key == "algorithm") session.pipeline = algorithmOf(read, value);
-    else if (key == "grain") session.grain = grainIn(read, value);
+    if (key == "zscope-session")
+        read.take(wholeOf(value, read.file(), key, kVersion, kVersion));
+    else if (key == "scene")
+        session.scene = QString::fromStdString(read.textOf(value, key));
+    else if (key == "camera")
+        session.camera = read.take(cameraOf(value, read.file()));
+    else if (key == "cull")
+        session.faceCulling = read.oneOf(value, key, std::array<std::string_view, 2>{"none", "back"}) == 0
+                                  ? FaceCulling::None
+                                  : FaceCulling::Back;
+    else if (key == "algorithm")
+        session.pipeline = algorithmOf(read, value);
+    else if (key == "grain")
+        session.grain = grainIn(read, value);
     else if (key == "step") {
-        if (!value.text()) session.step = static_cast<std::uint64_t>(read.whole(value, key));
-        else if (*value.text() != "end") read.wrong(value, "'step' must be a number or \"end\"");
-    } else if (key == "picked") session.selection.picked = pixelOf(read, value, key);
-    else if (key == "node") session.selection.node = nodeOf(read, value);
-    else if (key == "triangle") session.selection.triangle = triangleOf(read, value);
-    else if (key == "level") session.selection.level = static_cast<int>(read.whole(value, key, 32));
+        if (!value.text())
+            session.step = static_cast<std::uint64_t>(read.whole(value, key));
+        else if (*value.text() != "end")
+            read.wrong(value, "'step' must be a number or \"end\"");
+    } else if (key == "picked")
+        session.selection.picked = pixelOf(read, value, key);
+    else if (key == "node")
+        session.selection.node = nodeOf(read, value);
+    else if (key == "triangle")
+        session.selection.triangle = triangleOf(read, value);
+    else if (key == "level")
+        session.selection.level = static_cast<int>(read.whole(value, key, 32));
     else if (key == "layer") {
         const std::string word  = read.textOf(value, key);
         const auto        layer = std::ranges::find(layers(), word, &Layer::word);
-        if (layer == layers().end()) read.wrong(value, "there is no layer '" + word.substr(0, 60) + "'");
-        else session.look.layer = &*layer;
-    } else if (key == "range") session.look.range = rangeOf(read, value);
+        if (layer == layers().end())
+            read.wrong(value, "there is no layer '" + word.substr(0, 60) + "'");
+        else
+            session.look.layer = &*layer;
+    } else if (key == "range")
+        session.look.range = rangeOf(read, value);
     else if (key == "over") {
         for (const auto& [word, part] : read.object(value, key)) {
-            const auto over = std::ranges::find(kOver, std::string_view(word), [](const OverEntry& entry) { return std::string_view(entry.word); });
-            if (over == kOver.end()) read.unknown(part, "'over'", word);
-            else session.layers.*(over->part) = read.truthOf(part, word);
+            const auto over = std::ranges::find(kOver, std::string_view(word),
+                                                [](const OverEntry& entry) { return std::string_view(entry.word); });
+            if (over == kOver.end())
+                read.unknown(part, "'over'", word);
+            else
+                session.layers.*(over->part) = read.truthOf(part, word);
         }
-    } else if (key == "compare") readCompare(read, value, session);
+    } else if (key == "compare")
+        readCompare(read, value, session);
     else if (key == "bookmarks")
-        for (const JsonValue& mark : read.list(value, key)) session.selection.marks.bookmarks.push_back(bookmarkOf(read, mark));
+        for (const JsonValue& mark : read.list(value, key))
+            session.selection.marks.bookmarks.push_back(bookmarkOf(read, mark));
     else if (key == "breakpoints")
-        for (const JsonValue& on : read.list(value, key)) session.selection.marks.breakpoints.push_back(breakpointOf(read, on));
-    else if (key == "layout") session.layout = layoutOf(read, value);
-    else read.unknown(value, "a session", key);
+        for (const JsonValue& on : read.list(value, key))
+            session.selection.marks.breakpoints.push_back(breakpointOf(read, on));
+    else if (key == "layout")
+        session.layout = layoutOf(read, value);
+    else
+        read.unknown(value, "a session", key);
 }
 
 }  // namespace
@@ -362,10 +423,12 @@ std::string sessionToJson(const SessionFile& session, const QString& file)
         if (!below.startsWith("..") && QDir::isRelativePath(below)) scene = below;
     }
     const Selection& of   = session.selection;
-    std::string      json = "{\"zscope-session\": " + std::to_string(kVersion) + ",\n \"scene\": " + text(scene) +
-                       ",\n \"camera\": " + cameraToJson(session.camera);
+    std::string      json = "{\"zscope-session\": " + std::to_string(kVersion) + ",\n \"scene\": " + text(scene)
+                       + ",\n \"camera\": " + cameraToJson(session.camera);
     while (!json.empty() && json.back() == '\n') json.pop_back();
-    const auto add = [&json](std::string_view key, const std::string& value) { json += ",\n " + quoted(key) + ": " + value; };
+    const auto add = [&json](std::string_view key, const std::string& value) {
+        json += ",\n " + quoted(key) + ": " + value;
+    };
     add("cull", session.faceCulling == FaceCulling::Back ? "\"back\"" : "\"none\"");
     add("algorithm", algorithmJson(session.pipeline));
     add("grain", quoted(zscope::wordOf(session.grain)));
@@ -376,21 +439,25 @@ std::string sessionToJson(const SessionFile& session, const QString& file)
     if (of.level) add("level", std::to_string(*of.level));
     add("layer", quoted(session.look.layer->word));
     const DepthRange& range = session.look.range;
-    add("range", std::string("{\"automatic\": ") + truth(range.isAutomatic) + ", \"logarithmic\": " + truth(range.isLogarithmic) +
-                     ", \"farthest\": " + number(static_cast<double>(range.farthest)) + ", \"nearest\": " + number(static_cast<double>(range.nearest)) + "}");
+    add("range", std::string("{\"automatic\": ") + truth(range.isAutomatic) + ", \"logarithmic\": "
+                     + truth(range.isLogarithmic) + ", \"farthest\": " + number(static_cast<double>(range.farthest))
+                     + ", \"nearest\": " + number(static_cast<double>(range.nearest)) + "}");
     std::string over;
-    for (const OverEntry& entry : kOver) over += (over.empty() ? "{" : ", ") + quoted(entry.word) + ": " + truth(session.layers.*entry.part);
+    for (const OverEntry& entry : kOver)
+        over += (over.empty() ? "{" : ", ") + quoted(entry.word) + ": " + truth(session.layers.*entry.part);
     add("over", over + "}");
     if (session.other)
-        add("compare", "{\"show\": " + quoted(kShows[static_cast<std::size_t>(session.show)]) + ", \"wipe\": " + number(session.wipe) +
-                           ", \"tolerance\": " + std::to_string(session.tolerance) + ", \"linked\": " + truth(session.isLinked) +
-                           ", \"follows\": " + quoted(kLinks[static_cast<std::size_t>(session.link)]) +
-                           ",\n  \"algorithm\": " + algorithmJson(*session.other) + "}");
+        add("compare", "{\"show\": " + quoted(kShows[static_cast<std::size_t>(session.show)]) + ", \"wipe\": "
+                           + number(session.wipe) + ", \"tolerance\": " + std::to_string(session.tolerance)
+                           + ", \"linked\": " + truth(session.isLinked)
+                           + ", \"follows\": " + quoted(kLinks[static_cast<std::size_t>(session.link)])
+                           + ",\n  \"algorithm\": " + algorithmJson(*session.other) + "}");
     add("bookmarks", listJson(of.marks.bookmarks, bookmarkJson));
     add("breakpoints", listJson(of.marks.breakpoints, breakpointJson));
     if (!session.layout.state.isEmpty())
-        add("layout", "{\"geometry\": " + bytes(session.layout.geometry) + ",\n  \"state\": " + bytes(session.layout.state) +
-                          ",\n  \"name\": " + text(session.layout.name) + ",\n  \"hidden\": " + listJson(session.layout.hidden, text) + "}");
+        add("layout", "{\"geometry\": " + bytes(session.layout.geometry) + ",\n  \"state\": "
+                          + bytes(session.layout.state) + ",\n  \"name\": " + text(session.layout.name)
+                          + ",\n  \"hidden\": " + listJson(session.layout.hidden, text) + "}");
     return json + "}\n";
 }
 
@@ -409,10 +476,13 @@ Result<SessionFile> sessionFromJson(const std::string& json, const QString& file
     for (const auto& [key, value] : members) readMember(read, key, value, session);
     if (!read.error()) {
         const std::vector<Grain> grains = grainsOf(session.pipeline);
-        if (std::ranges::find(grains, session.grain) == grains.end()) read.wrong(*document, nameOf(session.pipeline) + " has no steps of grain '" + std::string(zscope::wordOf(session.grain)) + "'");
+        if (std::ranges::find(grains, session.grain) == grains.end())
+            read.wrong(*document, nameOf(session.pipeline) + " has no steps of grain '"
+                                      + std::string(zscope::wordOf(session.grain)) + "'");
     }
     if (read.error()) return *read.error();
-    if (!session.scene.startsWith("builtin:")) session.scene = QFileInfo(file).absoluteDir().absoluteFilePath(session.scene);
+    if (!session.scene.startsWith("builtin:"))
+        session.scene = QFileInfo(file).absoluteDir().absoluteFilePath(session.scene);
     return session;
 }
 

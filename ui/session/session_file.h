@@ -2,10 +2,10 @@
 // A session as a file: what brings the same view back, with the same step, picks and marks. JSON, so that a teacher can
 // read and change it.
 //
-// Format     {"zscope-session":1, "scene":..., "camera":{the ten numbers}, "cull":"none"|"back", "algorithm":{axis: choice, "fault": word},
-//            "grain":word, "step":number|"end", "picked":[x,y], "node":{...}, "triangle":n, "level":n, "layer":word,
-//            "range":{...}, "over":{...}, "compare":{...}, "bookmarks":[...], "breakpoints":[...], "layout":{...}};
-//            all but the first three may be missing
+// Format     {"zscope-session":1, "scene":..., "camera":{the ten numbers}, "cull":"none"|"back", "algorithm":{axis:
+//            choice, "fault": word}, "grain":word, "step":number|"end", "picked":[x,y], "node":{...}, "triangle":n,
+//            "level":n, "layer":word, "range":{...}, "over":{...}, "compare":{...}, "bookmarks":[...],
+//            "breakpoints":[...], "layout":{...}}; all but the first three may be missing
 // Scene      builtin:..., or a path; below the file's own folder it is relative to that, so that both can be moved
 // Errors     Input, "file:line: sentence"
 #pragma once
@@ -33,15 +33,15 @@ struct SessionFile {
     FaceCulling                  faceCulling = FaceCulling::None;
     Pipeline                     pipeline;
     Grain                        grain = Grain::Frame;
-    std::optional<std::uint64_t> step;   // nothing: the finished picture
+    std::optional<std::uint64_t> step;  // nothing: the finished picture
     Selection                    selection;
     Look                         look;
     Layers                       layers;
     std::optional<Pipeline>      other;
-    CompareShow                  show = CompareShow::A;
-    Link                         link = Link::Number;
-    bool                         isLinked = true;
-    double                       wipe = 0.5;
+    CompareShow                  show      = CompareShow::A;
+    Link                         link      = Link::Number;
+    bool                         isLinked  = true;
+    double                       wipe      = 0.5;
     std::uint32_t                tolerance = 0;
     WindowLayout                 layout;
 };

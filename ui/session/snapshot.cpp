@@ -11,12 +11,12 @@ int levelOnShow(const Snapshot& shown)
 {
     const ShownStep* step = shown.stepOfPicture();
     if (!step || step->pyramid.levels.empty()) return -1;
-    const int            top = static_cast<int>(step->pyramid.levels.size()) - 1;
-    const HierarchyState& of = *step->state.hierarchy;
-    const int            level = shown.selectedLevel                                         ? *shown.selectedLevel
-                                 : step->state.event == Grain::Update && of.update ? of.update->level
-                                 : of.query                                                  ? of.query->level
-                                                                                             : Pyramid::kTileLevel;
+    const int             top   = static_cast<int>(step->pyramid.levels.size()) - 1;
+    const HierarchyState& of    = *step->state.hierarchy;
+    const int             level = shown.selectedLevel                               ? *shown.selectedLevel
+                                  : step->state.event == Grain::Update && of.update ? of.update->level
+                                  : of.query                                        ? of.query->level
+                                                                                    : Pyramid::kTileLevel;
     return std::clamp(level, 0, top);
 }
 
@@ -40,7 +40,7 @@ std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel)
         return {};
 
     PixelFacts facts;
-    facts.pixel = pixel;
+    facts.pixel           = pixel;
     const std::int64_t id = visible->idAt(pixel.x(), pixel.y());
     if (id < 0) return facts;
     facts.triangle = TriangleId{static_cast<std::uint32_t>(id)};
@@ -54,9 +54,9 @@ std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel)
     const Mesh&       mesh     = scene.meshOf(instance);
     const std::size_t inMesh   = facts.triangle->value - scene.firstTriangle[instance.value];
     const PolygonId   polygon  = mesh.trianglePolygon[inMesh];
-    facts.polygon  = polygon.value;
-    facts.group    = QString::fromStdString(mesh.groups[mesh.polygonGroup[polygon.value].value]);
-    facts.material = QString::fromStdString(mesh.materialOf(polygon).name);
+    facts.polygon              = polygon.value;
+    facts.group                = QString::fromStdString(mesh.groups[mesh.polygonGroup[polygon.value].value]);
+    facts.material             = QString::fromStdString(mesh.materialOf(polygon).name);
     if (scene.instances.size() > 1) facts.instance = QString::number(instance.value);  // its number, like a triangle's
     return facts;
 }
@@ -65,7 +65,8 @@ std::optional<NodeName> nodeOfPick(const Snapshot& shown)
 {
     const auto            triangle  = pickedTriangle(shown);
     const HierarchyState* hierarchy = shown.hierarchy();
-    if (!triangle || !hierarchy || !hierarchy->tree || triangle->value >= shown.scene->scene().triangleCount()) return {};
+    if (!triangle || !hierarchy || !hierarchy->tree || triangle->value >= shown.scene->scene().triangleCount())
+        return {};
     const int id = nodeHolding(*triangle, hierarchy->nodes, *shown.scene->prepared, *hierarchy->tree);
     return id < 0 ? std::nullopt : std::optional(nameOf(hierarchy->nodes[static_cast<std::size_t>(id)]));
 }

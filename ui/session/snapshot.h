@@ -42,9 +42,9 @@ struct LoadedScene {
 /// What a picture shows of each pixel.
 struct Look {
     const Layer* layer = &zscope::layers().front();
-    DepthRange   range;   // of the layer of depths
+    DepthRange   range;  // of the layer of depths
 
-    bool isShaded() const { return layer == &zscope::layers().front(); }
+    bool        isShaded() const { return layer == &zscope::layers().front(); }
     friend bool operator==(const Look&, const Look&) = default;
 };
 
@@ -59,30 +59,30 @@ struct DepthSpread {
 
 /// One finished frame at full speed.
 struct DrawnFrame {
-    std::uint64_t generation = 0;
-    Camera        camera;
-    Pipeline      pipeline;
-    Frame         frame;
-    FrameReport   report;               // of the median of so many frames
-    std::size_t   framesTimed = 1;
-    Look          look;
+    std::uint64_t       generation = 0;
+    Camera              camera;
+    Pipeline            pipeline;
+    Frame               frame;
+    FrameReport         report;  // of the median of so many frames
+    std::size_t         framesTimed = 1;
+    Look                look;
     Grid<std::uint32_t> painted;  // the chosen layer; empty: the frame's own colours
-    DepthSpread   spread;
-    std::uint64_t coveredPixels    = 0;
-    std::uint64_t visibleTriangles = 0;  // that own at least one pixel
+    DepthSpread         spread;
+    std::uint64_t       coveredPixels    = 0;
+    std::uint64_t       visibleTriangles = 0;  // that own at least one pixel
 };
 
 /// What is drawn over the picture, of what there is to draw.
 struct Layers {
-    bool line     = true;
-    bool edges    = true;
-    bool ghost    = true;  // what is still to come, pale
-    bool triangle = true;
-    bool query    = true;  // what the pyramid was asked last, and the cell that was written last
-    bool boxes    = false; // of the hierarchy's nodes, by verdict
-    bool pyramid  = false; // the cells of the chosen level, with their values
-    bool grid     = true;  // pixel grid and numbers in large pixels
-    bool marks    = true;  // breakpoints
+    bool line      = true;
+    bool edges     = true;
+    bool ghost     = true;  // what is still to come, pale
+    bool triangle  = true;
+    bool query     = true;   // what the pyramid was asked last, and the cell that was written last
+    bool boxes     = false;  // of the hierarchy's nodes, by verdict
+    bool pyramid   = false;  // the cells of the chosen level, with their values
+    bool grid      = true;   // pixel grid and numbers in large pixels
+    bool marks     = true;   // breakpoints
     bool magnifier = true;
 
     friend bool operator==(const Layers&, const Layers&) = default;
@@ -90,17 +90,17 @@ struct Layers {
 
 /// The state after one step, with its picture.
 struct ShownStep {
-    std::uint64_t generation = 0;
-    Camera        camera;
-    Pipeline      pipeline;
-    StepState     state;
+    std::uint64_t          generation = 0;
+    Camera                 camera;
+    Pipeline               pipeline;
+    StepState              state;
     std::vector<StageMark> stages;  // of the whole run, in steps of this grain
-    Look          look;
-    Grid<std::uint32_t> painted;  // the chosen layer; empty: the frame's own colours
-    DepthSpread   spread;
-    PyramidPicture pyramid;     // no levels: the method keeps none, or none yet
-    QImage        ghosted;      // the step's picture, with what is still to come shown pale
-    double        replayMs = 0; // what making it took
+    Look                   look;
+    Grid<std::uint32_t>    painted;  // the chosen layer; empty: the frame's own colours
+    DepthSpread            spread;
+    PyramidPicture         pyramid;       // no levels: the method keeps none, or none yet
+    QImage                 ghosted;       // the step's picture, with what is still to come shown pale
+    double                 replayMs = 0;  // what making it took
 
     std::uint64_t last() const { return state.count - 1; }
     bool          isLast() const { return state.step.value >= last(); }
@@ -111,7 +111,7 @@ struct Comparison {
     std::shared_ptr<const DrawnFrame> a, b;          // the finished pictures that were compared, or
     std::shared_ptr<const ShownStep>  stepA, stepB;  // those of two steps
     Difference                        difference;
-    ErrorFigures                      figures;       // of B, with A as what is right, or the other way round
+    ErrorFigures                      figures;            // of B, with A as what is right, or the other way round
     bool                              isAJudged = false;  // the other way round: B claims to be exact, and A does not
     std::uint32_t                     tolerance = 0;
 };
@@ -131,7 +131,18 @@ enum class Link { Number, Line, Stage, Pixel };
 /// What the step of B has to do with that of A, where it is not plain.
 struct LinkNote {
     enum class What {
-        Nothing, PartOfRun, PartOfStage, NoLine, FirstOnLine, NeverOnLine, NoPixel, BackgroundInA, StillBackground, SameTriangle, NoChange, NeverShown
+        Nothing,
+        PartOfRun,
+        PartOfStage,
+        NoLine,
+        FirstOnLine,
+        NeverOnLine,
+        NoPixel,
+        BackgroundInA,
+        StillBackground,
+        SameTriangle,
+        NoChange,
+        NeverShown
     };
     What what = What::Nothing;
     int  line = 0;
@@ -139,42 +150,43 @@ struct LinkNote {
 QString textOf(const LinkNote& note);  // translated; ui/session/linking.cpp
 
 struct CompareState {
-    std::optional<Pipeline> other;      // B; nothing: there is no comparison
-    CompareShow   show      = CompareShow::A;
-    bool          isHeld    = false;    // Shift is held: B is seen for as long
-    bool          isLinked  = true;     // B is stepped with A
-    Link          link      = Link::Number;
-    LinkNote      linkNote;
-    double        wipe      = 0.5;      // of the picture's width: A to the left, B to the right
-    std::uint32_t tolerance = 0;        // float32 steps
-    std::shared_ptr<const DrawnFrame> frame;   // of B; nullptr until one was drawn
-    std::shared_ptr<const ShownStep>  step;    // of B
-    std::shared_ptr<const Comparison> result;  // nullptr until there is one
+    std::optional<Pipeline>           other;  // B; nothing: there is no comparison
+    CompareShow                       show     = CompareShow::A;
+    bool                              isHeld   = false;  // Shift is held: B is seen for as long
+    bool                              isLinked = true;   // B is stepped with A
+    Link                              link     = Link::Number;
+    LinkNote                          linkNote;
+    double                            wipe      = 0.5;  // of the picture's width: A to the left, B to the right
+    std::uint32_t                     tolerance = 0;    // float32 steps
+    std::shared_ptr<const DrawnFrame> frame;            // of B; nullptr until one was drawn
+    std::shared_ptr<const ShownStep>  step;             // of B
+    std::shared_ptr<const Comparison> result;           // nullptr until there is one
 
     CompareShow seen() const { return !other ? CompareShow::A : isHeld ? CompareShow::B : show; }
 };
 
 struct Snapshot {
-    std::shared_ptr<const LoadedScene> scene;      // nullptr until one was loaded
-    std::shared_ptr<const DrawnFrame>  frame;      // nullptr until one was drawn
-    std::shared_ptr<const ShownStep>   step;       // nullptr until one was made
+    std::shared_ptr<const LoadedScene> scene;              // nullptr until one was loaded
+    std::shared_ptr<const DrawnFrame>  frame;              // nullptr until one was drawn
+    std::shared_ptr<const ShownStep>   step;               // nullptr until one was made
     bool                               showsStep = false;  // the picture is the step's, not the frame's
-    Camera                             camera;     // the newest, perhaps not drawn yet
-    ViewRequest                        view;       // what the camera was made from
-    Pipeline                           pipeline;   // the chosen one, perhaps not drawn yet
-    Look                               look;       // what the picture shows of each pixel
+    Camera                             camera;             // the newest, perhaps not drawn yet
+    ViewRequest                        view;               // what the camera was made from
+    Pipeline                           pipeline;           // the chosen one, perhaps not drawn yet
+    Look                               look;               // what the picture shows of each pixel
     Grain                              grain = Grain::Frame;
     std::optional<QPoint>              picked;
     std::optional<EdgeRow>             selectedEdge;
     std::optional<int>                 selectedLevel;  // of the pyramid; nothing: that of the last question or update
     std::optional<NodeName>            selectedNode;
-    std::optional<TriangleId>          selectedTriangle;  // goes before the picked pixel's, until another pixel is picked
-    VerdictSet                         shownNodes = everyVerdict();  // whose boxes are shown, and rows in the tree
-    Layers                             layers;
-    CompareState                       compare;
-    Marks                              marks;
-    QString                            busy;       // what the worker does; empty: nothing to wait for
-    double                             progress = -1;  // in [0, 1], or -1: not known
+    // goes before the picked pixel's, until another pixel is picked
+    std::optional<TriangleId> selectedTriangle;
+    VerdictSet                shownNodes = everyVerdict();  // whose boxes are shown, and rows in the tree
+    Layers                    layers;
+    CompareState              compare;
+    Marks                     marks;
+    QString                   busy;           // what the worker does; empty: nothing to wait for
+    double                    progress = -1;  // in [0, 1], or -1: not known
 
     /// B's picture of the same moment as A's; nullptr while there is none.
     const VisibilityBuffer* visibleOfOther() const
@@ -207,7 +219,8 @@ struct Snapshot {
         if (showsStep && step) return step->painted.width() > 0 ? &step->painted : &step->state.frame.colour;
         if (!frame) return nullptr;
         // Only a step counts tests: the last one is the finished picture, too.
-        if (frame->look.layer->needsTests && step && step->generation == frame->generation && step->isLast() && step->look == frame->look)
+        if (frame->look.layer->needsTests && step && step->generation == frame->generation && step->isLast()
+            && step->look == frame->look)
             return &step->painted;
         return frame->painted.width() > 0 ? &frame->painted : &frame->frame.colour;
     }
@@ -240,8 +253,8 @@ struct Snapshot {
     }
 };
 
-/// The level of the pyramid that is large and over the picture: the chosen one, else what the step is about; -1: there is
-/// no pyramid.
+/// The level of the pyramid that is large and over the picture: the chosen one, else what the step is about; -1: there
+/// is no pyramid.
 int levelOnShow(const Snapshot& shown);
 /// The node that holds the triangle at the picked pixel; nothing: there is none, or no hierarchy.
 std::optional<NodeName> nodeOfPick(const Snapshot& shown);
@@ -253,16 +266,16 @@ enum class Change {
     Pipeline  = 8,   // pipeline or grain
     Selection = 16,  // picked pixel, selected edge, level, node, triangle
     Busy      = 32,
-    Layers    = 64,  // what is drawn over the picture, and which nodes
-    Compare   = 128, // B, what of it is seen, and the result
-    Marks     = 256, // bookmarks, breakpoints, what changes a pixel
+    Layers    = 64,   // what is drawn over the picture, and which nodes
+    Compare   = 128,  // B, what of it is seen, and the result
+    Marks     = 256,  // bookmarks, breakpoints, what changes a pixel
 };
 Q_DECLARE_FLAGS(Changes, Change)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 
-inline constexpr Changes kEverything{Change::Scene, Change::Camera, Change::Picture,
-                                     Change::Pipeline, Change::Selection, Change::Busy, Change::Layers,
-                                     Change::Compare, Change::Marks};
+inline constexpr Changes kEverything{Change::Scene,    Change::Camera,    Change::Picture,
+                                     Change::Pipeline, Change::Selection, Change::Busy,
+                                     Change::Layers,   Change::Compare,   Change::Marks};
 
 /// Whether the pixel lies where a wipe shows B.
 bool isBeyondWipe(const Snapshot& shown, const QPoint& pixel);
@@ -272,11 +285,11 @@ Snapshot asOther(const Snapshot& shown);
 /// What can be said of one pixel of the picture on show: beyond a wipe, of B's.
 struct PixelFacts {
     QPoint                    pixel;
-    std::optional<TriangleId> triangle;   // nothing: background
-    float                     depth = 0;  // near/z
-    double                    z     = 0;  // view distance; 0 for background
+    std::optional<TriangleId> triangle;                   // nothing: background
+    float                     depth = 0;                  // near/z
+    double                    z     = 0;                  // view distance; 0 for background
     QString                   instance, group, material;  // names, empty where there is nothing to tell
-    std::uint64_t             polygon = 0;  // of the mesh, as the file counts them from 0
+    std::uint64_t             polygon = 0;                // of the mesh, as the file counts them from 0
 };
 std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel);
 

@@ -31,8 +31,8 @@ Worker::~Worker()
 
 void Worker::post(Slot slot, Job job)
 {
-    m_isBusy  = true;
-    bool wait = false;
+    m_isBusy       = true;
+    bool wait      = false;
     int  allowance = 1;
     {
         const std::lock_guard lock(m_mutex);
@@ -42,8 +42,10 @@ void Worker::post(Slot slot, Job job)
         if (m_running && *m_running >= slot) {
             if (!m_pointless) m_since = std::chrono::steady_clock::now();
             m_pointless = true;
-            if (slot == Slot::Load) m_cancel = true;
-            else wait = true;
+            if (slot == Slot::Load)
+                m_cancel = true;
+            else
+                wait = true;
         }
         allowance = m_allowance;
     }
@@ -55,8 +57,10 @@ void Worker::cancel()
 {
     const std::lock_guard lock(m_mutex);
     for (auto& job : m_waiting) job.reset();
-    if (m_running) m_cancel = true;
-    else sayIdle();
+    if (m_running)
+        m_cancel = true;
+    else
+        sayIdle();
 }
 
 void Worker::sayIdle()
@@ -104,7 +108,8 @@ void Worker::losePatience()
     const std::lock_guard lock(m_mutex);
     if (!m_running || !m_pointless) return;
     const auto had = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - m_since);
-    if (const auto due = kPatience * m_allowance; had < due) return m_patience.start(due - had);  // the timer was another job's
+    // the timer was another job's
+    if (const auto due = kPatience * m_allowance; had < due) return m_patience.start(due - had);
     m_cancel    = true;
     m_allowance = std::min(2 * m_allowance, kMostAllowance);
 }
@@ -132,8 +137,7 @@ void Worker::run()
 
         if (!m_cancel) m_allowance = 1;
         m_running.reset();
-        if (std::ranges::none_of(m_waiting, [](const auto& waiting) { return waiting.has_value(); }))
-            sayIdle();
+        if (std::ranges::none_of(m_waiting, [](const auto& waiting) { return waiting.has_value(); })) sayIdle();
     }
 }
 

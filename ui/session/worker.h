@@ -3,9 +3,9 @@
 //
 // Slots      at most one job of each kind waits; a newer one takes its place. A load makes every other job
 //            pointless, a drawing makes the step of the old drawing pointless; likewise of what is compared with it
-// Cancel     a running job that a newer one has made pointless is asked to stop: at once by a load, otherwise when
-//            it has had kPatience since the newer one came, so that a dragged camera still sees frames finish. One that was
-//            stopped like that gives the next twice the time, until one finishes: a slow machine is slow, not stuck
+// Cancel     a running job that a newer one has made pointless is asked to stop: at once by a load, otherwise when it
+//            has had kPatience since the newer one came, so that a dragged camera still sees frames finish. One that
+//            was stopped like that gives the next twice the time, until one finishes: a slow machine is slow, not stuck
 // Threads    post(), cancel() and the destructor from the thread the worker lives in; jobs run on the thread it
 //            owns. The destructor asks the running job to stop and waits for it
 #pragma once
@@ -40,8 +40,9 @@ public:
     ~Worker() override;
 
     void post(Slot slot, Job job);
-    /// From a job: has `answer` run in the thread that the worker lives in, in the order of the calls, unless the worker is gone by
-    /// then. It passes under the mutex, so that whoever looks for races sees which thread had it when; Qt's queue does not show.
+    /// From a job: has `answer` run in the thread that the worker lives in, in the order of the calls, unless the
+    /// worker is gone by then. It passes under the mutex, so that whoever looks for races sees which thread had it
+    /// when; Qt's queue does not show.
     void deliver(std::function<void()> answer);
     /// Forgets what waits and asks what runs to stop.
     void cancel();
@@ -58,7 +59,7 @@ protected:
 
 private:
     static constexpr int         kMostAllowance = 32;
-    static constexpr std::size_t kSlots = 7;
+    static constexpr std::size_t kSlots         = 7;
 
     void run();
     void losePatience();
@@ -74,7 +75,7 @@ private:
     int                                    m_allowance = 1;      // times kPatience, for the next to be stopped
     bool                                   m_stop      = false;
     std::uint64_t                          m_posts     = 0;
-    std::deque<std::function<void()>>      m_answers;            // as many as there are events for them
+    std::deque<std::function<void()>>      m_answers;  // as many as there are events for them
     std::atomic<bool>                      m_cancel{false};
     bool                                   m_isBusy = false;  // of the thread the worker lives in, like the timer
     QTimer                                 m_patience;

@@ -23,15 +23,18 @@ namespace {
 constexpr std::size_t kMostColumns = 12;
 
 /// "zscope-cli compare SCENE view --algorithms A,B": the command of the picture with another word at its head and end.
-std::string commandFor(const Snapshot& shown, const DrawSettings& settings, const std::vector<BenchAlgorithm>& algorithms)
+std::string commandFor(const Snapshot& shown, const DrawSettings& settings,
+                       const std::vector<BenchAlgorithm>& algorithms)
 {
-    Snapshot plain = shown;
-    plain.pipeline = Pipeline{};  // zbuffer: its options are dropped below
-    plain.step     = {};
+    Snapshot plain    = shown;
+    plain.pipeline    = Pipeline{};  // zbuffer: its options are dropped below
+    plain.step        = {};
     QStringList words = commandOf(plain, settings);
     if (words.size() > 1) words[1] = QStringLiteral("compare");
     for (qsizetype i = words.size() - 2; i > 1; --i)
-        if (words[i] == QStringLiteral("--algorithm") || words[i] == QStringLiteral("--set") || words[i] == QStringLiteral("--show")) words.remove(i, 2);
+        if (words[i] == QStringLiteral("--algorithm") || words[i] == QStringLiteral("--set")
+            || words[i] == QStringLiteral("--show"))
+            words.remove(i, 2);
     QStringList names;
     for (const BenchAlgorithm& each : algorithms) names << QString::fromStdString(each.name);
     words << QStringLiteral("--algorithms") << names.join(',');
@@ -42,7 +45,9 @@ std::string commandFor(const Snapshot& shown, const DrawSettings& settings, cons
 
 }  // namespace
 
-SheetMaker::SheetMaker(Session& session, QObject* parent) : QObject(parent), m_session(session), m_worker(std::make_unique<Worker>()) {}
+SheetMaker::SheetMaker(Session& session, QObject* parent)
+    : QObject(parent), m_session(session), m_worker(std::make_unique<Worker>())
+{}
 
 SheetMaker::~SheetMaker() = default;
 
@@ -50,7 +55,8 @@ std::vector<BenchAlgorithm> SheetMaker::choices(const Session& session, std::siz
 {
     std::vector<BenchAlgorithm> all;
     const auto                  add = [&all](const Pipeline& pipeline) {
-        if (std::ranges::find(all, pipeline, &BenchAlgorithm::pipeline) == all.end()) all.push_back({zscope::nameOf(pipeline), pipeline, claimOf(pipeline)});
+        if (std::ranges::find(all, pipeline, &BenchAlgorithm::pipeline) == all.end())
+            all.push_back({zscope::nameOf(pipeline), pipeline, claimOf(pipeline)});
     };
     add(session.now().pipeline);
     if (session.now().compare.other) add(*session.now().compare.other);
@@ -114,15 +120,18 @@ void SheetMaker::make(const std::vector<BenchAlgorithm>& algorithms, const QStri
                               .threads     = m_session.settings().threads,
                               .simd        = m_session.settings().simd,
                               .memoryLimit = m_session.settings().memoryLimit};
-    m_worker->post(Worker::Slot::Draw, [this, request = std::move(request), command, file, exact = now.view.exact](const std::atomic<bool>& cancel) mutable {
+    m_worker->post(Worker::Slot::Draw, [this, request = std::move(request), command, file,
+                                        exact = now.view.exact](const std::atomic<bool>& cancel) mutable {
         request.progress.cancel = &cancel;
-        auto made = compareAlgorithms(request);
+        auto made               = compareAlgorithms(request);
         if (!made && made.error().kind == Trouble::Cancelled) return;
         auto whole = std::make_shared<Result<zscope::Comparison>>(std::move(made));
         m_worker->deliver([this, whole, request, command, file, exact] {
             if (!*whole) return emit failed(said((*whole).error()));
             const Scene& scene = request.scene->scene();
-            if (const auto trouble = writeSheet(file, **whole, scene, sheetWordsOf(**whole, scene, request.camera, command), exact)) return emit failed(*trouble);
+            if (const auto trouble =
+                    writeSheet(file, **whole, scene, sheetWordsOf(**whole, scene, request.camera, command), exact))
+                return emit failed(*trouble);
             emit this->made(file);
         });
     });

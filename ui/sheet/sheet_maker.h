@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes comparison sheets of the view in the window: draws, times and judges on a worker of its own, then writes the file.
+// Makes comparison sheets of the view in the window: draws, times and judges
+// on a worker of its own, then writes the file.
 //
-// Choice     which algorithms, asked in a dialog: what the window draws with, what it is compared with, and every preset
+// Choice     which algorithms, asked in a dialog: what the window draws with, what it is compared with, and every
+//            preset
 // Newest     another sheet takes the place of one that is being made
 #pragma once
 

@@ -30,16 +30,26 @@ QFont fontOf(int pixels)
 /// Draws by a painter that begin() makes.
 class PaintedCanvas : public SheetCanvas {
 public:
-    int  width(std::string_view utf8, int size) override { return QFontMetrics(fontOf(size)).horizontalAdvance(said(utf8)); }
-    void text(int x, int y, std::string_view utf8, int size, std::uint32_t colour) override { write(x, y, said(utf8), size, colour); }
+    int width(std::string_view utf8, int size) override
+    {
+        return QFontMetrics(fontOf(size)).horizontalAdvance(said(utf8));
+    }
+    void text(int x, int y, std::string_view utf8, int size, std::uint32_t colour) override
+    {
+        write(x, y, said(utf8), size, colour);
+    }
     void name(int x, int y, std::string_view utf8, int size, std::uint32_t colour) override
     {
         write(x, y, QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())), size, colour);
     }
-    void fill(int x0, int y0, int x1, int y1, std::uint32_t colour) override { m_painter.fillRect(x0, y0, x1 - x0, y1 - y0, QColor::fromRgb(colour)); }
+    void fill(int x0, int y0, int x1, int y1, std::uint32_t colour) override
+    {
+        m_painter.fillRect(x0, y0, x1 - x0, y1 - y0, QColor::fromRgb(colour));
+    }
     void picture(int x, int y, int width, int height, const Grid<std::uint32_t>& pixels) override
     {
-        const QImage image(reinterpret_cast<const uchar*>(pixels.values().data()), pixels.width(), pixels.height(), 4 * pixels.width(), QImage::Format_RGB32);
+        const QImage image(reinterpret_cast<const uchar*>(pixels.values().data()), pixels.width(), pixels.height(),
+                           4 * pixels.width(), QImage::Format_RGB32);
         m_painter.setRenderHint(QPainter::SmoothPixmapTransform);
         m_painter.drawImage(QRect(x, y, width, height), scaled(image, width, height));
     }
@@ -75,7 +85,9 @@ public:
 private:
     QImage scaled(const QImage& image, int width, int height) const override
     {
-        return image.size() == QSize(width, height) ? image : image.scaled(width, height, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        return image.size() == QSize(width, height)
+                   ? image
+                   : image.scaled(width, height, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     }
     QImage m_image;
 };
@@ -92,10 +104,15 @@ public:
     void begin(int width, int height) override
     {
         const double inch = 72.0 / kDotsPerInch;
-        m_writer.setPageLayout(QPageLayout(QPageSize(QSizeF(width * inch, height * inch), QPageSize::Point, QString(), QPageSize::ExactMatch), QPageLayout::Portrait, QMarginsF()));
+        m_writer.setPageLayout(QPageLayout(
+            QPageSize(QSizeF(width * inch, height * inch), QPageSize::Point, QString(), QPageSize::ExactMatch),
+            QPageLayout::Portrait, QMarginsF()));
         m_painter.begin(&m_writer);
     }
-    void attach(const QString& name, const std::string& json) { m_writer.addFileAttachment(name, QByteArray::fromStdString(json), QStringLiteral("application/json")); }
+    void attach(const QString& name, const std::string& json)
+    {
+        m_writer.addFileAttachment(name, QByteArray::fromStdString(json), QStringLiteral("application/json"));
+    }
     std::string take()
     {
         m_painter.end();
@@ -111,8 +128,8 @@ private:
 
 }  // namespace
 
-std::optional<QString> writeSheet(const QString& file, const zscope::Comparison& comparison, const Scene& scene, const SheetWords& words,
-                                  const std::optional<Camera>& camera)
+std::optional<QString> writeSheet(const QString& file, const zscope::Comparison& comparison, const Scene& scene,
+                                  const SheetWords& words, const std::optional<Camera>& camera)
 {
     const std::string name = QFile::encodeName(file).toStdString();
     Result<Done>      done = Done{};
@@ -124,10 +141,11 @@ std::optional<QString> writeSheet(const QString& file, const zscope::Comparison&
     } else {
         PictureCanvas canvas;
         drawSheet(comparison, scene, words, canvas);
-        const QImage image = canvas.take();
-        const GridView<const std::uint32_t> pixels{reinterpret_cast<const std::uint32_t*>(image.constBits()), image.width(), image.height(),
+        const QImage                        image = canvas.take();
+        const GridView<const std::uint32_t> pixels{reinterpret_cast<const std::uint32_t*>(image.constBits()),
+                                                   image.width(), image.height(),
                                                    static_cast<std::size_t>(image.bytesPerLine()) / 4};
-        auto texts = reproducingTexts(words.command, scene.digest);
+        auto                                texts = reproducingTexts(words.command, scene.digest);
         if (camera) texts.push_back({kCameraFile, cameraToJson(*camera)});
         done = writePng(name, pixels, texts);
     }

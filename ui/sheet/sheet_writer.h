@@ -13,9 +13,9 @@
 
 namespace zscope::ui {
 
-/// The trouble as a sentence, or nothing. `camera`: the camera.json that the command names, if it names one; it goes into the file,
-/// as a text chunk of the picture or a file attached to the page.
-std::optional<QString> writeSheet(const QString& file, const zscope::Comparison& comparison, const Scene& scene, const SheetWords& words,
-                                  const std::optional<Camera>& camera);
+/// The trouble as a sentence, or nothing. `camera`: the camera.json that the command names, if it names one; it goes
+/// into the file, as a text chunk of the picture or a file attached to the page.
+std::optional<QString> writeSheet(const QString& file, const zscope::Comparison& comparison, const Scene& scene,
+                                  const SheetWords& words, const std::optional<Camera>& camera);
 
 }  // namespace zscope::ui

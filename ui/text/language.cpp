@@ -13,9 +13,12 @@ namespace zscope::ui {
 std::string_view wordOf(Language language)
 {
     switch (language) {
-    case Language::System: return "system";
-    case Language::English: return "en";
-    case Language::Chinese: return "zh_CN";
+        case Language::System:
+            return "system";
+        case Language::English:
+            return "en";
+        case Language::Chinese:
+            return "zh_CN";
     }
     return {};
 }
@@ -30,7 +33,8 @@ std::optional<Language> languageOf(std::string_view word)
 Language languageOfSystem()
 {
     const QLocale system = QLocale::system();
-    return system.language() == QLocale::Chinese && system.script() == QLocale::SimplifiedHanScript ? Language::Chinese : Language::English;
+    return system.language() == QLocale::Chinese && system.script() == QLocale::SimplifiedHanScript ? Language::Chinese
+                                                                                                    : Language::English;
 }
 
 Translation::Translation() { registerTranslations(); }

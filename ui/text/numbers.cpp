@@ -33,10 +33,7 @@ QString groupedSigned(std::int64_t value)
     return withRealMinus(displayLocale().toString(static_cast<qlonglong>(value)));
 }
 
-QString decimal(double value, int decimals)
-{
-    return withRealMinus(displayLocale().toString(value, 'f', decimals));
-}
+QString decimal(double value, int decimals) { return withRealMinus(displayLocale().toString(value, 'f', decimals)); }
 
 QString signedDecimal(double value, int decimals)
 {

@@ -27,7 +27,10 @@ void append(QString& text, const QString& part)
     text += part;
 }
 
-bool isValue(const QString& text) { return std::ranges::none_of(text, [](QChar c) { return c.isSpace(); }); }
+bool isValue(const QString& text)
+{
+    return std::ranges::none_of(text, [](QChar c) { return c.isSpace(); });
+}
 
 }  // namespace
 
@@ -38,12 +41,13 @@ QString said(const Error& error)
     const QString sentence = said(error.sentence);
     if (error.file.empty()) return sentence;
     const QString file = QString::fromStdString(error.file);
-    return error.line > 0 ? QStringLiteral("%1:%2: %3").arg(file).arg(error.line).arg(sentence) : QStringLiteral("%1: %2").arg(file, sentence);
+    return error.line > 0 ? QStringLiteral("%1:%2: %3").arg(file).arg(error.line).arg(sentence)
+                          : QStringLiteral("%1: %2").arg(file, sentence);
 }
 
 PhraseBook::PhraseBook(const QString& file, QObject* parent) : QTranslator(parent)
 {
-    QFile book(file);
+    QFile                       book(file);
     [[maybe_unused]] const bool isOpen = book.open(QIODevice::ReadOnly);
     Q_ASSERT(isOpen);
     const QJsonObject phrases = QJsonDocument::fromJson(book.readAll()).object();
@@ -54,9 +58,9 @@ PhraseBook::PhraseBook(const QString& file, QObject* parent) : QTranslator(paren
 
 qsizetype PhraseBook::Phrase::rank() const
 {
-    constexpr qsizetype kMany = 16;
-    qsizetype letters = 0;
-    bool      takesAny = false;
+    constexpr qsizetype kMany    = 16;
+    qsizetype           letters  = 0;
+    bool                takesAny = false;
     for (const Piece& piece : pieces) {
         letters += piece.literal.size();
         takesAny = takesAny || piece.placeholder.isUpper();
@@ -117,8 +121,10 @@ QString PhraseBook::phrase(const QString& english) const
         if (!matches(candidate, 0, english, 0, values)) continue;
         QString text;
         for (qsizetype i = 0; i < candidate.translation.size(); ++i) {
-            const bool isPlaceholder = candidate.translation[i] == '{' && i + 2 < candidate.translation.size() && candidate.translation[i + 2] == '}';
-            append(text, isPlaceholder ? values.value(candidate.translation[i + 1]) : QString(candidate.translation[i]));
+            const bool isPlaceholder = candidate.translation[i] == '{' && i + 2 < candidate.translation.size()
+                                       && candidate.translation[i + 2] == '}';
+            append(text,
+                   isPlaceholder ? values.value(candidate.translation[i + 1]) : QString(candidate.translation[i]));
             if (isPlaceholder) i += 2;
         }
         return text;
@@ -126,12 +132,14 @@ QString PhraseBook::phrase(const QString& english) const
     return {};
 }
 
-bool PhraseBook::matches(const Phrase& phrase, std::size_t piece, const QString& text, qsizetype at, Values& values) const
+bool PhraseBook::matches(const Phrase& phrase, std::size_t piece, const QString& text, qsizetype at,
+                         Values& values) const
 {
     if (piece == phrase.pieces.size()) return at == text.size();
     const Piece& now = phrase.pieces[piece];
     if (!now.literal.isEmpty()) {
-        return QStringView(text).sliced(at).startsWith(now.literal) && matches(phrase, piece + 1, text, at + now.literal.size(), values);
+        return QStringView(text).sliced(at).startsWith(now.literal)
+               && matches(phrase, piece + 1, text, at + now.literal.size(), values);
     }
     const bool    isLast = piece + 1 == phrase.pieces.size();
     const QString next   = isLast ? QString() : phrase.pieces[piece + 1].literal;

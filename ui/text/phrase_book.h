@@ -34,22 +34,23 @@ public:
     explicit PhraseBook(const QString& file, QObject* parent = nullptr);
 
     bool    isEmpty() const override { return m_whole.isEmpty() && m_phrases.empty(); }
-    QString translate(const char* context, const char* source, const char* disambiguation = nullptr, int n = -1) const override;
+    QString translate(const char* context, const char* source, const char* disambiguation = nullptr,
+                      int n = -1) const override;
 
     /// Null if the book does not have it.
     QString phrase(const QString& english) const;
 
 private:
     struct Piece {
-        QString literal;     // or, if empty:
+        QString literal;  // or, if empty:
         QChar   placeholder;
     };
     struct Phrase {
         std::vector<Piece> pieces;  // no two placeholders side by side
         QString            translation;
 
-        /// Where it stands among the others, smaller first: 0 without a placeholder for any text; with one, the more of the
-        /// text is given, the smaller.
+        /// Where it stands among the others, smaller first: 0 without a placeholder for any text; with one, the more of
+        /// the text is given, the smaller.
         qsizetype rank() const;
     };
     using Values = QHash<QChar, QString>;
@@ -58,7 +59,7 @@ private:
     QString sentence(const QString& english) const;
     bool    matches(const Phrase& phrase, std::size_t piece, const QString& text, qsizetype at, Values& values) const;
 
-    QHash<QString, QString> m_whole;    // templates without a placeholder
+    QHash<QString, QString> m_whole;  // templates without a placeholder
     std::vector<Phrase>     m_phrases;
 };
 

@@ -10,7 +10,10 @@ namespace {
 
 class Speaker final : public QObject {
 public:
-    Speaker(QObject& owner, std::function<void()> say) : QObject(&owner), m_say(std::move(say)) { owner.installEventFilter(this); }
+    Speaker(QObject& owner, std::function<void()> say) : QObject(&owner), m_say(std::move(say))
+    {
+        owner.installEventFilter(this);
+    }
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override

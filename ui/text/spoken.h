@@ -9,8 +9,8 @@
 
 namespace zscope::ui {
 
-/// Runs `say` now, and again whenever `owner` hears that the language has changed: widgets, and whatever is their child.
-/// `say` lives as long as the owner.
+/// Runs `say` now, and again whenever `owner` hears that the language has changed: widgets, and whatever is their
+/// child. `say` lives as long as the owner.
 void spoken(QObject& owner, std::function<void()> say);
 
 }  // namespace zscope::ui

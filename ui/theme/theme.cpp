@@ -7,28 +7,28 @@ namespace {
 const Theme& lightTheme()
 {
     static const Theme theme{
-        .dark = false,
-        .ground = QColor(0xEEF0F3),
-        .card = QColor(0xFFFFFF),
-        .canvas = QColor(0xF4F6F8),
-        .border = QColor(0xDCE0E5),
-        .text = QColor(0x1B2026),
-        .softText = QColor(0x5F6B78),
-        .button = QColor(0x1B2026),
+        .dark       = false,
+        .ground     = QColor(0xEEF0F3),
+        .card       = QColor(0xFFFFFF),
+        .canvas     = QColor(0xF4F6F8),
+        .border     = QColor(0xDCE0E5),
+        .text       = QColor(0x1B2026),
+        .softText   = QColor(0x5F6B78),
+        .button     = QColor(0x1B2026),
         .buttonText = QColor(0xFFFFFF),
-        .now = QColor(0xE69F00),
-        .nowTint = QColor(0xFFF1CF),
-        .entered = QColor(0x009E73),
-        .left = QColor(0xD55E00),
-        .picked = QColor(0x0072B2),
+        .now        = QColor(0xE69F00),
+        .nowTint    = QColor(0xFFF1CF),
+        .entered    = QColor(0x009E73),
+        .left       = QColor(0xD55E00),
+        .picked     = QColor(0x0072B2),
         .pickedTint = QColor(0xDCEBF7),
-        .idle = QColor(0x56B4E9),
-        .idleText = QColor(0x1B2026),
-        .hidden = QColor(0xB6578F),
-        .outside = QColor(0x7C8794),
-        .error = QColor(0xB00020),
-        .errorTint = QColor(0xFDECEE),
-        .polygons = {QColor(0x56B4E9), QColor(0x0072B2), QColor(0x8FCBB9), QColor(0xA7B4C2), QColor(0xCC9FBA)},
+        .idle       = QColor(0x56B4E9),
+        .idleText   = QColor(0x1B2026),
+        .hidden     = QColor(0xB6578F),
+        .outside    = QColor(0x7C8794),
+        .error      = QColor(0xB00020),
+        .errorTint  = QColor(0xFDECEE),
+        .polygons   = {QColor(0x56B4E9), QColor(0x0072B2), QColor(0x8FCBB9), QColor(0xA7B4C2), QColor(0xCC9FBA)},
     };
     return theme;
 }
@@ -36,28 +36,28 @@ const Theme& lightTheme()
 const Theme& darkTheme()
 {
     static const Theme theme{
-        .dark = true,
-        .ground = QColor(0x16191D),
-        .card = QColor(0x20242A),
-        .canvas = QColor(0x1A1D22),
-        .border = QColor(0x363C45),
-        .text = QColor(0xE8ECF1),
-        .softText = QColor(0x9AA6B4),
-        .button = QColor(0xE8ECF1),
+        .dark       = true,
+        .ground     = QColor(0x16191D),
+        .card       = QColor(0x20242A),
+        .canvas     = QColor(0x1A1D22),
+        .border     = QColor(0x363C45),
+        .text       = QColor(0xE8ECF1),
+        .softText   = QColor(0x9AA6B4),
+        .button     = QColor(0xE8ECF1),
         .buttonText = QColor(0x16191D),
-        .now = QColor(0xF0AE1E),
-        .nowTint = QColor(0x4A3A12),
-        .entered = QColor(0x2BC596),
-        .left = QColor(0xF0803A),
-        .picked = QColor(0x6CB8EE),
+        .now        = QColor(0xF0AE1E),
+        .nowTint    = QColor(0x4A3A12),
+        .entered    = QColor(0x2BC596),
+        .left       = QColor(0xF0803A),
+        .picked     = QColor(0x6CB8EE),
         .pickedTint = QColor(0x213A50),
-        .idle = QColor(0x56B4E9),
-        .idleText = QColor(0x16191D),
-        .hidden = QColor(0xE096C0),
-        .outside = QColor(0x8B97A5),
-        .error = QColor(0xFF6B7D),
-        .errorTint = QColor(0x44212A),
-        .polygons = {QColor(0x4A9CCB), QColor(0x1C78B4), QColor(0x5FA38F), QColor(0x76828F), QColor(0xA87F98)},
+        .idle       = QColor(0x56B4E9),
+        .idleText   = QColor(0x16191D),
+        .hidden     = QColor(0xE096C0),
+        .outside    = QColor(0x8B97A5),
+        .error      = QColor(0xFF6B7D),
+        .errorTint  = QColor(0x44212A),
+        .polygons   = {QColor(0x4A9CCB), QColor(0x1C78B4), QColor(0x5FA38F), QColor(0x76828F), QColor(0xA87F98)},
     };
     return theme;
 }
@@ -101,7 +101,7 @@ QPalette paletteOf(Appearance appearance, const QPalette& system)
 
 QString styleSheetOf(const Theme& theme)
 {
-    QString sheet = QStringLiteral(R"(
+    QString                               sheet   = QStringLiteral(R"(
         QMainWindow, QDialog { background: @ground; }
         QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
         QMainWindow::separator { background: transparent; width: 8px; height: 8px; }
@@ -165,14 +165,17 @@ QString styleSheetOf(const Theme& theme)
         QTabBar::tab:selected { background: @card; color: @text; border-color: @border; }
         QTabBar::tab:hover { color: @text; }
         QTabBar::tab:focus { border-color: @picked; }
-        QTreeView { background: @card; border: none; outline: none; selection-background-color: @pickedTint; selection-color: @text; }
+        QTreeView { background: @card; border: none; outline: none; selection-background-color: @pickedTint;
+            selection-color: @text; }
         QTreeView::item { padding: 1px 0; }
         QCheckBox { spacing: 8px; }
-        QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @softText; border-radius: 3px; background: @card; }
+        QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @softText; border-radius: 3px;
+            background: @card; }
         QCheckBox::indicator:checked { background: @picked; border-color: @picked; image: url(:/icons/@tick.svg); }
         QCheckBox::indicator:disabled { border-color: @border; }
         QCheckBox:focus { color: @picked; }
-        QRadioButton::indicator { width: 10px; height: 10px; border: 2px solid @softText; border-radius: 7px; background: @card; }
+        QRadioButton::indicator { width: 10px; height: 10px; border: 2px solid @softText; border-radius: 7px;
+            background: @card; }
         QRadioButton::indicator:checked { background: @picked; }
         QRadioButton::indicator:focus { border-color: @picked; }
         QTabBar[atLeftEdge="true"]::tab { margin: 0 0 4px 8px; }
@@ -192,13 +195,20 @@ QString styleSheetOf(const Theme& theme)
         QToolTip { background: @card; color: @text; border: 1px solid @border; padding: 4px 8px; }
     )");
     const std::pair<const char*, QString> words[] = {
-        {"@ground", theme.ground.name()},         {"@card", theme.card.name()},
-        {"@canvas", theme.canvas.name()},         {"@border", theme.border.name()},
-        {"@buttonText", theme.buttonText.name()}, {"@button", theme.button.name()},
-        {"@softText", theme.softText.name()},     {"@text", theme.text.name()},
-        {"@pickedTint", theme.pickedTint.name()}, {"@picked", theme.picked.name()},
-        {"@errorTint", theme.errorTint.name()},   {"@error", theme.error.name()},
-        {"@idle", theme.idle.name()},             {"@faint", theme.dark ? "#66707c" : "#a3acb6"},
+        {"@ground", theme.ground.name()},
+        {"@card", theme.card.name()},
+        {"@canvas", theme.canvas.name()},
+        {"@border", theme.border.name()},
+        {"@buttonText", theme.buttonText.name()},
+        {"@button", theme.button.name()},
+        {"@softText", theme.softText.name()},
+        {"@text", theme.text.name()},
+        {"@pickedTint", theme.pickedTint.name()},
+        {"@picked", theme.picked.name()},
+        {"@errorTint", theme.errorTint.name()},
+        {"@error", theme.error.name()},
+        {"@idle", theme.idle.name()},
+        {"@faint", theme.dark ? "#66707c" : "#a3acb6"},
         {"@tick", theme.dark ? "check-dark" : "check-light"},
         {"@arrow", theme.dark ? "arrow-down-light" : "arrow-down-dark"},
     };

@@ -19,27 +19,27 @@ namespace zscope::ui {
 inline constexpr int kStep = 8;
 
 struct Theme {
-    bool   dark;
-    QColor ground;      // between the cards
-    QColor card;
-    QColor canvas;      // around the picture
-    QColor border;
-    QColor text;
-    QColor softText;    // what is less important
-    QColor button;      // the one button that matters
-    QColor buttonText;
-    QColor now;         // the line, edge or pixel of this step
-    QColor nowTint;     // the same behind text
-    QColor entered;
-    QColor left;
-    QColor picked;
-    QColor pickedTint;
-    QColor idle;        // active edges that are neither of these
-    QColor idleText;    // letters on it
-    QColor hidden;      // nodes that the pyramid hides
-    QColor outside;     // nodes that do not reach the view
-    QColor error;       // used for nothing else
-    QColor errorTint;
+    bool                  dark;
+    QColor                ground;  // between the cards
+    QColor                card;
+    QColor                canvas;  // around the picture
+    QColor                border;
+    QColor                text;
+    QColor                softText;  // what is less important
+    QColor                button;    // the one button that matters
+    QColor                buttonText;
+    QColor                now;      // the line, edge or pixel of this step
+    QColor                nowTint;  // the same behind text
+    QColor                entered;
+    QColor                left;
+    QColor                picked;
+    QColor                pickedTint;
+    QColor                idle;      // active edges that are neither of these
+    QColor                idleText;  // letters on it
+    QColor                hidden;    // nodes that the pyramid hides
+    QColor                outside;   // nodes that do not reach the view
+    QColor                error;     // used for nothing else
+    QColor                errorTint;
     std::array<QColor, 5> polygons;  // intervals of a line, by polygon
 
     const QColor& ofPolygon(std::uint32_t id) const { return polygons[(id * 2654435761u >> 16) % polygons.size()]; }

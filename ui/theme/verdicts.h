@@ -7,7 +7,7 @@
 
 namespace zscope::ui {
 
-inline constexpr std::array kVerdicts{NodeVerdict::Entered, NodeVerdict::Drawn,   NodeVerdict::Hidden,
+inline constexpr std::array kVerdicts{NodeVerdict::Entered, NodeVerdict::Drawn, NodeVerdict::Hidden,
                                       NodeVerdict::Outside, NodeVerdict::Small, NodeVerdict::Waiting};
 
 const QColor& colourOf(NodeVerdict verdict, const Theme& theme);

@@ -29,7 +29,7 @@ constexpr double kWheelStep    = 1.25;  // zoom per notch
 constexpr double kOrbitPerSize = 3.2;   // radians per height of the view
 constexpr double kFlyPerSecond = 0.6;   // scene units
 constexpr double kFlyFaster    = 4;     // with Shift
-constexpr double kChipsTop     = 1.5 * kStep, kChipsHigh = 3 * kStep;
+constexpr double kChipsTop = 1.5 * kStep, kChipsHigh = 3 * kStep;
 
 }  // namespace
 
@@ -67,23 +67,32 @@ void FrameView::showPicture()
     const Grid<std::uint32_t>* colours = m_shown.colours();
     const Grid<std::uint32_t>* other   = m_shown.coloursOfOther();
     const bool                 ghosts  = m_shown.showsStep && m_shown.layers.ghost;
-    if (!colours) m_picture = {};
-    else if (ghosts && !m_shown.step->ghosted.isNull()) m_picture = m_shown.step->ghosted;
-    else m_picture = imageOf(*colours);
+    if (!colours)
+        m_picture = {};
+    else if (ghosts && !m_shown.step->ghosted.isNull())
+        m_picture = m_shown.step->ghosted;
+    else
+        m_picture = imageOf(*colours);
     m_other = {};
     if (colours && other && other->width() == colours->width() && other->height() == colours->height()) {
-        const ShownStep* step  = m_shown.compare.isLinked ? m_shown.compare.step.get() : nullptr;
-        const QImage     ofOther = ghosts && step && !step->ghosted.isNull() ? step->ghosted : imageOf(*other);
-        const Comparison* result = m_shown.compare.result.get();
+        const ShownStep*  step    = m_shown.compare.isLinked ? m_shown.compare.step.get() : nullptr;
+        const QImage      ofOther = ghosts && step && !step->ghosted.isNull() ? step->ghosted : imageOf(*other);
+        const Comparison* result  = m_shown.compare.result.get();
         switch (m_shown.compare.seen()) {
-        case CompareShow::A: break;
-        case CompareShow::B: m_picture = ofOther; break;
-        case CompareShow::Wipe:
-        case CompareShow::Beside: m_other = ofOther; break;
-        case CompareShow::Difference:
-            if (result && result->difference.heat.width() == colours->width() && result->difference.heat.height() == colours->height())
-                m_picture = imageOf(result->difference.heat);
-            break;
+            case CompareShow::A:
+                break;
+            case CompareShow::B:
+                m_picture = ofOther;
+                break;
+            case CompareShow::Wipe:
+            case CompareShow::Beside:
+                m_other = ofOther;
+                break;
+            case CompareShow::Difference:
+                if (result && result->difference.heat.width() == colours->width()
+                    && result->difference.heat.height() == colours->height())
+                    m_picture = imageOf(result->difference.heat);
+                break;
         }
     }
     if (!m_picture.isNull() && m_picture.size() != m_view.picture()) {
@@ -170,16 +179,19 @@ QImage FrameView::picture(bool decorated) const
 
 void FrameView::placeMagnifier()
 {
-    const std::optional<QPoint> pixel = m_shown.layers.magnifier ? m_shown.picked ? m_shown.picked : m_hovered : std::nullopt;
-    const bool isBesideOther = isBeside() && !m_shown.picked && m_hoversOther;
-    const bool isOfOther     = isBesideOther || (pixel && isBeyondWipe(m_shown, *pixel));
-    const QString whose      = m_other.isNull() ? QString() : isOfOther ? QStringLiteral("B") : QStringLiteral("A");
-    m_magnifier->present(isBesideOther ? asOther(m_shown) : m_shown, isOfOther && !m_other.isNull() ? m_other : m_picture, pixel, whose);
+    const std::optional<QPoint> pixel =
+        m_shown.layers.magnifier ? m_shown.picked ? m_shown.picked : m_hovered : std::nullopt;
+    const bool    isBesideOther = isBeside() && !m_shown.picked && m_hoversOther;
+    const bool    isOfOther     = isBesideOther || (pixel && isBeyondWipe(m_shown, *pixel));
+    const QString whose         = m_other.isNull() ? QString() : isOfOther ? QStringLiteral("B") : QStringLiteral("A");
+    m_magnifier->present(isBesideOther ? asOther(m_shown) : m_shown,
+                         isOfOther && !m_other.isNull() ? m_other : m_picture, pixel, whose);
     const QSize size = m_magnifier->size();
     QPoint      at(width() - size.width() - 2 * kStep, height() - size.height() - 2 * kStep);
-    if (QRect(at, size).adjusted(-2 * kStep, -2 * kStep, 2 * kStep, 2 * kStep).contains(m_last.toPoint()) &&
-        underMouse())
-        at.setY(static_cast<int>(kChipsTop + kChipsHigh) + kStep);  // out of the way of the cursor, and of what says what is shown
+    if (QRect(at, size).adjusted(-2 * kStep, -2 * kStep, 2 * kStep, 2 * kStep).contains(m_last.toPoint())
+        && underMouse())
+        // out of the way of the cursor, and of what says what is shown
+        at.setY(static_cast<int>(kChipsTop + kChipsHigh) + kStep);
     m_magnifier->move(at);
 }
 
@@ -249,10 +261,13 @@ void FrameView::paintLegend(QPainter& painter) const
     constexpr int kStripe = 14, kHigh = 12;
     if (!m_shown.look.layer->needsTests || m_shown.compare.seen() == CompareShow::Difference) return;
     const Theme&  theme = themeOf(palette());
-    const QString from = QStringLiteral("1"), to = QStringLiteral("%1+").arg(kMostTests), what = tr("depth tests per pixel");
-    const int     left = fontMetrics().horizontalAdvance(from), right = fontMetrics().horizontalAdvance(to);
-    const int     stripes = kMostTests * kStripe;
-    const QRectF  card(2 * kStep, height() - 6.5 * kStep, std::max(left + right + stripes + 5 * kStep, fontMetrics().horizontalAdvance(what) + 3 * kStep), 4.5 * kStep);
+    const QString from = QStringLiteral("1"), to = QStringLiteral("%1+").arg(kMostTests),
+                  what = tr("depth tests per pixel");
+    const int    left = fontMetrics().horizontalAdvance(from), right = fontMetrics().horizontalAdvance(to);
+    const int    stripes = kMostTests * kStripe;
+    const QRectF card(2 * kStep, height() - 6.5 * kStep,
+                      std::max(left + right + stripes + 5 * kStep, fontMetrics().horizontalAdvance(what) + 3 * kStep),
+                      4.5 * kStep);
     painter.setPen(theme.border);
     painter.setBrush(theme.card);
     painter.drawRoundedRect(card.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
@@ -261,7 +276,8 @@ void FrameView::paintLegend(QPainter& painter) const
     const double y = card.bottom() - kHigh - 5;
     painter.drawText(QRectF(card.left() + 1.5 * kStep, y - 3, left, kHigh + 6), Qt::AlignCenter, from);
     for (int i = 0; i < kMostTests; ++i)
-        painter.fillRect(QRectF(card.left() + 2 * kStep + left + i * kStripe, y, kStripe - 1, kHigh), QColor::fromRgb(heatOfTests(static_cast<std::uint32_t>(i) + 1)));
+        painter.fillRect(QRectF(card.left() + 2 * kStep + left + i * kStripe, y, kStripe - 1, kHigh),
+                         QColor::fromRgb(heatOfTests(static_cast<std::uint32_t>(i) + 1)));
     painter.drawText(QRectF(card.left() + 2.5 * kStep + left + stripes, y - 3, right, kHigh + 6), Qt::AlignCenter, to);
 }
 
@@ -269,8 +285,10 @@ void FrameView::paintPicture(QPainter& painter, const QImage& picture) const
 {
     painter.setRenderHint(QPainter::SmoothPixmapTransform, m_view.zoom() < 1);
     const QRect seen = m_view.visiblePixels();
-    if (m_view.zoom() < 1) painter.drawImage(m_view.toView(QRectF(QPointF(0, 0), QSizeF(picture.size()))), picture);
-    else painter.drawImage(m_view.toView(QRectF(seen)), picture, QRectF(seen));
+    if (m_view.zoom() < 1)
+        painter.drawImage(m_view.toView(QRectF(QPointF(0, 0), QSizeF(picture.size()))), picture);
+    else
+        painter.drawImage(m_view.toView(QRectF(seen)), picture, QRectF(seen));
 }
 
 std::optional<double> FrameView::wipeAt() const
@@ -322,9 +340,9 @@ void FrameView::paintValues(QPainter& painter, const VisibilityBuffer& visible, 
             if (id < 0) continue;
             const bool isDark = qGray((isOther && !m_other.isNull() ? m_other : picture).pixel(x, y)) < 128;
             painter.setPen(isDark ? Qt::white : Qt::black);
-            painter.drawText(m_view.toView(QRectF(x, y, 1, 1)), Qt::AlignCenter,
-                             QString::number(id) + '\n' +
-                                 QString::number(static_cast<double>(here.depthAt(x, y)), 'f', 4));
+            painter.drawText(
+                m_view.toView(QRectF(x, y, 1, 1)), Qt::AlignCenter,
+                QString::number(id) + '\n' + QString::number(static_cast<double>(here.depthAt(x, y)), 'f', 4));
         }
     }
 }
@@ -332,20 +350,28 @@ void FrameView::paintValues(QPainter& painter, const VisibilityBuffer& visible, 
 QStringList FrameView::chips() const
 {
     QStringList chips{m_shown.showsStep ? tr("Step") : tr("Finished picture")};
-    if (!m_shown.look.isShaded())
-        chips << said(m_shown.look.layer->word);
+    if (!m_shown.look.isShaded()) chips << said(m_shown.look.layer->word);
     if (m_shown.compare.other) {
-        const QString a = QString::fromStdString(nameOf(m_shown.pipeline)), b = QString::fromStdString(nameOf(*m_shown.compare.other));
+        const QString a = QString::fromStdString(nameOf(m_shown.pipeline)),
+                      b = QString::fromStdString(nameOf(*m_shown.compare.other));
         switch (m_shown.compare.seen()) {
-        case CompareShow::A: chips << tr("A  %1").arg(a); break;
-        case CompareShow::B: chips << tr("B  %1").arg(b); break;
-        case CompareShow::Wipe:
-        case CompareShow::Beside: chips << tr("A  %1  |  B  %2").arg(a, b); break;
-        case CompareShow::Difference: {
-            const auto& result = m_shown.compare.result;
-            chips << (result && result->difference.differing() == 0 ? tr("Difference  %1, %2: no pixel") : tr("Difference  %1, %2")).arg(a, b);
-            break;
-        }
+            case CompareShow::A:
+                chips << tr("A  %1").arg(a);
+                break;
+            case CompareShow::B:
+                chips << tr("B  %1").arg(b);
+                break;
+            case CompareShow::Wipe:
+            case CompareShow::Beside:
+                chips << tr("A  %1  |  B  %2").arg(a, b);
+                break;
+            case CompareShow::Difference: {
+                const auto& result = m_shown.compare.result;
+                chips << (result && result->difference.differing() == 0 ? tr("Difference  %1, %2: no pixel")
+                                                                        : tr("Difference  %1, %2"))
+                             .arg(a, b);
+                break;
+            }
         }
     }
     if (m_shown.showsStep && !m_overlay.edges.empty()) chips << tr("Active edges");
@@ -385,7 +411,9 @@ void FrameView::paintHint(QPainter& painter) const
     painter.setFont(large);
     const bool isCancelled = m_shown.scene && m_shown.busy.isEmpty();
     painter.drawText(upper, Qt::AlignHCenter | Qt::AlignBottom,
-                     !m_shown.busy.isEmpty() ? m_shown.busy : isCancelled ? tr("Nothing is drawn") : tr("Drop an OBJ file here"));
+                     !m_shown.busy.isEmpty() ? m_shown.busy
+                     : isCancelled           ? tr("Nothing is drawn")
+                                             : tr("Drop an OBJ file here"));
     if (m_shown.scene && !isCancelled) return;
     painter.setPen(theme.softText);
     painter.setFont(font());
@@ -430,13 +458,20 @@ void FrameView::mousePressEvent(QMouseEvent* event)
         return;
     }
     switch (event->button()) {
-    case Qt::LeftButton: m_drag = camera ? Drag::Orbit : Drag::PanPicture; break;
-    case Qt::MiddleButton: m_drag = camera ? Drag::PanCamera : Drag::PanPicture; break;
-    case Qt::RightButton:
-        if (camera) m_drag = Drag::Look;
-        else m_session.pick(pixelAt(event->position()));
-        break;
-    default: return QWidget::mousePressEvent(event);
+        case Qt::LeftButton:
+            m_drag = camera ? Drag::Orbit : Drag::PanPicture;
+            break;
+        case Qt::MiddleButton:
+            m_drag = camera ? Drag::PanCamera : Drag::PanPicture;
+            break;
+        case Qt::RightButton:
+            if (camera)
+                m_drag = Drag::Look;
+            else
+                m_session.pick(pixelAt(event->position()));
+            break;
+        default:
+            return QWidget::mousePressEvent(event);
     }
 }
 
@@ -444,32 +479,36 @@ void FrameView::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF moved = event->position() - m_last;
     m_last              = event->position();
-    const bool isDrag   = (m_last - m_pressed).manhattanLength() > kClickReach;
+    const bool   isDrag = (m_last - m_pressed).manhattanLength() > kClickReach;
     const double size   = std::max(height(), 1);
     switch (m_drag) {
-    case Drag::PanPicture:
-        if (!isDrag) break;
-        m_view.panBy(device(moved));
-        viewMoved();
-        break;
-    case Drag::Orbit:
-    case Drag::Look:
-        m_session.moveCamera([&](CameraControl& camera) {
-            const double aboutUp = -moved.x() / size * kOrbitPerSize, aboutRight = -moved.y() / size * kOrbitPerSize;
-            if (m_drag == Drag::Orbit) camera.orbit(aboutUp, aboutRight);
-            else camera.look(aboutUp, aboutRight);
-        });
-        break;
-    case Drag::PanCamera:
-        m_session.moveCamera([&](CameraControl& camera) {  // the point under the cursor stays under it
-            const double pictureHeight = m_view.zoom() * m_view.picture().height() / devicePixelRatioF();
-            camera.pan(-moved.x() / pictureHeight, moved.y() / pictureHeight, m_shown.camera.focal);
-        });
-        break;
-    case Drag::Wipe:
-        m_session.setWipe(m_view.toPicture(device(m_last)).x() / m_view.picture().width());
-        break;
-    case Drag::None: break;
+        case Drag::PanPicture:
+            if (!isDrag) break;
+            m_view.panBy(device(moved));
+            viewMoved();
+            break;
+        case Drag::Orbit:
+        case Drag::Look:
+            m_session.moveCamera([&](CameraControl& camera) {
+                const double aboutUp    = -moved.x() / size * kOrbitPerSize,
+                             aboutRight = -moved.y() / size * kOrbitPerSize;
+                if (m_drag == Drag::Orbit)
+                    camera.orbit(aboutUp, aboutRight);
+                else
+                    camera.look(aboutUp, aboutRight);
+            });
+            break;
+        case Drag::PanCamera:
+            m_session.moveCamera([&](CameraControl& camera) {  // the point under the cursor stays under it
+                const double pictureHeight = m_view.zoom() * m_view.picture().height() / devicePixelRatioF();
+                camera.pan(-moved.x() / pictureHeight, moved.y() / pictureHeight, m_shown.camera.focal);
+            });
+            break;
+        case Drag::Wipe:
+            m_session.setWipe(m_view.toPicture(device(m_last)).x() / m_view.picture().width());
+            break;
+        case Drag::None:
+            break;
     }
     if (m_drag == Drag::None) {  // the handle says that it can be dragged
         const auto wipe = wipeAt();
@@ -509,7 +548,7 @@ void FrameView::leaveEvent(QEvent*)
 void FrameView::keyPressEvent(QKeyEvent* event)
 {
     static const QSet<int> flying{Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E, Qt::Key_Shift};
-    const bool plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    const bool             plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
     if (m_tool != Tool::Camera || !plain || !flying.contains(event->key())) return QWidget::keyPressEvent(event);
     if (event->isAutoRepeat()) return;
     m_held.insert(event->key());

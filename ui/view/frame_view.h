@@ -31,8 +31,8 @@ public:
 
     void present(const Snapshot& now, Changes what);
 
-    Tool          tool() const { return m_tool; }
-    void          setTool(Tool tool);
+    Tool tool() const { return m_tool; }
+    void setTool(Tool tool);
 
     void fit();
     void oneToOne();
@@ -40,7 +40,7 @@ public:
     void reveal(const QPoint& pixel);
 
     /// The picture on show at its own size, as core made it; with `decorated` the overlay drawn into it.
-    QImage picture(bool decorated) const;
+    QImage               picture(bool decorated) const;
     const ViewTransform& view() const { return m_view; }
     /// What stands over the picture: in which state it is, and what is laid over it.
     QStringList chips() const;
@@ -79,22 +79,22 @@ private:
     int     paneWidth() const { return isBeside() ? (width() - kPaneGap) / 2 : width(); }
     int     otherPaneAt() const { return paneWidth() + kPaneGap; }
     std::optional<QPoint> pixelAt(const QPointF& logical) const;
-    void    placePanes();
-    void    paintPane(QPainter& painter, const Snapshot& shown, const QImage& picture, const Overlay& overlay) const;
-    void    showPicture();
-    void    placeMagnifier();
-    void    viewMoved();
-    void    moveOn();  // one tick of flying
-    void    paintPicture(QPainter& painter, const QImage& picture) const;
-    void    paintWipe(QPainter& painter) const;
+    void                  placePanes();
+    void paintPane(QPainter& painter, const Snapshot& shown, const QImage& picture, const Overlay& overlay) const;
+    void showPicture();
+    void placeMagnifier();
+    void viewMoved();
+    void moveOn();  // one tick of flying
+    void paintPicture(QPainter& painter, const QImage& picture) const;
+    void paintWipe(QPainter& painter) const;
     /// Where the wipe lies; logical, nothing while there is none.
     std::optional<double> wipeAt() const;
-    void    paintGrid(QPainter& painter) const;
-    void    paintValues(QPainter& painter, const VisibilityBuffer& visible, const QImage& picture) const;
-    void    paintChips(QPainter& painter) const;
-    void    paintLegend(QPainter& painter) const;
-    void    paintHint(QPainter& painter) const;
-    bool    usesCamera(Qt::KeyboardModifiers modifiers) const;
+    void                  paintGrid(QPainter& painter) const;
+    void                  paintValues(QPainter& painter, const VisibilityBuffer& visible, const QImage& picture) const;
+    void                  paintChips(QPainter& painter) const;
+    void                  paintLegend(QPainter& painter) const;
+    void                  paintHint(QPainter& painter) const;
+    bool                  usesCamera(Qt::KeyboardModifiers modifiers) const;
 
     Session&              m_session;
     Snapshot              m_shown;
@@ -107,7 +107,7 @@ private:
     QPointF               m_pressed, m_last;  // logical
     std::optional<QPoint> m_hovered;
     bool                  m_hoversOther = false;  // in B's pane
-    QSet<int>             m_held;  // keys that fly
+    QSet<int>             m_held;                 // keys that fly
     QTimer                m_flight;
     QElapsedTimer         m_sinceTick;
     Magnifier*            m_magnifier;

@@ -11,8 +11,8 @@
 namespace zscope::ui {
 namespace {
 
-constexpr int kPixel  = 10;  // logical pixels per picture pixel
-constexpr int kMost   = 7;   // lines of text
+constexpr int kPixel = 10;  // logical pixels per picture pixel
+constexpr int kMost  = 7;   // lines of text
 
 }  // namespace
 
@@ -20,9 +20,7 @@ Magnifier::Magnifier(QWidget* parent) : QFrame(parent)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     hide();
-    spoken(*this, [this] {
-        setAccessibleName(tr("Magnifier"));
-    });
+    spoken(*this, [this] { setAccessibleName(tr("Magnifier")); });
 }
 
 QSize Magnifier::sizeHint() const
@@ -31,7 +29,8 @@ QSize Magnifier::sizeHint() const
     return {kAcross * kPixel + 2 * kStep, kAcross * kPixel + 3 * kStep + lines * fontMetrics().lineSpacing()};
 }
 
-void Magnifier::present(const Snapshot& shown, const QImage& picture, const std::optional<QPoint>& pixel, const QString& whose)
+void Magnifier::present(const Snapshot& shown, const QImage& picture, const std::optional<QPoint>& pixel,
+                        const QString& whose)
 {
     const auto facts = pixel ? factsOf(shown, *pixel) : std::nullopt;
     if (!facts || picture.isNull()) {
@@ -80,7 +79,8 @@ void Magnifier::paintEvent(QPaintEvent*)
     painter.fillRect(lens, theme.canvas);
     painter.drawImage(lens, m_around);
     painter.setBrush(Qt::NoBrush);
-    const QPen frame(m_isPick ? theme.picked : theme.softText, 2), rim(theme.card, 4);  // one of the two stands out from any picture
+    // one of the two stands out from any picture
+    const QPen frame(m_isPick ? theme.picked : theme.softText, 2), rim(theme.card, 4);
     for (const QPen& pen : {rim, frame}) {
         painter.setPen(pen);
         painter.drawRect(QRect(lens.left() + kAcross / 2 * kPixel, lens.top() + kAcross / 2 * kPixel, kPixel, kPixel));

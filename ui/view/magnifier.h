@@ -17,7 +17,8 @@ public:
 
     /// `picture` is the picture on show. Hides itself when there is nothing to say.
     /// `whose` picture it is, where two of them are in view; else empty.
-    void present(const Snapshot& shown, const QImage& picture, const std::optional<QPoint>& pixel, const QString& whose);
+    void present(const Snapshot& shown, const QImage& picture, const std::optional<QPoint>& pixel,
+                 const QString& whose);
 
     QSize sizeHint() const override;
 

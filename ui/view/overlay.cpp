@@ -61,7 +61,8 @@ void addPyramid(Overlay& overlay, const Snapshot& shown, const Layers& layers)
     if (hierarchy.update && shown.step->state.event == Grain::Update) {
         const CellWrite& cell = *hierarchy.update;
         const int        size = 1 << cell.level;
-        overlay.written = QRect(cell.x * size, cell.y * size, size, size).intersected(QRect(QPoint(0, 0), overlay.picture));
+        overlay.written =
+            QRect(cell.x * size, cell.y * size, size, size).intersected(QRect(QPoint(0, 0), overlay.picture));
     }
 }
 
@@ -72,8 +73,9 @@ std::vector<QLineF> linesOf(const What& what, const Snapshot& shown, const QSize
     std::vector<QLineF> lines;
     const QRectF        seen(-1, -1, picture.width() + 2, picture.height() + 2);
     for (const ScreenLine& line : outlineOf(what, shown.scene->scene(), shown.pictureCamera())) {
-        const bool misses = (line.x0 < seen.left() && line.x1 < seen.left()) || (line.x0 > seen.right() && line.x1 > seen.right()) ||
-                            (line.y0 < seen.top() && line.y1 < seen.top()) || (line.y0 > seen.bottom() && line.y1 > seen.bottom());
+        const bool misses =
+            (line.x0 < seen.left() && line.x1 < seen.left()) || (line.x0 > seen.right() && line.x1 > seen.right())
+            || (line.y0 < seen.top() && line.y1 < seen.top()) || (line.y0 > seen.bottom() && line.y1 > seen.bottom());
         if (!misses) lines.emplace_back(line.x0, line.y0, line.x1, line.y1);
     }
     return lines;
@@ -88,17 +90,21 @@ void addMarks(Overlay& overlay, const Snapshot& shown)
     };
     for (const Breakpoint& at : shown.marks.breakpoints) {
         switch (at.on) {
-        case Breakpoint::On::Line:
-            if (at.line >= 0 && at.line < inside.height()) overlay.marks.lines.push_back(at.line);
-            break;
-        case Breakpoint::On::Pixel:
-            if (const QPoint pixel(at.pixel.x, at.pixel.y); inside.contains(pixel)) overlay.marks.pixels.push_back(pixel);
-            break;
-        case Breakpoint::On::Node:
-            if (const HierarchyState* hierarchy = shown.hierarchy())
-                if (const int id = rowOf(hierarchy->nodes, at.node); id >= 0) addOutline(linesOf(hierarchy->nodes[static_cast<std::size_t>(id)], shown, overlay.picture));
-            break;
-        case Breakpoint::On::Triangle: addOutline(linesOf(at.triangle, shown, overlay.picture)); break;
+            case Breakpoint::On::Line:
+                if (at.line >= 0 && at.line < inside.height()) overlay.marks.lines.push_back(at.line);
+                break;
+            case Breakpoint::On::Pixel:
+                if (const QPoint pixel(at.pixel.x, at.pixel.y); inside.contains(pixel))
+                    overlay.marks.pixels.push_back(pixel);
+                break;
+            case Breakpoint::On::Node:
+                if (const HierarchyState* hierarchy = shown.hierarchy())
+                    if (const int id = rowOf(hierarchy->nodes, at.node); id >= 0)
+                        addOutline(linesOf(hierarchy->nodes[static_cast<std::size_t>(id)], shown, overlay.picture));
+                break;
+            case Breakpoint::On::Triangle:
+                addOutline(linesOf(at.triangle, shown, overlay.picture));
+                break;
         }
     }
 }
@@ -125,17 +131,20 @@ void addBoxes(Overlay& overlay, const Snapshot& shown, const Layers& layers)
             byVerdict[verdict].verdict = node.verdict;
             byVerdict[verdict].lines.insert(byVerdict[verdict].lines.end(), lines.begin(), lines.end());
         }
-        for (const NodeVerdict verdict : {NodeVerdict::Outside, NodeVerdict::Waiting, NodeVerdict::Entered, NodeVerdict::Small,
-                                          NodeVerdict::Hidden, NodeVerdict::Drawn})
-            if (!byVerdict[static_cast<std::size_t>(verdict)].lines.empty()) overlay.boxes.push_back(std::move(byVerdict[static_cast<std::size_t>(verdict)]));
+        for (const NodeVerdict verdict : {NodeVerdict::Outside, NodeVerdict::Waiting, NodeVerdict::Entered,
+                                          NodeVerdict::Small, NodeVerdict::Hidden, NodeVerdict::Drawn})
+            if (!byVerdict[static_cast<std::size_t>(verdict)].lines.empty())
+                overlay.boxes.push_back(std::move(byVerdict[static_cast<std::size_t>(verdict)]));
     }
     const auto addOne = [&](int id, OverlayBox::Kind kind) {
         const NodeRow& node = nodes[static_cast<std::size_t>(id)];
         overlay.boxes.push_back({linesOf(node, shown, overlay.picture), node.verdict, kind});
     };
-    const bool isAboutNode = shown.showsStep && hierarchy->now >= 0 && shown.step->state.event <= Grain::Query && !hierarchy->askedAbout;
+    const bool isAboutNode =
+        shown.showsStep && hierarchy->now >= 0 && shown.step->state.event <= Grain::Query && !hierarchy->askedAbout;
     if (isAboutNode && layers.query) addOne(hierarchy->now, OverlayBox::Kind::Now);
-    if (const int id = shown.selectedNode ? rowOf(nodes, *shown.selectedNode) : -1; id >= 0) addOne(id, OverlayBox::Kind::Selected);
+    if (const int id = shown.selectedNode ? rowOf(nodes, *shown.selectedNode) : -1; id >= 0)
+        addOne(id, OverlayBox::Kind::Selected);
 }
 
 }  // namespace
@@ -160,9 +169,9 @@ Overlay overlayOf(const Snapshot& shown, const Layers& layers)
 
     if (const SweepState* sweep = shown.sweep(); sweep && sweep->y >= 0) {
         if (layers.line) overlay.line = sweep->y;
-        const auto picked = pickedTriangle(shown);
+        const auto      picked = pickedTriangle(shown);
         const EdgeNames entered(sweep->entered);
-        const auto kindOf = [&](const EdgeRow& edge) {
+        const auto      kindOf = [&](const EdgeRow& edge) {
             if (shown.selectedEdge && isSameEdge(edge, *shown.selectedEdge)) return EdgeKind::Selected;
             if (picked && edge.polygon == *picked) return EdgeKind::Picked;
             return entered.holds(edge) ? EdgeKind::Entered : EdgeKind::Active;
@@ -174,7 +183,8 @@ Overlay overlayOf(const Snapshot& shown, const Layers& layers)
         };
         for (const EdgeRow& edge : sweep->activeEdges) add(edge, sweep->y, kindOf(edge));
         for (const EdgeRow& edge : sweep->left) add(edge, edge.lastLine, EdgeKind::Left);
-        std::ranges::stable_sort(overlay.edges, {}, [](const OverlayEdge& edge) { return static_cast<int>(edge.kind); });
+        std::ranges::stable_sort(overlay.edges, {},
+                                 [](const OverlayEdge& edge) { return static_cast<int>(edge.kind); });
     }
     if (layers.triangle && step->state.triangle) {
         QPolygonF triangle;
@@ -195,16 +205,19 @@ namespace {
 /// The cells in their colours with the picture shining through, their borders, and their values where they fit.
 void paintCells(QPainter& painter, const Overlay& overlay, const ViewTransform& view, double scale)
 {
-    constexpr double  kValuesFrom = 40, kGridFrom = 5;  // device pixels per cell, times the screen's scale
-    constexpr double  kOpacity    = 0.72;
-    const PyramidLevel& cells  = *overlay.cells;
-    const int           size   = cells.cellSize();
-    const QRect         seen   = view.visiblePixels();
+    constexpr double    kValuesFrom = 40, kGridFrom = 5;  // device pixels per cell, times the screen's scale
+    constexpr double    kOpacity = 0.72;
+    const PyramidLevel& cells    = *overlay.cells;
+    const int           size     = cells.cellSize();
+    const QRect         seen     = view.visiblePixels();
     if (seen.isEmpty()) return;
-    const QRect  inCells(QPoint(seen.left() / size, seen.top() / size), QPoint(seen.right() / size, seen.bottom() / size));
+    const QRect  inCells(QPoint(seen.left() / size, seen.top() / size),
+                         QPoint(seen.right() / size, seen.bottom() / size));
     const QImage colours(reinterpret_cast<const uchar*>(cells.colours.values().data()), cells.width(), cells.height(),
                          cells.width() * static_cast<qsizetype>(sizeof(QRgb)), QImage::Format_RGB32);
-    const auto   placeOf = [&](int x, int y, int w, int h) { return view.toView(QRectF(x * size, y * size, w * size, h * size)); };
+    const auto   placeOf = [&](int x, int y, int w, int h) {
+        return view.toView(QRectF(x * size, y * size, w * size, h * size));
+    };
 
     const QRectF whole = view.toView(QRectF(QPointF(0, 0), QSizeF(overlay.picture)));  // the last cells reach beyond it
     painter.save();
@@ -212,7 +225,8 @@ void paintCells(QPainter& painter, const Overlay& overlay, const ViewTransform& 
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setOpacity(kOpacity);
-    painter.drawImage(placeOf(inCells.left(), inCells.top(), inCells.width(), inCells.height()), colours, QRectF(inCells));
+    painter.drawImage(placeOf(inCells.left(), inCells.top(), inCells.width(), inCells.height()), colours,
+                      QRectF(inCells));
     painter.setOpacity(1);
     const double wide = view.zoom() * size;
     if (wide >= kGridFrom * scale) {
@@ -235,8 +249,9 @@ void paintCells(QPainter& painter, const Overlay& overlay, const ViewTransform& 
             for (int x = inCells.left(); x <= inCells.right(); ++x) {
                 const bool lags = cells.isStored && cells.lags.at(x, y) != 0;
                 painter.setPen(qGray(cells.colours.at(x, y)) < 120 ? Qt::white : Qt::black);
-                painter.drawText(placeOf(x, y, 1, 1).intersected(whole), Qt::AlignCenter,
-                                 cellText(cells.farthest.at(x, y), overlay.empty) + (lags ? QStringLiteral("*") : QString()));
+                painter.drawText(
+                    placeOf(x, y, 1, 1).intersected(whole), Qt::AlignCenter,
+                    cellText(cells.farthest.at(x, y), overlay.empty) + (lags ? QStringLiteral("*") : QString()));
             }
         }
     }
@@ -261,19 +276,25 @@ void paintBoxes(QPainter& painter, const Overlay& overlay, const ViewTransform& 
         QColor colour = colourOf(box.verdict, theme);
         if (box.kind == OverlayBox::Kind::Plain && overlay.boxesShown > kFew) colour.setAlpha(150);
         switch (box.kind) {
-        case OverlayBox::Kind::Plain: draw(colour, 1, box.verdict == NodeVerdict::Hidden ? Qt::DashLine : Qt::SolidLine); break;
-        case OverlayBox::Kind::Now: draw(theme.now, 2, Qt::SolidLine); break;
-        case OverlayBox::Kind::Selected:
-            draw(Qt::white, 5, Qt::SolidLine);
-            draw(colour, 2.5, Qt::SolidLine);
-            break;
+            case OverlayBox::Kind::Plain:
+                draw(colour, 1, box.verdict == NodeVerdict::Hidden ? Qt::DashLine : Qt::SolidLine);
+                break;
+            case OverlayBox::Kind::Now:
+                draw(theme.now, 2, Qt::SolidLine);
+                break;
+            case OverlayBox::Kind::Selected:
+                draw(Qt::white, 5, Qt::SolidLine);
+                draw(colour, 2.5, Qt::SolidLine);
+                break;
         }
     }
     painter.restore();
 }
 
-/// Breakpoints: a dot beside what is marked, as in the table of marks, on a dotted outline; light around dark, for any picture.
-void paintMarks(QPainter& painter, const OverlayMarks& marks, const QSize& picture, const ViewTransform& view, double scale)
+/// Breakpoints: a dot beside what is marked, as in the table of marks, on a dotted outline; light around dark, for any
+/// picture.
+void paintMarks(QPainter& painter, const OverlayMarks& marks, const QSize& picture, const ViewTransform& view,
+                double scale)
 {
     const QColor dark(24, 24, 24), light(Qt::white);
     const QRectF whole = view.toView(QRectF(QPointF(0, 0), QSizeF(picture)));
@@ -295,10 +316,11 @@ void paintMarks(QPainter& painter, const OverlayMarks& marks, const QSize& pictu
     for (const int line : marks.lines) {
         const double y = view.toView(QRectF(0, line, 1, 1)).center().y();
         dotted([&] { painter.drawLine(QPointF(whole.left(), y), QPointF(whole.right(), y)); });
-        dot(QPointF(std::max(whole.left(), 0.0) + 2 * wide, y));  // where it is seen, however far the picture is scrolled
+        // where it is seen, however far the picture is scrolled
+        dot(QPointF(std::max(whole.left(), 0.0) + 2 * wide, y));
     }
     for (const QPoint& pixel : marks.pixels) {
-        const QRectF at = view.toView(QRectF(pixel, QSizeF(1, 1)));
+        const QRectF at     = view.toView(QRectF(pixel, QSizeF(1, 1)));
         const double around = std::max(at.width() * 0.75, 9 * scale);
         dotted([&] { painter.drawEllipse(at.center(), around, around); });
         dot(at.center() + QPointF(-around, -around) * 0.75);
@@ -338,11 +360,25 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, const ViewTransform
         QColor colour = theme.idle;
         double width  = 1;
         switch (edge.kind) {
-        case EdgeKind::Active: colour = theme.picked; break;
-        case EdgeKind::Entered: colour = theme.entered; width = 2; break;
-        case EdgeKind::Left: colour = theme.left; width = 2; break;
-        case EdgeKind::Picked: colour = theme.picked; width = 3; break;
-        case EdgeKind::Selected: colour = theme.now; width = 3; break;
+            case EdgeKind::Active:
+                colour = theme.picked;
+                break;
+            case EdgeKind::Entered:
+                colour = theme.entered;
+                width  = 2;
+                break;
+            case EdgeKind::Left:
+                colour = theme.left;
+                width  = 2;
+                break;
+            case EdgeKind::Picked:
+                colour = theme.picked;
+                width  = 3;
+                break;
+            case EdgeKind::Selected:
+                colour = theme.now;
+                width  = 3;
+                break;
         }
         painter.setPen(pen(colour, width));
         painter.drawLine(view.toView(edge.segment.p1()), view.toView(edge.segment.p2()));
@@ -360,7 +396,7 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, const ViewTransform
 
     painter.setRenderHint(QPainter::Antialiasing, false);
     if (overlay.line) {
-        const QRectF row = view.toView(QRectF(0, *overlay.line, overlay.picture.width(), 1));
+        const QRectF row  = view.toView(QRectF(0, *overlay.line, overlay.picture.width(), 1));
         QColor       tint = theme.now;
         if (row.height() >= 6 * scale) {  // large pixels: frame the line, and leave what it shows to be seen
             painter.setPen(pen(tint, 2));
@@ -388,7 +424,7 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, const ViewTransform
     if (overlay.pick) {  // a ring that stays visible on light and dark, and a cross of four short arms
         const QRectF  pixel  = view.toView(QRectF(overlay.pick->x(), overlay.pick->y(), 1, 1));
         const QPointF centre = pixel.center();
-        const double  inner  = std::max(pixel.width() / 2 + 2 * scale, 5 * scale), outer = inner + 6 * scale;
+        const double  inner = std::max(pixel.width() / 2 + 2 * scale, 5 * scale), outer = inner + 6 * scale;
         painter.setRenderHint(QPainter::Antialiasing, true);
         for (const auto& [colour, width] : {std::pair(QColor(Qt::white), 4.0), std::pair(theme.picked, 2.0)}) {
             painter.setPen(pen(colour, width));

@@ -31,8 +31,8 @@ struct OverlayEdge {
 };
 
 struct OverlayBox {
-    std::vector<QLineF> lines;   // of a box, or of several that look the same
-    NodeVerdict         verdict = NodeVerdict::Waiting;
+    std::vector<QLineF> lines;  // of a box, or of several that look the same
+    NodeVerdict         verdict                   = NodeVerdict::Waiting;
     enum class Kind { Plain, Now, Selected } kind = Kind::Plain;
 };
 
@@ -46,27 +46,29 @@ struct OverlayMarks {
 };
 
 struct Overlay {
-    static constexpr std::size_t kMostBoxes = 400;  // of the hierarchy, the upper ones; beyond that the picture would be nothing else
+    // of the hierarchy, the upper ones; beyond that the picture would be nothing else
+    static constexpr std::size_t kMostBoxes = 400;
 
     QSize                    picture;
     std::optional<int>       line;
-    std::vector<OverlayEdge> edges;      // what matters most comes last
+    std::vector<OverlayEdge> edges;  // what matters most comes last
     std::optional<QPolygonF> triangle;
-    std::optional<QRect>     span;       // the last run of pixels, one line high
-    std::optional<QPoint>    pixel;      // of the step
+    std::optional<QRect>     span;   // the last run of pixels, one line high
+    std::optional<QPoint>    pixel;  // of the step
     std::optional<QPoint>    pick;
 
-    std::vector<OverlayBox>  boxes;      // of the nodes: one entry per verdict, then the one of this step, the selected one last
-    std::size_t              boxesShown = 0, boxesWanted = 0;
+    // of the nodes: one entry per verdict, then the one of this step, the selected one last
+    std::vector<OverlayBox> boxes;
+    std::size_t             boxesShown = 0, boxesWanted = 0;
 
-    OverlayMarks             marks;
+    OverlayMarks marks;
 
     // Of the pyramid. The levels outlive the overlay: both are of one step
-    std::shared_ptr<const ShownStep> step;     // holds the level
-    const PyramidLevel*      cells = nullptr;  // whose grid and values are over the picture
-    float                    empty = 0;        // what background holds
-    std::optional<QRect>     asked;            // what the pyramid was asked about
-    std::optional<QRect>     written;          // the cell that was written last, in pixels
+    std::shared_ptr<const ShownStep> step;             // holds the level
+    const PyramidLevel*              cells = nullptr;  // whose grid and values are over the picture
+    float                            empty = 0;        // what background holds
+    std::optional<QRect>             asked;            // what the pyramid was asked about
+    std::optional<QRect>             written;          // the cell that was written last, in pixels
 };
 
 Overlay overlayOf(const Snapshot& shown, const Layers& layers);
@@ -92,7 +94,10 @@ public:
 
 private:
     using Name = std::tuple<std::uint32_t, std::int64_t, std::int64_t, int, int>;
-    static Name nameOf(const EdgeRow& edge) { return {edge.polygon.value, edge.dx[0], edge.dx[1], edge.firstLine, edge.lastLine}; }
+    static Name nameOf(const EdgeRow& edge)
+    {
+        return {edge.polygon.value, edge.dx[0], edge.dx[1], edge.firstLine, edge.lastLine};
+    }
 
     std::vector<Name> m_names;  // ascending
 };

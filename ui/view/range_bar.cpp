@@ -17,8 +17,8 @@
 namespace zscope::ui {
 namespace {
 
-constexpr int    kHigh       = 44;    // of the histogram
-constexpr int    kRow        = 26;    // of the buttons
+constexpr int    kHigh       = 44;                             // of the histogram
+constexpr int    kRow        = 26;                             // of the buttons
 constexpr double kStepOfKeys = 0.02, kFineStepOfKeys = 0.002;  // of the whole range
 
 }  // namespace
@@ -79,7 +79,8 @@ void RangeBar::present(const Snapshot& shown)
     m_spread = *spread;
     m_log->setChecked(shown.look.range.isLogarithmic);
     m_fit->setEnabled(!shown.look.range.isAutomatic);
-    setAccessibleDescription(tr("from %1 to %2").arg(depthText(m_spread.used.farthest), depthText(m_spread.used.nearest)));
+    setAccessibleDescription(
+        tr("from %1 to %2").arg(depthText(m_spread.used.farthest), depthText(m_spread.used.nearest)));
     resize(sizeHint());
     show();
     update();
@@ -95,21 +96,25 @@ void RangeBar::paintEvent(QPaintEvent*)
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
     painter.setRenderHint(QPainter::Antialiasing, false);
 
-    const QRect      at    = bars();
+    const QRect      at = bars();
     const RangeScale scale{m_spread.whole};
     std::uint64_t    most = 1;
     for (const std::uint64_t count : m_spread.histogram) most = std::max(most, count);
     const auto parts = static_cast<int>(m_spread.histogram.size());
     for (int i = 0; i < parts; ++i) {
         const int    left = at.left() + at.width() * i / parts, right = at.left() + at.width() * (i + 1) / parts;
-        const double high = std::sqrt(static_cast<double>(m_spread.histogram[static_cast<std::size_t>(i)]) / static_cast<double>(most)) * (kHigh - 8);
+        const double high =
+            std::sqrt(static_cast<double>(m_spread.histogram[static_cast<std::size_t>(i)]) / static_cast<double>(most))
+            * (kHigh - 8);
         const double part = partOf(scale.depthAt((i + 0.5) / parts), m_spread.used);
         painter.fillRect(QRectF(left, at.bottom() - 5 - high, right - left, high), theme.idle);
         painter.fillRect(QRect(left, at.bottom() - 4, right - left, 5), QColor::fromRgb(cividis(part)));
     }
     painter.setRenderHint(QPainter::Antialiasing);
     for (const End end : {End::Farthest, End::Nearest}) {
-        const double x = at.left() + scale.partOf(end == End::Farthest ? m_spread.used.farthest : m_spread.used.nearest) * at.width();
+        const double x =
+            at.left()
+            + scale.partOf(end == End::Farthest ? m_spread.used.farthest : m_spread.used.nearest) * at.width();
         painter.setPen(QPen(theme.text, 1.5));
         painter.drawLine(QPointF(x, at.top()), QPointF(x, at.bottom()));
         painter.setBrush(end == m_end && hasFocus() ? theme.picked : theme.text);
@@ -119,18 +124,21 @@ void RangeBar::paintEvent(QPaintEvent*)
     const QRect line(at.left(), at.bottom() + 5, at.width(), fontMetrics().height());
     painter.drawText(line, Qt::AlignLeft, tr("far  %1").arg(depthText(m_spread.used.farthest)));
     painter.drawText(line, Qt::AlignRight, tr("near  %1").arg(depthText(m_spread.used.nearest)));
-    painter.drawText(QRect(at.left(), height() - kRow - 4, at.width(), kRow - 4), Qt::AlignLeft | Qt::AlignVCenter, tr("depth D"));
+    painter.drawText(QRect(at.left(), height() - kRow - 4, at.width(), kRow - 4), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("depth D"));
 }
 
 void RangeBar::moveTo(End end, double part)
 {
     const RangeScale scale{m_spread.whole};
     const double     limited = std::clamp(part, 0.0, 1.0);
-    m_end = end;
-    DepthRange range  = m_spread.used;
-    range.isAutomatic = false;
-    if (end == End::Farthest) range.farthest = std::min(scale.depthAt(limited), range.nearest);
-    else range.nearest = std::max(scale.depthAt(limited), range.farthest);
+    m_end                    = end;
+    DepthRange range         = m_spread.used;
+    range.isAutomatic        = false;
+    if (end == End::Farthest)
+        range.farthest = std::min(scale.depthAt(limited), range.nearest);
+    else
+        range.nearest = std::max(scale.depthAt(limited), range.farthest);
     m_spread.used = range;  // what the next move starts from, before the picture is there
     m_session.setDepthRange(range);
     update();
@@ -140,7 +148,8 @@ void RangeBar::mousePressEvent(QMouseEvent* event)
 {
     const RangeScale scale{m_spread.whole};
     const double     part = (event->position().x() - bars().left()) / bars().width();
-    const bool toFarthest = std::abs(part - scale.partOf(m_spread.used.farthest)) <= std::abs(part - scale.partOf(m_spread.used.nearest));
+    const bool       toFarthest =
+        std::abs(part - scale.partOf(m_spread.used.farthest)) <= std::abs(part - scale.partOf(m_spread.used.nearest));
     moveTo(toFarthest ? End::Farthest : End::Nearest, part);
 }
 
@@ -155,11 +164,16 @@ void RangeBar::keyPressEvent(QKeyEvent* event)
     const RangeScale scale{m_spread.whole};
     const double     at = scale.partOf(m_end == End::Farthest ? m_spread.used.farthest : m_spread.used.nearest);
     switch (event->key()) {
-    case Qt::Key_Left: return moveTo(m_end, at - by);
-    case Qt::Key_Right: return moveTo(m_end, at + by);
-    case Qt::Key_Up:
-    case Qt::Key_Down: m_end = m_end == End::Farthest ? End::Nearest : End::Farthest; return update();
-    default: QFrame::keyPressEvent(event);
+        case Qt::Key_Left:
+            return moveTo(m_end, at - by);
+        case Qt::Key_Right:
+            return moveTo(m_end, at + by);
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+            m_end = m_end == End::Farthest ? End::Nearest : End::Farthest;
+            return update();
+        default:
+            QFrame::keyPressEvent(event);
     }
 }
 

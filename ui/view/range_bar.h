@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The card in the other corner of the frame view while it shows depths: their histogram, and the two ends of the range as
-// handles. Arrow keys move the handle that was moved last, Shift finer; the automatic range is one button away.
+// The card in the other corner of the frame view while it shows depths: their
+// histogram, and the two ends of the range as handles. Arrow keys move the handle that was moved last, Shift finer; the
+// automatic range is one button away.
 #pragma once
 
 #include <QFrame>

@@ -26,8 +26,8 @@ void ViewTransform::fit()
 {
     m_fitted = true;
     if (m_picture.isEmpty()) return;
-    m_zoom = std::clamp(std::min(m_area.width() / m_picture.width(), m_area.height() / m_picture.height()),
-                        kSmallestZoom, kLargestZoom);
+    m_zoom   = std::clamp(std::min(m_area.width() / m_picture.width(), m_area.height() / m_picture.height()),
+                          kSmallestZoom, kLargestZoom);
     m_origin = {std::round((m_area.width() - m_zoom * m_picture.width()) / 2),
                 std::round((m_area.height() - m_zoom * m_picture.height()) / 2)};
 }
@@ -43,9 +43,9 @@ void ViewTransform::oneToOne()
 void ViewTransform::zoomAt(const QPointF& anchor, double factor)
 {
     const QPointF held = toPicture(anchor);
-    m_fitted = false;
-    m_zoom   = std::clamp(m_zoom * factor, kSmallestZoom, kLargestZoom);
-    m_origin = anchor - held * m_zoom;
+    m_fitted           = false;
+    m_zoom             = std::clamp(m_zoom * factor, kSmallestZoom, kLargestZoom);
+    m_origin           = anchor - held * m_zoom;
     keepInView();
 }
 

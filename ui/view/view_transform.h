@@ -52,9 +52,9 @@ private:
 
     QSizeF  m_area{1, 1};
     QSize   m_picture;
-    QPointF m_origin;        // of the picture's top-left corner, device pixels
+    QPointF m_origin;  // of the picture's top-left corner, device pixels
     double  m_zoom   = 1;
-    bool    m_fitted = true; // follows the size of the view until the user zooms or pans
+    bool    m_fitted = true;  // follows the size of the view until the user zooms or pans
 };
 
 }  // namespace zscope::ui

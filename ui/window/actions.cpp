@@ -45,7 +45,8 @@ QString menuNameOf(const QAction& action)
 bool isListed(const QAction& action) { return action.isVisible() && !action.text().isEmpty(); }
 
 Actions::Actions(QMainWindow& window, Session& session, FrameView& view, Settings& settings, WindowRequests requests)
-    : QObject(&window), m_window(window), m_session(session), m_view(view), m_requests(std::move(requests)), m_bindings(settings)
+    : QObject(&window), m_window(window), m_session(session), m_view(view), m_requests(std::move(requests)),
+      m_bindings(settings)
 {
     makeFileMenu();
     makeViewMenu();
@@ -105,16 +106,16 @@ QMenu* Actions::addMenu(QMenu* under, const char* label)
     return menu;
 }
 
-QAction* Actions::add(QMenu* menu, const QString& name, const char* label, const QList<QKeySequence>& keys, std::function<void()> run,
-                      const QString& icon)
+QAction* Actions::add(QMenu* menu, const QString& name, const char* label, const QList<QKeySequence>& keys,
+                      std::function<void()> run, const QString& icon)
 {
     QAction* action = addNamed(menu, name, QString(), keys, std::move(run), icon);
     m_labels.emplace_back(action, label);
     return action;
 }
 
-QAction* Actions::addNamed(QMenu* menu, const QString& name, const QString& label, const QList<QKeySequence>& keys, std::function<void()> run,
-                           const QString& icon)
+QAction* Actions::addNamed(QMenu* menu, const QString& name, const QString& label, const QList<QKeySequence>& keys,
+                           std::function<void()> run, const QString& icon)
 {
     auto* action = new QAction(label, this);
     action->setObjectName(name);
@@ -132,7 +133,8 @@ void Actions::dress(const Theme& theme)
     for (const auto& [action, name] : m_icons) {
         QIcon      icon    = iconOf(name, theme.text);
         const auto checked = iconOf(name, theme.buttonText);
-        for (const QSize& size : checked.availableSizes()) icon.addPixmap(checked.pixmap(size), QIcon::Normal, QIcon::On);
+        for (const QSize& size : checked.availableSizes())
+            icon.addPixmap(checked.pixmap(size), QIcon::Normal, QIcon::On);
         action->setIcon(icon);
         action->setIconVisibleInMenu(!action->isCheckable());  // there the mark of what is chosen stands in its place
     }
@@ -143,7 +145,7 @@ void Actions::present(const Snapshot& shown, Changes what)
 {
     if (what & Change::Pipeline) {
         const QSignalBlocker quiet(m_algorithmBox);
-        int chosen = -1;
+        int                  chosen = -1;
         for (std::size_t i = 0; i < presets().size(); ++i) {
             const bool isChosen = presets()[i].pipeline == shown.pipeline;
             m_algorithms[i]->setChecked(isChosen);
@@ -156,11 +158,13 @@ void Actions::present(const Snapshot& shown, Changes what)
         if (chosen < 0) m_algorithmBox->addItem(name);
         m_algorithmBox->setCurrentIndex(chosen < 0 ? named : chosen);
         m_algorithmBox->setToolTip(name);  // it may be longer than the box
-        for (std::size_t i = 0; i < layers().size(); ++i) m_layerChoices[i]->setChecked(&layers()[i] == shown.look.layer);
+        for (std::size_t i = 0; i < layers().size(); ++i)
+            m_layerChoices[i]->setChecked(&layers()[i] == shown.look.layer);
         m_cull->setChecked(m_session.settings().faceCulling == FaceCulling::Back);
     }
     if (what & Change::Compare) {
-        for (std::size_t i = 0; i < presets().size(); ++i) m_others[i]->setChecked(shown.compare.other == presets()[i].pipeline);
+        for (std::size_t i = 0; i < presets().size(); ++i)
+            m_others[i]->setChecked(shown.compare.other == presets()[i].pipeline);
         showTool(m_view.tool());
     }
     if (what & Change::Layers)
@@ -191,7 +195,10 @@ void Actions::showTool(Tool tool)
     for (QAction* action : m_needOther) {
         const bool isFree = tool == Tool::Inspect || !std::ranges::count(m_inspectOnly, action);
         action->setEnabled(scene && other && isFree);
-        action->setToolTip(!scene ? tr("Open a scene first") : !other ? tr("There is no B to compare with: choose one above, under B") : !isFree ? tr("Only with the tool Inspect (I)") : QString());
+        action->setToolTip(!scene    ? tr("Open a scene first")
+                           : !other  ? tr("There is no B to compare with: choose one above, under B")
+                           : !isFree ? tr("Only with the tool Inspect (I)")
+                                     : QString());
     }
 }
 
@@ -227,7 +234,8 @@ void Actions::showRecent(const QStringList& files)
 
 void Actions::showLayout(const QString& word)
 {
-    for (std::size_t i = 0; i < layoutEntries().size(); ++i) m_layoutChoices[i]->setChecked(word == layoutEntries()[i].word);
+    for (std::size_t i = 0; i < layoutEntries().size(); ++i)
+        m_layoutChoices[i]->setChecked(word == layoutEntries()[i].word);
 }
 
 void Actions::showOwnLayouts(const QStringList& names)
@@ -236,14 +244,18 @@ void Actions::showOwnLayouts(const QStringList& names)
     m_forgetLayouts->clear();
     for (const QString& name : names) {
         const QString label = QString(name).replace('&', "&&");
-        m_ownLayouts->addAction(label, this, [this, name] { m_requests.useOwnLayout(name); })->setObjectName("layout.own." + name);
+        m_ownLayouts->addAction(label, this, [this, name] { m_requests.useOwnLayout(name); })
+            ->setObjectName("layout.own." + name);
         m_forgetLayouts->addAction(label, this, [this, name] { m_requests.forgetOwnLayout(name); });
     }
     m_ownLayouts->setEnabled(!names.isEmpty());
     m_forgetLayouts->setEnabled(!names.isEmpty());
 }
 
-void Actions::showAppearance(Appearance appearance) { m_appearances[static_cast<std::size_t>(appearance)]->setChecked(true); }
+void Actions::showAppearance(Appearance appearance)
+{
+    m_appearances[static_cast<std::size_t>(appearance)]->setChecked(true);
+}
 
 void Actions::showLanguage(Language language) { m_languages[static_cast<std::size_t>(language)]->setChecked(true); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything a key or a menu can do, as one action each with a name that stays ("step.forward", its object name), and the menus and toolbar made of them. Algorithms, layers,
-// grains and examples come from the registries of core.
+// Everything a key or a menu can do, as one action each with a name that
+// stays ("step.forward", its object name), and the menus and toolbar made of them. Algorithms, layers, grains and
+// examples come from the registries of core.
 //
 // Keys       mean one thing per tool: actions that belong to one tool are enabled only while it is chosen
 #pragma once
@@ -28,16 +29,15 @@ namespace zscope::ui {
 
 /// What an action asks of the window itself.
 struct WindowRequests {
-    std::function<void()>                   open, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel,
-                                            namePictures, saveSheet, measure, stopMeasuring, openRecord,
-                                            addKeyFrame, addKeyFrameAfterCut, savePath, forgetPath,
-                                            resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
-    std::function<void(const QString&)>     layout;         // its word
-    std::function<void()>                   saveOwnLayout;
-    std::function<void(const QString&)>     useOwnLayout, forgetOwnLayout;
-    std::function<void(Appearance)>         look;
-    std::function<void(Language)>           speak;
-    std::function<void(const QString&)>     openWord;
+    std::function<void()> open, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel, namePictures,
+        saveSheet, measure, stopMeasuring, openRecord, addKeyFrame, addKeyFrameAfterCut, savePath, forgetPath,
+        resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
+    std::function<void(const QString&)> layout;  // its word
+    std::function<void()>               saveOwnLayout;
+    std::function<void(const QString&)> useOwnLayout, forgetOwnLayout;
+    std::function<void(Appearance)>     look;
+    std::function<void(Language)>       speak;
+    std::function<void(const QString&)> openWord;
 };
 
 /// The name of an action without the letter that Alt chooses it by: "&Open" and "打开(&O)" alike.
@@ -71,36 +71,38 @@ public:
     KeyBindings& bindings() { return m_bindings; }
 
 private:
-    /// `label` is marked with QT_TR_NOOP: say() translates it, now and when the language changes. `under` the menu bar: nullptr.
+    /// `label` is marked with QT_TR_NOOP: say() translates it, now and when the language changes. `under` the menu bar:
+    /// nullptr.
     QMenu*   addMenu(QMenu* under, const char* label);
-    QAction* add(QMenu* menu, const QString& name, const char* label, const QList<QKeySequence>& keys, std::function<void()> run,
-                 const QString& icon = {});
-    QAction* add(QMenu* menu, const QString& name, const char* label, const QKeySequence& key, std::function<void()> run,
-                 const QString& icon = {})
+    QAction* add(QMenu* menu, const QString& name, const char* label, const QList<QKeySequence>& keys,
+                 std::function<void()> run, const QString& icon = {});
+    QAction* add(QMenu* menu, const QString& name, const char* label, const QKeySequence& key,
+                 std::function<void()> run, const QString& icon = {})
     {
-        return add(menu, name, label, key.isEmpty() ? QList<QKeySequence>{} : QList<QKeySequence>{key}, std::move(run), icon);
+        return add(menu, name, label, key.isEmpty() ? QList<QKeySequence>{} : QList<QKeySequence>{key}, std::move(run),
+                   icon);
     }
     /// With a label that no language changes, or that say() makes.
-    QAction* addNamed(QMenu* menu, const QString& name, const QString& label, const QList<QKeySequence>& keys, std::function<void()> run,
-                      const QString& icon = {});
-    void say();
-    void makeFileMenu();
-    void makeViewMenu();
-    void makeLayersMenu(QMenu* view);
-    void makeSizeMenu(QMenu* view);
-    void makeLayoutMenu(QMenu* view);
-    void makeAppearanceMenu(QMenu* view);
-    void makeCameraMenu();
-    void makeAlgorithmMenu();
-    void makeStepMenu();
-    void makeBreakpointMenu(QMenu* menu);
-    void makeCompareMenu();
-    void makeMeasureMenu();
-    void makeLessonsMenu();
-    void makeLanguageMenu();
-    void makeHelpMenu();
-    void makeToolBar();
-    void showNamedViews(const Snapshot& shown);
+    QAction* addNamed(QMenu* menu, const QString& name, const QString& label, const QList<QKeySequence>& keys,
+                      std::function<void()> run, const QString& icon = {});
+    void     say();
+    void     makeFileMenu();
+    void     makeViewMenu();
+    void     makeLayersMenu(QMenu* view);
+    void     makeSizeMenu(QMenu* view);
+    void     makeLayoutMenu(QMenu* view);
+    void     makeAppearanceMenu(QMenu* view);
+    void     makeCameraMenu();
+    void     makeAlgorithmMenu();
+    void     makeStepMenu();
+    void     makeBreakpointMenu(QMenu* menu);
+    void     makeCompareMenu();
+    void     makeMeasureMenu();
+    void     makeLessonsMenu();
+    void     makeLanguageMenu();
+    void     makeHelpMenu();
+    void     makeToolBar();
+    void     showNamedViews(const Snapshot& shown);
 
     QMainWindow&   m_window;
     Session&       m_session;
@@ -108,28 +110,28 @@ private:
     WindowRequests m_requests;
     KeyBindings    m_bindings;
 
-    std::vector<QAction*>                      m_all;
+    std::vector<QAction*>                              m_all;
     std::vector<std::pair<QAction*, const char*>>      m_labels, m_tips;  // in English
     std::vector<std::pair<QAction*, std::string_view>> m_titles;          // tool tips that are core's, in English
-    std::vector<std::pair<QAction*, QString>>  m_icons;         // with the name of each one's icon
-    std::vector<QAction*>                      m_inspectOnly, m_cameraOnly, m_needScene;
-    std::vector<QAction*>                      m_algorithms;    // in the order of presets()
-    std::vector<QAction*>                      m_others;        // likewise, as B
-    std::vector<QAction*>                      m_needOther;     // something to compare with
-    std::vector<QAction*>                      m_layerChoices;  // in the order of layers()
-    std::vector<std::pair<QAction*, bool Layers::*>> m_layerToggles;
-    QAction *                                  m_open = nullptr, *m_inspect = nullptr, *m_camera = nullptr,
-            *m_fit = nullptr, *m_cull = nullptr, *m_measure = nullptr, *m_stopMeasuring = nullptr;
-    bool                  m_isMeasuring = false;
-    std::vector<QAction*> m_layoutChoices;  // in the order of layoutEntries()
-    QMenu *               m_ownLayouts = nullptr, *m_forgetLayouts = nullptr;
-    std::vector<QAction*> m_recentFiles;  // as many as are remembered
-    std::vector<QAction*> m_appearances, m_languages;
+    std::vector<std::pair<QAction*, QString>>          m_icons;           // with the name of each one's icon
+    std::vector<QAction*>                              m_inspectOnly, m_cameraOnly, m_needScene;
+    std::vector<QAction*>                              m_algorithms;    // in the order of presets()
+    std::vector<QAction*>                              m_others;        // likewise, as B
+    std::vector<QAction*>                              m_needOther;     // something to compare with
+    std::vector<QAction*>                              m_layerChoices;  // in the order of layers()
+    std::vector<std::pair<QAction*, bool Layers::*>>   m_layerToggles;
+    QAction *m_open = nullptr, *m_inspect = nullptr, *m_camera = nullptr, *m_fit = nullptr, *m_cull = nullptr,
+            *m_measure = nullptr, *m_stopMeasuring = nullptr;
+    bool                                    m_isMeasuring = false;
+    std::vector<QAction*>                   m_layoutChoices;  // in the order of layoutEntries()
+    QMenu *                                 m_ownLayouts = nullptr, *m_forgetLayouts = nullptr;
+    std::vector<QAction*>                   m_recentFiles;  // as many as are remembered
+    std::vector<QAction*>                   m_appearances, m_languages;
     std::vector<std::pair<QAction*, QSize>> m_sizes;  // of the picture
-    QMenu *               m_recent = nullptr, *m_panels = nullptr, *m_namedViews = nullptr, *m_layers = nullptr;
-    QToolBar*             m_toolBar       = nullptr;
-    QComboBox*            m_algorithmBox  = nullptr;
-    QToolButton*          m_layersButton  = nullptr;
+    QMenu *      m_recent = nullptr, *m_panels = nullptr, *m_namedViews = nullptr, *m_layers = nullptr;
+    QToolBar*    m_toolBar      = nullptr;
+    QComboBox*   m_algorithmBox = nullptr;
+    QToolButton* m_layersButton = nullptr;
 };
 
 }  // namespace zscope::ui

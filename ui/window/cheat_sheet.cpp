@@ -20,18 +20,22 @@ QString rowsOf(const QMenu& menu)
 {
     QString rows;
     for (const QAction* action : menu.actions()) {
-        if (action->menu()) rows += rowsOf(*action->menu());
+        if (action->menu())
+            rows += rowsOf(*action->menu());
         else if (!action->shortcuts().isEmpty() && action->isVisible())
-            rows += QStringLiteral("<tr><td width='170' style='padding:2px 0'><b>%1</b></td><td style='padding:2px 0'>%2</td></tr>")
-                        .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText).toHtmlEscaped(),
-                             plainName(*action).remove(QChar(0x2026)).toHtmlEscaped());
+            rows +=
+                QStringLiteral(
+                    "<tr><td width='170' style='padding:2px 0'><b>%1</b></td><td style='padding:2px 0'>%2</td></tr>")
+                    .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText).toHtmlEscaped(),
+                         plainName(*action).remove(QChar(0x2026)).toHtmlEscaped());
     }
     return rows;
 }
 
 }  // namespace
 
-CheatSheet::CheatSheet(const QMenuBar& menus, QWidget* parent) : QDialog(parent), m_menus(menus), m_text(new QTextBrowser)
+CheatSheet::CheatSheet(const QMenuBar& menus, QWidget* parent)
+    : QDialog(parent), m_menus(menus), m_text(new QTextBrowser)
 {
     setObjectName("cheatSheet");
     setAttribute(Qt::WA_DeleteOnClose);
@@ -59,14 +63,16 @@ void CheatSheet::changeEvent(QEvent* event)
 void CheatSheet::write()
 {
     setWindowTitle(tr("Keys and mouse"));
-    QString html = tr("<p><b>Inspect</b>: the wheel zooms to the cursor, dragging pans, a click picks a pixel.<br>"
-                      "<b>Camera</b>, or Alt held: left drag orbits, middle drag pans, right drag looks around, the wheel "
-                      "dollies, the arrow keys turn the model, W A S D Q E fly, Shift flies faster.<br>"
-                      "<b>Shift held</b> with Inspect: B is seen for as long.</p>");
+    QString html =
+        tr("<p><b>Inspect</b>: the wheel zooms to the cursor, dragging pans, a click picks a pixel.<br>"
+           "<b>Camera</b>, or Alt held: left drag orbits, middle drag pans, right drag looks around, the wheel "
+           "dollies, the arrow keys turn the model, W A S D Q E fly, Shift flies faster.<br>"
+           "<b>Shift held</b> with Inspect: B is seen for as long.</p>");
     for (const QAction* entry : m_menus.actions()) {
         if (!entry->menu()) continue;
         if (const QString rows = rowsOf(*entry->menu()); !rows.isEmpty())
-            html += QStringLiteral("<h4 style='margin-bottom:4px'>%1</h4><table>%2</table>").arg(plainName(*entry).toHtmlEscaped(), rows);
+            html += QStringLiteral("<h4 style='margin-bottom:4px'>%1</h4><table>%2</table>")
+                        .arg(plainName(*entry).toHtmlEscaped(), rows);
     }
     m_text->setHtml(html);
 }

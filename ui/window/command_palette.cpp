@@ -23,7 +23,10 @@ namespace {
 
 constexpr int kKeysRole = Qt::UserRole, kPossibleRole = Qt::UserRole + 1, kMenuRole = Qt::UserRole + 2;
 
-QString keysOf(const QAction& action) { return QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText); }
+QString keysOf(const QAction& action)
+{
+    return QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText);
+}
 
 /// The name to the left and its menu beside it, the keys to the right.
 class CommandDelegate final : public QStyledItemDelegate {
@@ -38,14 +41,15 @@ public:
             painter->setBrush(theme.pickedTint);
             painter->drawRoundedRect(option.rect.adjusted(2, 1, -2, -1), 4, 4);
         }
-        const QRect inside = option.rect.adjusted(kStep + 2, 0, -kStep - 2, 0);
+        const QRect   inside = option.rect.adjusted(kStep + 2, 0, -kStep - 2, 0);
         const QString name = index.data().toString(), keys = index.data(kKeysRole).toString();
         painter->setPen(index.data(kPossibleRole).toBool() ? theme.text : theme.softText);
         painter->drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, name);
         painter->setPen(theme.softText);
         painter->drawText(inside, Qt::AlignRight | Qt::AlignVCenter, keys);
         const QFontMetrics& letters = option.fontMetrics;
-        const QRect         between = inside.adjusted(letters.horizontalAdvance(name) + 2 * kStep, 0, -letters.horizontalAdvance(keys) - kStep, 0);
+        const QRect         between = inside.adjusted(letters.horizontalAdvance(name) + 2 * kStep, 0,
+                                                      -letters.horizontalAdvance(keys) - kStep, 0);
         if (between.width() <= 0) return;
         const QString menu = letters.elidedText(index.data(kMenuRole).toString(), Qt::ElideRight, between.width());
         painter->drawText(between, Qt::AlignLeft | Qt::AlignVCenter, menu);
@@ -86,28 +90,36 @@ QAction* CommandModel::at(int row) const
     return m_commands[m_shown[static_cast<std::size_t>(row)]];
 }
 
-int CommandModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_shown.size()); }
+int CommandModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
+}
 
 QVariant CommandModel::data(const QModelIndex& index, int role) const
 {
     const QAction* action = index.isValid() ? at(index.row()) : nullptr;
     if (!action) return {};
     switch (role) {
-    case Qt::DisplayRole: return plainName(*action);
-    case kKeysRole: return keysOf(*action);
-    case kPossibleRole: return action->isEnabled();
-    case kMenuRole: return menuNameOf(*action);
-    case Qt::AccessibleTextRole: {
-        const QString name = plainName(*action) + ' ' + menuNameOf(*action);
-        return action->isEnabled() ? name + ' ' + keysOf(*action) : tr("%1, not possible now").arg(name);
-    }
-    default: return {};
+        case Qt::DisplayRole:
+            return plainName(*action);
+        case kKeysRole:
+            return keysOf(*action);
+        case kPossibleRole:
+            return action->isEnabled();
+        case kMenuRole:
+            return menuNameOf(*action);
+        case Qt::AccessibleTextRole: {
+            const QString name = plainName(*action) + ' ' + menuNameOf(*action);
+            return action->isEnabled() ? name + ' ' + keysOf(*action) : tr("%1, not possible now").arg(name);
+        }
+        default:
+            return {};
     }
 }
 
 CommandPalette::CommandPalette(std::vector<QAction*> commands, QWidget* parent)
-    : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint), m_model(new CommandModel(std::move(commands), this)), m_query(new QLineEdit),
-      m_list(new QListView)
+    : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint), m_model(new CommandModel(std::move(commands), this)),
+      m_query(new QLineEdit), m_list(new QListView)
 {
     setObjectName("commandPalette");
     setAttribute(Qt::WA_DeleteOnClose);
@@ -157,13 +169,20 @@ bool CommandPalette::eventFilter(QObject* object, QEvent* event)
         return true;
     };
     switch (static_cast<QKeyEvent*>(event)->key()) {
-    case Qt::Key_Down: return move(1);
-    case Qt::Key_Up: return move(-1);
-    case Qt::Key_PageDown: return move(10);
-    case Qt::Key_PageUp: return move(-10);
-    case Qt::Key_Return:
-    case Qt::Key_Enter: run(); return true;
-    default: return QDialog::eventFilter(object, event);
+        case Qt::Key_Down:
+            return move(1);
+        case Qt::Key_Up:
+            return move(-1);
+        case Qt::Key_PageDown:
+            return move(10);
+        case Qt::Key_PageUp:
+            return move(-10);
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            run();
+            return true;
+        default:
+            return QDialog::eventFilter(object, event);
     }
 }
 

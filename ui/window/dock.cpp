@@ -29,7 +29,8 @@ protected:
     {
         QPainter painter(this);
         painter.setPen(palette().color(foregroundRole()));
-        painter.drawText(rect(), Qt::AlignRight | Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+        painter.drawText(rect(), Qt::AlignRight | Qt::AlignVCenter,
+                         fontMetrics().elidedText(text(), Qt::ElideRight, width()));
     }
 };
 
@@ -49,7 +50,7 @@ PanelDock::PanelDock(const PanelEntry& entry, Panel* panel, QWidget* parent)
     layout->setContentsMargins(1, 0, 1, 1);
     layout->addWidget(panel);
     const auto roomFor = [](QWidget* card) {
-        auto* room = new QWidget;
+        auto* room   = new QWidget;
         auto* around = new QVBoxLayout(room);
         around->setContentsMargins(0, 0, 0, 0);
         around->addWidget(card);

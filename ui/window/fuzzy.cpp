@@ -13,8 +13,8 @@ std::optional<int> fuzzyScore(const QString& query, const QString& text)
     QString wanted = query.toLower();
     wanted.remove(' ');
     if (wanted.isEmpty()) return 0;
-    const QString   lower = text.toLower();
-    const qsizetype n     = lower.size();
+    const QString   lower  = text.toLower();
+    const qsizetype n      = lower.size();
     const auto      starts = [&](qsizetype at) { return at == 0 || !lower[at - 1].isLetterOrNumber(); };
 
     // best[j]: the best score of the letters so far, of which the last lies at j.

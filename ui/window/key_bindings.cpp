@@ -39,7 +39,8 @@ std::vector<QAction*> KeyBindings::conflictsOf(const QAction& command, const QKe
     for (QAction* other : m_commands) {
         if (other == &command || !other->shortcuts().contains(keys)) continue;
         const ToolScope scope = m_entries.at(other->objectName()).scope;
-        const bool      apart = scope != ToolScope::Both && own->second.scope != ToolScope::Both && scope != own->second.scope;
+        const bool      apart =
+            scope != ToolScope::Both && own->second.scope != ToolScope::Both && scope != own->second.scope;
         if (!apart) found.push_back(other);
     }
     return found;

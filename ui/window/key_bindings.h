@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which keys call which command: the defaults, what the user has changed, and where two commands would get in each other's
-// way. Kept in the settings under the commands' object names.
+// Which keys call which command: the defaults, what the user has changed, and
+// where two commands would get in each other's way. Kept in the settings under the commands' object names.
 //
 // Conflict   two commands with a key in common of which both can be called with one tool: keys mean one thing per tool
 // Kept       only what differs from the defaults; keys that the settings cannot spell are left at their default
@@ -46,9 +46,9 @@ private:
     };
     void keep(const QAction& command);
 
-    Settings&                  m_settings;
-    std::vector<QAction*>      m_commands;  // owned by the window
-    std::map<QString, Entry>   m_entries;   // by object name
+    Settings&                m_settings;
+    std::vector<QAction*>    m_commands;  // owned by the window
+    std::map<QString, Entry> m_entries;   // by object name
 };
 
 }  // namespace zscope::ui

@@ -14,13 +14,15 @@ namespace zscope::ui {
 namespace {
 
 constexpr Qt::Key kWithoutNumLock[] = {Qt::Key_Insert, Qt::Key_End, Qt::Key_Down, Qt::Key_PageDown, Qt::Key_Left,
-                                       Qt::Key_Clear, Qt::Key_Right, Qt::Key_Home, Qt::Key_Up, Qt::Key_PageUp};  // of 0 to 9
+                                       // of 0 to 9
+                                       Qt::Key_Clear, Qt::Key_Right, Qt::Key_Home, Qt::Key_Up, Qt::Key_PageUp};
 
 /// What the key is with NumLock.
 Qt::Key withNumLock(int key)
 {
     const auto* found = std::ranges::find(kWithoutNumLock, key);
-    return static_cast<Qt::Key>(found == std::end(kWithoutNumLock) ? key : Qt::Key_0 + (found - std::begin(kWithoutNumLock)));
+    return static_cast<Qt::Key>(found == std::end(kWithoutNumLock) ? key
+                                                                   : Qt::Key_0 + (found - std::begin(kWithoutNumLock)));
 }
 
 /// Of the window itself or of a panel that floats beside it; not of a dialog or a menu.
@@ -33,7 +35,8 @@ bool isPartOf(const QWidget& window, const QWidget& widget)
 
 }  // namespace
 
-Keypad::Keypad(QWidget& window, const KeyBindings& bindings) : QObject(&window), m_window(window), m_bindings(bindings) {}
+Keypad::Keypad(QWidget& window, const KeyBindings& bindings) : QObject(&window), m_window(window), m_bindings(bindings)
+{}
 
 bool Keypad::eventFilter(QObject* object, QEvent* event)
 {
@@ -54,7 +57,8 @@ QAction* Keypad::commandOf(const QKeyEvent& event) const
 {
     const QKeySequence keys(QKeyCombination(event.modifiers(), withNumLock(event.key())));
     const auto&        commands = m_bindings.commands();
-    const auto         found    = std::ranges::find_if(commands, [&](const QAction* one) { return one->shortcuts().contains(keys); });
+    const auto         found =
+        std::ranges::find_if(commands, [&](const QAction* one) { return one->shortcuts().contains(keys); });
     return found == commands.end() ? nullptr : *found;
 }
 

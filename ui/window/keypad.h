@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keys of the keypad that call commands, by their place and not by what NumLock makes of them: 1 calls the same command as End.
+// Keys of the keypad that call commands, by their place and not by what
+// NumLock makes of them: 1 calls the same command as End.
 //
-// Why        On X11 Qt forgets that a key is one of the keypad's before it looks for a shortcut, so that 1 there would be 1
-//            above the letters. The keys of commands are looked up here before Qt does
+// Why        On X11 Qt forgets that a key is one of the keypad's before it looks for a shortcut, so that 1 there would
+//            be 1 above the letters. The keys of commands are looked up here before Qt does
 // Typed      fields keep the keypad: in them it types, and moves the cursor
 #pragma once
 
@@ -17,8 +18,8 @@ namespace zscope::ui {
 
 class KeyBindings;
 
-/// An event filter of the application. Whoever owns a key for other reasons has to be asked first: Qt asks the filter that
-/// was installed last before the others.
+/// An event filter of the application. Whoever owns a key for other reasons has to be asked first: Qt asks the filter
+/// that was installed last before the others.
 class Keypad final : public QObject {
     Q_OBJECT
 

@@ -29,7 +29,8 @@ QString textOf(const QList<QKeySequence>& keys) { return QKeySequence::listToStr
 
 KeysModel::KeysModel(KeyBindings& bindings, QObject* parent) : QAbstractTableModel(parent), m_bindings(bindings)
 {
-    std::ranges::copy_if(bindings.commands(), std::back_inserter(m_commands), [](const QAction* command) { return isListed(*command); });
+    std::ranges::copy_if(bindings.commands(), std::back_inserter(m_commands),
+                         [](const QAction* command) { return isListed(*command); });
 }
 
 void KeysModel::refresh() { emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1)); }
@@ -39,7 +40,10 @@ QAction* KeysModel::at(int row) const
     return row < 0 || row >= rowCount() ? nullptr : m_commands[static_cast<std::size_t>(row)];
 }
 
-int KeysModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_commands.size()); }
+int KeysModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_commands.size());
+}
 
 int KeysModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
@@ -54,9 +58,12 @@ QVariant KeysModel::data(const QModelIndex& index, int role) const
     }
     if (role != Qt::DisplayRole) return {};
     switch (index.column()) {
-    case Command: return plainName(*command);
-    case Keys: return textOf(command->shortcuts());
-    case Default: return m_bindings.isChanged(*command) ? textOf(m_bindings.defaultsOf(*command)) : QString();
+        case Command:
+            return plainName(*command);
+        case Keys:
+            return textOf(command->shortcuts());
+        case Default:
+            return m_bindings.isChanged(*command) ? textOf(m_bindings.defaultsOf(*command)) : QString();
     }
     return {};
 }
@@ -68,9 +75,10 @@ QVariant KeysModel::headerData(int section, Qt::Orientation orientation, int rol
 }
 
 KeysDialog::KeysDialog(KeyBindings& bindings, QWidget* parent)
-    : QDialog(parent), m_bindings(bindings), m_model(new KeysModel(bindings, this)), m_found(new QSortFilterProxyModel(this)),
-      m_filter(new QLineEdit), m_table(new QTableView), m_keys(new QKeySequenceEdit), m_conflict(new QLabel),
-      m_assign(new QPushButton(tr("Assign"))), m_none(new QPushButton(tr("No key"))), m_default(new QPushButton(tr("Default"))),
+    : QDialog(parent), m_bindings(bindings), m_model(new KeysModel(bindings, this)),
+      m_found(new QSortFilterProxyModel(this)), m_filter(new QLineEdit), m_table(new QTableView),
+      m_keys(new QKeySequenceEdit), m_conflict(new QLabel), m_assign(new QPushButton(tr("Assign"))),
+      m_none(new QPushButton(tr("No key"))), m_default(new QPushButton(tr("Default"))),
       m_all(new QPushButton(tr("Reset all keys")))
 {
     setObjectName("keysDialog");
@@ -163,9 +171,10 @@ void KeysDialog::showConflict()
     QStringList names;
     if (command)
         for (const QAction* other : m_bindings.conflictsOf(*command, keys)) names << plainName(*other);
-    m_conflict->setText(names.isEmpty() ? QString()
-                                        : tr("\u26A0 %1 belongs to: %2. Assigning it takes it away from there.")
-                                              .arg(keys.toString(QKeySequence::NativeText), names.join(QStringLiteral(", "))));
+    m_conflict->setText(names.isEmpty()
+                            ? QString()
+                            : tr("\u26A0 %1 belongs to: %2. Assigning it takes it away from there.")
+                                  .arg(keys.toString(QKeySequence::NativeText), names.join(QStringLiteral(", "))));
 }
 
 void KeysDialog::change(const QList<QKeySequence>& keys)

@@ -12,12 +12,15 @@ namespace zscope::ui {
 namespace {
 
 constexpr std::array kLayouts{
-    LayoutEntry{"teach", QT_TRANSLATE_NOOP("Layouts", "Teach"), QT_TRANSLATE_NOOP("Layouts", "Every structure that the algorithm uses, beside its picture"),
+    LayoutEntry{"teach", QT_TRANSLATE_NOOP("Layouts", "Teach"),
+                QT_TRANSLATE_NOOP("Layouts", "Every structure that the algorithm uses, beside its picture"),
                 "depth-test", 232, 410, 350},
-    LayoutEntry{"compare", QT_TRANSLATE_NOOP("Layouts", "Compare"), QT_TRANSLATE_NOOP("Layouts", "Two algorithms held against each other, and why a pixel differs"),
+    LayoutEntry{"compare", QT_TRANSLATE_NOOP("Layouts", "Compare"),
+                QT_TRANSLATE_NOOP("Layouts", "Two algorithms held against each other, and why a pixel differs"),
                 "compare", 232, 350, 350},
-    LayoutEntry{"profile", QT_TRANSLATE_NOOP("Layouts", "Profile"), QT_TRANSLATE_NOOP("Layouts", "What ran and how long it took, and what was left out"),
-                "hierarchy", 280, 400, 350, 46},
+    LayoutEntry{"profile", QT_TRANSLATE_NOOP("Layouts", "Profile"),
+                QT_TRANSLATE_NOOP("Layouts", "What ran and how long it took, and what was left out"), "hierarchy", 280,
+                400, 350, 46},
 };
 
 constexpr std::array kComparePlaces{

@@ -19,9 +19,9 @@ struct LayoutPlace {
 
 struct LayoutEntry {
     const char* word;
-    const char* title;   // English; translated in the context "Layouts"
-    const char* tip;     // likewise
-    const char* raised;  // the panel in front of those that share its place
+    const char* title;        // English; translated in the context "Layouts"
+    const char* tip;          // likewise
+    const char* raised;       // the panel in front of those that share its place
     int         left, right;  // widths in logical pixels, at 1280
     int         narrow;       // of the right side while it holds nothing that wants room
     int         bottom = 0;   // hundredths of the window's height; 0: what its panels need
@@ -34,7 +34,8 @@ struct LayoutEntry {
 std::span<const LayoutEntry> layoutEntries();
 const LayoutEntry&           layoutEntry(const QString& word);  // the first, if there is none of that word
 
-/// Of a window that nobody has sized yet: most of the room on the screen, for the picture's sake, but no wall of it. Logical pixels.
+/// Of a window that nobody has sized yet: most of the room on the screen, for the picture's sake, but no wall of it.
+/// Logical pixels.
 QSize firstSize(const QSize& room);
 
 }  // namespace zscope::ui

@@ -33,9 +33,9 @@
 #include "ui/panels/registry.h"
 #include "ui/parts/typing.h"
 #include "ui/parts/wheel_guard.h"
-#include "ui/sheet/sheet_maker.h"
 #include "ui/session/course.h"
 #include "ui/session/reproduce.h"
+#include "ui/sheet/sheet_maker.h"
 #include "ui/text/numbers.h"
 #include "ui/text/spoken.h"
 #include "ui/theme/icons.h"
@@ -62,7 +62,8 @@ QSize roomOn(const QScreen& screen)
     return screen.availableSize() - kFrame;
 }
 
-/// A tree opens and closes nodes with Left and Right, and goes up and down their levels; where there is nothing of that they step.
+/// A tree opens and closes nodes with Left and Right, and goes up and down their levels; where there is nothing of that
+/// they step.
 bool hasNoUseFor(const QWidget* widget, int key)
 {
     const auto* tree = qobject_cast<const QTreeView*>(widget);
@@ -113,46 +114,51 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     m_status = new StatusLine(session);
     setStatusBar(m_status);
     m_actions = new Actions(*this, session, *m_view, settings,
-                            {.open             = [this] { chooseFile(); },
-                             .savePicture      = [this] { savePicture(true); },
-                             .savePlainPicture = [this] { savePicture(false); },
-                             .savePictureAs    = [this] { savePictureAs(); },
-                             .copyPicture      = [this] { copyPicture(); },
-                             .goToPixel        = [this] { goToPixel(); },
-                             .namePictures     = [this] { namePictures(); },
-                             .saveSheet        = [this] { saveSheet(); },
-                             .measure          = [this] { measure(); },
-                             .stopMeasuring    = [this] { stopMeasuring(); },
-                             .openRecord       = [this] { openRecord(); },
-                             .addKeyFrame      = [this] { addKeyFrame(false); },
+                            {.open                = [this] { chooseFile(); },
+                             .savePicture         = [this] { savePicture(true); },
+                             .savePlainPicture    = [this] { savePicture(false); },
+                             .savePictureAs       = [this] { savePictureAs(); },
+                             .copyPicture         = [this] { copyPicture(); },
+                             .goToPixel           = [this] { goToPixel(); },
+                             .namePictures        = [this] { namePictures(); },
+                             .saveSheet           = [this] { saveSheet(); },
+                             .measure             = [this] { measure(); },
+                             .stopMeasuring       = [this] { stopMeasuring(); },
+                             .openRecord          = [this] { openRecord(); },
+                             .addKeyFrame         = [this] { addKeyFrame(false); },
                              .addKeyFrameAfterCut = [this] { addKeyFrame(true); },
-                             .savePath         = [this] { askWhereToSavePath(); },
-                             .forgetPath       = [this] {
-                                 m_path.keys.clear();
-                                 m_status->showMessage(tr("The camera path is empty"), 4000);
-                             },
-                             .resetLayout      = [this] { resetLayout(); },
-                             .about            = [this] { showAbout(); },
-                             .keys             = [this] { showKeys(); },
-                             .changeKeys       = [this] { changeKeys(); },
-                             .palette          = [this] { showPalette(); },
-                             .saveSession      = [this] { saveSession(); },
-                             .openLessons      = [this] { chooseLessons(); },
-                             .layout           = [this](const QString& word) { useLayout(word); },
-                             .saveOwnLayout    = [this] { saveOwnLayout(); },
-                             .useOwnLayout     = [this](const QString& name) { useOwnLayout(name); },
-                             .forgetOwnLayout  = [this](const QString& name) { forgetOwnLayout(name); },
-                             .look             = [this](Appearance look) {
-                                 m_settings.setAppearance(look);
-                                 applyAppearance(look);
-                             },
-                             .speak            = [this](Language language) {
-                                 m_settings.setLanguage(language);
-                                 speak(language);
-                             },
-                             .openWord         = [this](const QString& word) { open(word); }});
-    m_sheets = new SheetMaker(session, this);
-    connect(m_sheets, &SheetMaker::made, this, [this](const QString& file) { m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000); });
+                             .savePath            = [this] { askWhereToSavePath(); },
+                             .forgetPath =
+                                 [this] {
+                                     m_path.keys.clear();
+                                     m_status->showMessage(tr("The camera path is empty"), 4000);
+                                 },
+                             .resetLayout     = [this] { resetLayout(); },
+                             .about           = [this] { showAbout(); },
+                             .keys            = [this] { showKeys(); },
+                             .changeKeys      = [this] { changeKeys(); },
+                             .palette         = [this] { showPalette(); },
+                             .saveSession     = [this] { saveSession(); },
+                             .openLessons     = [this] { chooseLessons(); },
+                             .layout          = [this](const QString& word) { useLayout(word); },
+                             .saveOwnLayout   = [this] { saveOwnLayout(); },
+                             .useOwnLayout    = [this](const QString& name) { useOwnLayout(name); },
+                             .forgetOwnLayout = [this](const QString& name) { forgetOwnLayout(name); },
+                             .look =
+                                 [this](Appearance look) {
+                                     m_settings.setAppearance(look);
+                                     applyAppearance(look);
+                                 },
+                             .speak =
+                                 [this](Language language) {
+                                     m_settings.setLanguage(language);
+                                     speak(language);
+                                 },
+                             .openWord = [this](const QString& word) { open(word); }});
+    m_sheets  = new SheetMaker(session, this);
+    connect(m_sheets, &SheetMaker::made, this, [this](const QString& file) {
+        m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
+    });
     connect(m_sheets, &SheetMaker::failed, this, [this](const QString& sentence) { m_messages->tell(sentence); });
     m_sceneName = new QLabel;
     m_sceneName->setObjectName("soft");
@@ -164,11 +170,15 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     connect(m_view, &FrameView::toolChanged, m_actions, &Actions::showTool);
     connect(m_view, &FrameView::hovered, m_status, &StatusLine::hover);
     connect(&session, &Session::changed, this, &MainWindow::present);
-    connect(&session, &Session::noticed, this, [this](const QString& sentence) { m_status->showMessage(sentence, 8000); });
-    connect(&session, &Session::failed, m_messages, [this](const QString& sentence, const std::function<QString()>& again) {
-        if (again) m_messages->tell(again);
-        else m_messages->tell(sentence);
-    });
+    connect(&session, &Session::noticed, this,
+            [this](const QString& sentence) { m_status->showMessage(sentence, 8000); });
+    connect(&session, &Session::failed, m_messages,
+            [this](const QString& sentence, const std::function<QString()>& again) {
+                if (again)
+                    m_messages->tell(again);
+                else
+                    m_messages->tell(sentence);
+            });
     m_held.setSingleShot(true);
     m_held.setInterval(120);  // Shift with another key is not held
     connect(&m_held, &QTimer::timeout, this, [this] { m_session.holdOther(true); });
@@ -208,15 +218,18 @@ void MainWindow::makeCentre()
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kStep);
-    m_messages = new MessageBar(centre);
+    m_messages  = new MessageBar(centre);
     auto* frame = new QFrame;
     frame->setObjectName("picture");
     auto* inside = new QVBoxLayout(frame);
     inside->setContentsMargins(1, 1, 1, 1);
-    m_view = new FrameView(m_session);
-    m_start  = new StartPage({.open = [this] { chooseFile(); }, .openWord = [this](const QString& word) { open(word); }, .firstLesson = [this] { m_session.course().open(0); }});
+    m_view   = new FrameView(m_session);
+    m_start  = new StartPage({.open        = [this] { chooseFile(); },
+                              .openWord    = [this](const QString& word) { open(word); },
+                              .firstLesson = [this] { m_session.course().open(0); }});
     m_centre = new QStackedWidget;
-    m_start->setMinimumWidth(m_view->minimumSizeHint().width());  // it is not seen beside panels that are as wide as they can be
+    // it is not seen beside panels that are as wide as they can be
+    m_start->setMinimumWidth(m_view->minimumSizeHint().width());
     m_centre->addWidget(m_start);
     m_centre->addWidget(m_view);
     inside->addWidget(m_centre);
@@ -261,7 +274,8 @@ void MainWindow::speak(Language language)
 
 bool MainWindow::event(QEvent* event)
 {
-    if (event->type() == QEvent::MouseButtonPress) m_separates = isSeparator(static_cast<QMouseEvent*>(event)->position().toPoint());
+    if (event->type() == QEvent::MouseButtonPress)
+        m_separates = isSeparator(static_cast<QMouseEvent*>(event)->position().toPoint());
     const bool isHandled = QMainWindow::event(event);  // passes a change of language on to all that is in the window
     if (event->type() == QEvent::LanguageChange && m_actions) {
         present(kEverything);
@@ -288,14 +302,16 @@ void MainWindow::present(Changes what)
     m_actions->present(shown, what);
     for (PanelDock* dock : m_docks) dock->panel().present(shown, what);
     if (what & (Change::Pipeline | Change::Picture)) showNeeded(shown);
-    if (what & (Change::Scene | Change::Busy)) m_centre->setCurrentWidget(shown.scene || !shown.busy.isEmpty() ? static_cast<QWidget*>(m_view) : m_start);
+    if (what & (Change::Scene | Change::Busy))
+        m_centre->setCurrentWidget(shown.scene || !shown.busy.isEmpty() ? static_cast<QWidget*>(m_view) : m_start);
     if (what & Change::Selection) showWhy(shown);
     if ((what & Change::Scene) && shown.scene) {
         if (std::exchange(m_sceneShown, shown.scene) != shown.scene) {
             m_messages->hide();  // something went right
             if (shown.scene->word == m_fileAwaited) addRecentFile(std::exchange(m_fileAwaited, {}));
         }
-        m_sceneName->setText(tr("%1 — %2").arg(shown.scene->title, counted(shown.scene->scene().triangleCount(), tr("1 triangle"), tr("%1 triangles"))));
+        m_sceneName->setText(tr("%1 — %2").arg(
+            shown.scene->title, counted(shown.scene->scene().triangleCount(), tr("1 triangle"), tr("%1 triangles"))));
         setWindowTitle(tr("%1 — ZScope").arg(shown.scene->title));
         menuBar()->setCornerWidget(m_sceneName);  // lays the corner out again for the longer text
     }
@@ -366,27 +382,31 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
 {
     // Space and Enter belong to a focused button, box or dialog before they belong to the window.
     if (event->type() == QEvent::ShortcutOverride) {
-        const int  key     = static_cast<QKeyEvent*>(event)->key();
+        const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Escape && QApplication::activePopupWidget()) {  // which it closes, and no more
             event->accept();
             return true;
         }
         auto*      widget  = qobject_cast<QWidget*>(object);
-        const bool isInput = qobject_cast<QAbstractButton*>(object) || qobject_cast<QComboBox*>(object) ||
-                             qobject_cast<QAbstractSpinBox*>(object) || qobject_cast<QLineEdit*>(object);
-        if (widget && widget->hasFocus() && isInput && (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter)) {
+        const bool isInput = qobject_cast<QAbstractButton*>(object) || qobject_cast<QComboBox*>(object)
+                             || qobject_cast<QAbstractSpinBox*>(object) || qobject_cast<QLineEdit*>(object);
+        if (widget && widget->hasFocus() && isInput
+            && (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter)) {
             event->accept();
             return true;
         }
-        if (widget && widget->hasFocus() && (key == Qt::Key_Return || key == Qt::Key_Enter) && widget->property("ownsEnter").toBool()) {
+        if (widget && widget->hasFocus() && (key == Qt::Key_Return || key == Qt::Key_Enter)
+            && widget->property("ownsEnter").toBool()) {
             event->accept();
             return true;
         }
         // Views that turn or move by arrow keys while they have the focus say so.
-        const bool isSideways = key == Qt::Key_Left || key == Qt::Key_Right, isUpright = key == Qt::Key_Up || key == Qt::Key_Down;
-        const bool isPlain    = !(static_cast<QKeyEvent*>(event)->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-        if (widget && widget->hasFocus() && isPlain && !(isSideways && hasNoUseFor(widget, key)) &&
-            (((isSideways || isUpright) && widget->property("ownsArrows").toBool()) || (isUpright && widget->property("ownsUpAndDown").toBool()))) {
+        const bool isSideways = key == Qt::Key_Left || key == Qt::Key_Right,
+                   isUpright  = key == Qt::Key_Up || key == Qt::Key_Down;
+        const bool isPlain = !(static_cast<QKeyEvent*>(event)->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+        if (widget && widget->hasFocus() && isPlain && !(isSideways && hasNoUseFor(widget, key))
+            && (((isSideways || isUpright) && widget->property("ownsArrows").toBool())
+                || (isUpright && widget->property("ownsUpAndDown").toBool()))) {
             event->accept();
             return true;
         }
@@ -398,7 +418,8 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event)
         }
     }
     if (leavesField(object, event)) return true;
-    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) watchShift(static_cast<QKeyEvent*>(event));
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
+        watchShift(static_cast<QKeyEvent*>(event));
     if (event->type() == QEvent::WindowDeactivate) m_session.holdOther(false);
     return QMainWindow::eventFilter(object, event);
 }
@@ -409,7 +430,8 @@ bool MainWindow::leavesField(QObject* object, QEvent* event)
     const bool isAsked = event->type() == QEvent::ShortcutOverride;
     if (!isAsked && event->type() != QEvent::KeyPress) return false;
     const auto* field = qobject_cast<QWidget*>(object);
-    if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !field || !isTyping(*field) || !field->hasFocus()) return false;
+    if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !field || !isTyping(*field) || !field->hasFocus())
+        return false;
     if (qobject_cast<QDialog*>(field->window())) return false;  // which it closes
     if (!isAsked) field->window()->setFocus();
     event->accept();
@@ -419,8 +441,8 @@ bool MainWindow::leavesField(QObject* object, QEvent* event)
 void MainWindow::watchShift(const QKeyEvent* event)
 {
     if (event->isAutoRepeat()) return;
-    const bool isShift = event->key() == Qt::Key_Shift, isPress = event->type() == QEvent::KeyPress;
-    const auto* focus  = QApplication::focusWidget();
+    const bool  isShift = event->key() == Qt::Key_Shift, isPress = event->type() == QEvent::KeyPress;
+    const auto* focus = QApplication::focusWidget();
     if (isShift && isPress && m_view->tool() == Tool::Inspect && !(focus && isTyping(*focus))) {
         m_held.start();
     } else {  // another key: Shift was part of a shortcut

@@ -58,7 +58,7 @@ public:
     void saveSessionTo(const QString& file);
 
     /// What the Measure menu recorded, key by key; no key: nothing yet.
-    const CameraPath&      cameraPath() const { return m_path; }
+    const CameraPath& cameraPath() const { return m_path; }
     /// The trouble as a sentence, or nothing.
     std::optional<QString> saveCameraPath(const QString& file) const;
     SheetMaker&            sheets() { return *m_sheets; }
@@ -73,72 +73,73 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void present(Changes what);
-    bool leavesField(QObject* object, QEvent* event);
-    void watchShift(const QKeyEvent* event);
-    void makeCentre();
-    void makeDocks();
-    void placeDocks(const LayoutEntry& layout);
-    void showNeeded(const Snapshot& shown);
-    void shareWidths();
-    void shareHeights();
-    void widen(Qt::DockWidgetArea side, int width);
-    void rememberWidths();
-    void restoreWidths();
-    void fitToolBar();
-    void resetLayout();
-    void saveOwnLayout();
-    void useOwnLayout(const QString& name);
-    void forgetOwnLayout(const QString& name);
-    void showWhy(const Snapshot& shown);
-    void saveSession();
-    void restoreLayout();
-    void applyAppearance(Appearance appearance);
-    void addRecentFile(const QString& file);
-    void chooseFile();
-    void chooseLessons();
-    void showPanel(const QString& word);
-    void keepTabsOffTheEdge();
-    void makeRoomForLesson();
-    void savePicture(bool decorated);
-    void savePictureAs();
-    void copyPicture();
-    void namePictures();
-    void saveSheet();
-    void measure();
-    void stopMeasuring();
-    void watchMeasuring();
-    void openRecord();
+    void          present(Changes what);
+    bool          leavesField(QObject* object, QEvent* event);
+    void          watchShift(const QKeyEvent* event);
+    void          makeCentre();
+    void          makeDocks();
+    void          placeDocks(const LayoutEntry& layout);
+    void          showNeeded(const Snapshot& shown);
+    void          shareWidths();
+    void          shareHeights();
+    void          widen(Qt::DockWidgetArea side, int width);
+    void          rememberWidths();
+    void          restoreWidths();
+    void          fitToolBar();
+    void          resetLayout();
+    void          saveOwnLayout();
+    void          useOwnLayout(const QString& name);
+    void          forgetOwnLayout(const QString& name);
+    void          showWhy(const Snapshot& shown);
+    void          saveSession();
+    void          restoreLayout();
+    void          applyAppearance(Appearance appearance);
+    void          addRecentFile(const QString& file);
+    void          chooseFile();
+    void          chooseLessons();
+    void          showPanel(const QString& word);
+    void          keepTabsOffTheEdge();
+    void          makeRoomForLesson();
+    void          savePicture(bool decorated);
+    void          savePictureAs();
+    void          copyPicture();
+    void          namePictures();
+    void          saveSheet();
+    void          measure();
+    void          stopMeasuring();
+    void          watchMeasuring();
+    void          openRecord();
     MeasurePanel& measurePanel() const;
-    void addKeyFrame(bool afterCut);
-    void askWhereToSavePath();
-    void goToPixel();
-    void showKeys();
-    void changeKeys();
-    void showPalette();
-    void showAbout();
+    void          addKeyFrame(bool afterCut);
+    void          askWhereToSavePath();
+    void          goToPixel();
+    void          showKeys();
+    void          changeKeys();
+    void          showPalette();
+    void          showAbout();
 
-    Session&                m_session;
-    Settings&               m_settings;
-    const QPalette          m_systemPalette;
-    Translation             m_translation;
-    QStackedWidget*         m_centre   = nullptr;  // the start page or the picture
-    StartPage*              m_start    = nullptr;
-    FrameView*              m_view     = nullptr;
-    MessageBar*             m_messages = nullptr;
-    StatusLine*             m_status   = nullptr;
-    Actions*                m_actions  = nullptr;
-    QLabel*                 m_sceneName = nullptr;
-    QString                 m_layout;  // the word of the one chosen last
-    std::optional<QPoint>   m_lastPick;
+    Session&                           m_session;
+    Settings&                          m_settings;
+    const QPalette                     m_systemPalette;
+    Translation                        m_translation;
+    QStackedWidget*                    m_centre    = nullptr;  // the start page or the picture
+    StartPage*                         m_start     = nullptr;
+    FrameView*                         m_view      = nullptr;
+    MessageBar*                        m_messages  = nullptr;
+    StatusLine*                        m_status    = nullptr;
+    Actions*                           m_actions   = nullptr;
+    QLabel*                            m_sceneName = nullptr;
+    QString                            m_layout;  // the word of the one chosen last
+    std::optional<QPoint>              m_lastPick;
     std::shared_ptr<const LoadedScene> m_sceneShown;
-    QString                 m_fileAwaited;  // what was opened last, until it is there
-    CameraPath              m_path;   // recorded key by key; no key: none yet
-    SheetMaker*             m_sheets = nullptr;
-    QTimer                  m_held;   // from pressing Shift until it counts as held
-    std::vector<PanelDock*> m_docks;  // in the order of panels()
-    bool                    m_separates = false;      // the mouse has hold of what separates docks
-    int                     m_left = 0, m_right = 0;  // widths of the docks' sides as they were asked for; a narrow window may give less
+    QString                            m_fileAwaited;  // what was opened last, until it is there
+    CameraPath                         m_path;         // recorded key by key; no key: none yet
+    SheetMaker*                        m_sheets = nullptr;
+    QTimer                             m_held;               // from pressing Shift until it counts as held
+    std::vector<PanelDock*>            m_docks;              // in the order of panels()
+    bool                               m_separates = false;  // the mouse has hold of what separates docks
+    // widths of the docks' sides as they were asked for; a narrow window may give less
+    int m_left = 0, m_right = 0;
 };
 
 }  // namespace zscope::ui

@@ -52,8 +52,9 @@ void MainWindow::chooseFile()
 {
     const QStringList recent = m_settings.recentFiles();
     const QString     folder = recent.isEmpty() ? QString() : QFileInfo(recent.front()).absolutePath();
-    const QString     file   = QFileDialog::getOpenFileName(this, tr("Open a scene"), folder,
-                                                            tr("Scenes and sessions (*.obj *.OBJ *.json *.zscope-session);;All files (*)"));
+    const QString     file =
+        QFileDialog::getOpenFileName(this, tr("Open a scene"), folder,
+                                     tr("Scenes and sessions (*.obj *.OBJ *.json *.zscope-session);;All files (*)"));
     if (!file.isEmpty()) open(file);
 }
 
@@ -77,9 +78,12 @@ void MainWindow::savePicture(bool decorated)
     const QImage image = m_view->picture(decorated);
     if (image.isNull()) return;
     const QDir    folder(m_settings.pictureFolder());
-    const QString file = folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate()) + ".png");
-    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), false)) m_messages->tell(*trouble);
-    else m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
+    const QString file =
+        folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate()) + ".png");
+    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), false))
+        m_messages->tell(*trouble);
+    else
+        m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
 }
 
 void MainWindow::savePictureAs()
@@ -87,12 +91,14 @@ void MainWindow::savePictureAs()
     const QImage image = m_view->picture(true);
     if (image.isNull()) return;
     const QDir    folder(m_settings.pictureFolder());
-    const QString suggested = folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate()) + ".png");
-    QString       file      = QFileDialog::getSaveFileName(this, tr("Save the picture"), suggested, tr("PNG pictures (*.png)"));
+    const QString suggested =
+        folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate()) + ".png");
+    QString file = QFileDialog::getSaveFileName(this, tr("Save the picture"), suggested, tr("PNG pictures (*.png)"));
     if (file.isEmpty()) return;
     const bool asked = file.endsWith(".png", Qt::CaseInsensitive);  // the dialog has asked about this very name
     if (!asked) file += ".png";
-    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), asked)) return m_messages->tell(*trouble);
+    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), asked))
+        return m_messages->tell(*trouble);
     m_settings.setPictureFolder(QFileInfo(file).absolutePath());
     m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
 }
@@ -129,12 +135,16 @@ void MainWindow::saveSession()
     auto session = sessionFileOf(m_session);
     if (!session) return;
     const QDir    folder(m_settings.pictureFolder());
-    const QString suggested = folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate(), kSessionSuffix) + '.' + kSessionSuffix);
-    QString       file      = QFileDialog::getSaveFileName(this, tr("Save the session"), suggested, tr("ZScope sessions (*.zscope-session)"));
+    const QString suggested =
+        folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate(), kSessionSuffix)
+                        + '.' + kSessionSuffix);
+    QString file =
+        QFileDialog::getSaveFileName(this, tr("Save the session"), suggested, tr("ZScope sessions (*.zscope-session)"));
     if (file.isEmpty()) return;
     if (!file.endsWith(QString(".") + kSessionSuffix)) {
         file += QString(".") + kSessionSuffix;
-        if (QFileInfo::exists(file)) return m_messages->tell([file] { return tr("%1 is there already; it was left as it is.").arg(file); });
+        if (QFileInfo::exists(file))
+            return m_messages->tell([file] { return tr("%1 is there already; it was left as it is.").arg(file); });
     }
     saveSessionTo(file);
 }
@@ -154,7 +164,8 @@ void MainWindow::saveSessionTo(const QString& file)
 
 void MainWindow::chooseLessons()
 {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of lessons"), m_settings.lessonFolder());
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Open a folder of lessons"), m_settings.lessonFolder());
     if (!folder.isEmpty()) openLessons(folder);
 }
 

@@ -39,8 +39,10 @@ void MainWindow::makeDocks()
         toggle->setChecked(true);
         m_actions->adopt(*toggle, QStringLiteral("panel.") + entry.word);
         connect(toggle, &QAction::triggered, this, [this, dock](bool isWanted) {
-            if (isWanted) showPanel(dock->entry().word);
-            else dock->setWanted(false);
+            if (isWanted)
+                showPanel(dock->entry().word);
+            else
+                dock->setWanted(false);
         });
         connect(dock, &PanelDock::wantedChanged, toggle, &QAction::setChecked);
         m_docks.push_back(dock);
@@ -56,9 +58,12 @@ PanelDock* MainWindow::dock(const QString& panelWord) const
 
 void MainWindow::placeDocks(const LayoutEntry& layout)
 {
-    const std::vector<LayoutPlace> places = layout.places();
-    const auto placeOf = [&](const PanelDock& dock) {
-        return std::ranges::find_if(places, [&](const LayoutPlace& place) { return std::strcmp(place.panel, dock.entry().word) == 0; });
+    const std::vector<LayoutPlace> places  = layout.places();
+    const auto                     placeOf = [&](const PanelDock& dock) {
+        const auto isOfDock = [&](const LayoutPlace& place) {
+            return std::strcmp(place.panel, dock.entry().word) == 0;
+        };
+        return std::ranges::find_if(places, isOfDock);
     };
     for (PanelDock* dock : m_docks) {
         dock->setFloating(false);
@@ -89,8 +94,8 @@ namespace {
 /// What runs when the pipeline's choices are measured, as far as a panel cares: a step tells what it has.
 Pipeline ranIn(const Snapshot& shown)
 {
-    Pipeline               ran       = shown.pipeline;
-    const HierarchyState*  hierarchy = shown.hierarchy();
+    Pipeline              ran       = shown.pipeline;
+    const HierarchyState* hierarchy = shown.hierarchy();
     if (ran.chooser != Chooser::Measured || !hierarchy) return ran;
     if (hierarchy->tree) ran.order = *hierarchy->tree == TreeKind::Octree ? Order::Octree : Order::Bvh;
     if (!hierarchy->levels.empty()) ran.upkeep = Upkeep::OnQuery;
@@ -103,14 +108,15 @@ bool isThere(const PanelDock& dock) { return dock.isWanted() && dock.isNeeded() 
 /// The height that docks one below the other have together: that of the picture beside them.
 int roomOf(const QMainWindow& window)
 {
-    return window.isVisible() ? window.centralWidget()->height() : window.height() * 2 / 3;  // about as much, before it is known
+    // about as much, before it is known
+    return window.isVisible() ? window.centralWidget()->height() : window.height() * 2 / 3;
 }
 
 /// What a scene has to tell needs no more than this; choices and faults take what is left.
 QList<int> sceneAndPipeline(int room)
 {
     constexpr int kFacts = 290, kOfHundred = 57;
-    const int     scene  = std::min(kFacts, room * kOfHundred / 100);
+    const int     scene = std::min(kFacts, room * kOfHundred / 100);
     return {scene, room - scene};
 }
 
@@ -127,8 +133,8 @@ void divideHeight(QMainWindow& window, const QList<QDockWidget*>& docks, QList<i
 
 void MainWindow::showNeeded(const Snapshot& shown)
 {
-    const Pipeline ran = ranIn(shown);
-    bool changed = false;
+    const Pipeline ran     = ranIn(shown);
+    bool           changed = false;
     // First away, then in: all at once they would not fit, and a window that has grown does not shrink again.
     for (const bool needed : {false, true}) {
         for (PanelDock* dock : m_docks) {
@@ -148,10 +154,11 @@ void MainWindow::shareWidths()
 {
     // Tables and pyramids want room; a column of facts does not, and the picture is the largest thing on the screen.
     constexpr std::array kWide{"active-edges", "pyramid", "hierarchy", "observer"};
-    const LayoutEntry& layout = layoutEntry(m_layout);
-    const double       larger = 1 + 0.4 * (std::max(width(), 1280) / 1280.0 - 1);
-    const bool         isWide = std::ranges::any_of(kWide, [&](const char* word) { return isThere(*dock(word)); });
-    for (const auto& [area, at1280] : {std::pair(Qt::LeftDockWidgetArea, layout.left), std::pair(Qt::RightDockWidgetArea, isWide ? layout.right : layout.narrow)}) {
+    const LayoutEntry&   layout = layoutEntry(m_layout);
+    const double         larger = 1 + 0.4 * (std::max(width(), 1280) / 1280.0 - 1);
+    const bool           isWide = std::ranges::any_of(kWide, [&](const char* word) { return isThere(*dock(word)); });
+    for (const auto& [area, at1280] : {std::pair(Qt::LeftDockWidgetArea, layout.left),
+                                       std::pair(Qt::RightDockWidgetArea, isWide ? layout.right : layout.narrow)}) {
         widen(area, static_cast<int>(at1280 * larger));
     }
 }
@@ -159,7 +166,8 @@ void MainWindow::shareWidths()
 void MainWindow::widen(Qt::DockWidgetArea side, int width)
 {
     (side == Qt::LeftDockWidgetArea ? m_left : m_right) = width;
-    const auto first = std::ranges::find_if(m_docks, [&](PanelDock* dock) { return isThere(*dock) && dockWidgetArea(dock) == side; });
+    const auto first =
+        std::ranges::find_if(m_docks, [&](PanelDock* dock) { return isThere(*dock) && dockWidgetArea(dock) == side; });
     if (first != m_docks.end()) resizeDocks({*first}, {width}, Qt::Horizontal);
 }
 
@@ -176,7 +184,8 @@ void MainWindow::restoreWidths()
 {
     // The picture gives way first, then the docks; but only the picture grows again by itself.
     const int left = m_left, right = m_right;
-    for (const auto& [area, wanted] : {std::pair(Qt::LeftDockWidgetArea, left), std::pair(Qt::RightDockWidgetArea, right)})
+    for (const auto& [area, wanted] :
+         {std::pair(Qt::LeftDockWidgetArea, left), std::pair(Qt::RightDockWidgetArea, right)})
         if (std::ranges::any_of(m_docks, [&, side = area, width = wanted](PanelDock* dock) {
                 return dock->isVisible() && isThere(*dock) && dockWidgetArea(dock) == side && dock->width() < width;
             }))
@@ -185,13 +194,14 @@ void MainWindow::restoreWidths()
 
 void MainWindow::fitToolBar()
 {
-    auto* tools = findChild<QToolBar*>("tools");
+    auto*      tools = findChild<QToolBar*>("tools");
     const auto dress = [tools](Qt::ToolButtonStyle style) {
         tools->setToolButtonStyle(style);
         for (auto* button : tools->findChildren<QToolButton*>()) button->setToolButtonStyle(style);
     };
     dress(Qt::ToolButtonTextBesideIcon);
-    if (tools->sizeHint().width() > width()) dress(Qt::ToolButtonIconOnly);  // what has no icon keeps its word, and all have their tool tips
+    // what has no icon keeps its word, and all have their tool tips
+    if (tools->sizeHint().width() > width()) dress(Qt::ToolButtonIconOnly);
 }
 
 void MainWindow::shareHeights()
@@ -217,9 +227,11 @@ void MainWindow::useLayout(const QString& word)
     for (const LayoutPlace& place : layout.places()) {
         if (place.area != Qt::BottomDockWidgetArea) continue;
         PanelDock* below = dock(place.panel);  // else as high as what stood there in the layout before
-        resizeDocks({below}, {layout.bottom > 0 ? height() * layout.bottom / 100 : below->sizeHint().height()}, Qt::Vertical);
+        resizeDocks({below}, {layout.bottom > 0 ? height() * layout.bottom / 100 : below->sizeHint().height()},
+                    Qt::Vertical);
     }
-    if (dock("scene")->isWanted()) divideHeight(*this, {dock("scene"), dock("pipeline")}, sceneAndPipeline(roomOf(*this)));
+    if (dock("scene")->isWanted())
+        divideHeight(*this, {dock("scene"), dock("pipeline")}, sceneAndPipeline(roomOf(*this)));
     shareHeights();
     m_actions->showLayout(m_layout);
     QTimer::singleShot(0, this, [this] { keepTabsOffTheEdge(); });
@@ -273,7 +285,8 @@ WindowLayout MainWindow::layoutNow() const
 bool MainWindow::applyLayout(const WindowLayout& layout)
 {
     const bool fits = restoreState(layout.state, Settings::kLayoutVersion);
-    for (PanelDock* dock : m_docks) dock->setWanted(fits ? !layout.hidden.contains(dock->entry().word) : dock->isWanted());
+    for (PanelDock* dock : m_docks)
+        dock->setWanted(fits ? !layout.hidden.contains(dock->entry().word) : dock->isWanted());
     if (fits && !layout.name.isEmpty()) {
         m_layout = layoutEntry(layout.name).word;
         m_actions->showLayout(m_layout);
@@ -288,7 +301,9 @@ bool MainWindow::applyLayout(const WindowLayout& layout)
 void MainWindow::saveOwnLayout()
 {
     bool          isNamed = false;
-    const QString name    = QInputDialog::getText(this, tr("Save this layout"), tr("Name of the layout"), QLineEdit::Normal, QString(), &isNamed).trimmed();
+    const QString name    = QInputDialog::getText(this, tr("Save this layout"), tr("Name of the layout"),
+                                                  QLineEdit::Normal, QString(), &isNamed)
+                             .trimmed();
     if (!isNamed || name.isEmpty()) return;
     m_settings.keepOwnLayout(name, layoutNow().state, layoutNow().hidden);
     m_actions->showOwnLayouts(m_settings.ownLayouts());
@@ -297,7 +312,9 @@ void MainWindow::saveOwnLayout()
 void MainWindow::useOwnLayout(const QString& name)
 {
     const auto [state, hidden] = m_settings.ownLayout(name);
-    if (!applyLayout({{}, state, hidden, {}})) m_messages->tell([name] { return tr("The layout \u201C%1\u201D does not fit this version of the window.").arg(name); });
+    if (!applyLayout({{}, state, hidden, {}}))
+        m_messages->tell(
+            [name] { return tr("The layout \u201C%1\u201D does not fit this version of the window.").arg(name); });
 }
 
 void MainWindow::forgetOwnLayout(const QString& name)
@@ -309,8 +326,10 @@ void MainWindow::forgetOwnLayout(const QString& name)
 void MainWindow::restoreLayout()
 {
     if (const QByteArray geometry = m_settings.geometry(); !geometry.isEmpty()) restoreGeometry(geometry);
-    if (const QByteArray layout = m_settings.layout(); !layout.isEmpty()) restoreState(layout, Settings::kLayoutVersion);
-    else return;
+    if (const QByteArray layout = m_settings.layout(); !layout.isEmpty())
+        restoreState(layout, Settings::kLayoutVersion);
+    else
+        return;
     const QStringList hidden = m_settings.hiddenPanels();
     for (PanelDock* dock : m_docks) dock->setWanted(!hidden.contains(dock->entry().word));
     QTimer::singleShot(0, this, [this] { rememberWidths(); });

@@ -39,13 +39,18 @@ void MainWindow::saveSheet()
 {
     const std::vector<BenchAlgorithm> algorithms = SheetMaker::ask(this, m_session);
     if (algorithms.empty()) return;
-    const QString suggested =
-        QDir(m_settings.pictureFolder()).filePath(freePictureName(m_session.now(), m_settings.pictureFolder(), m_settings.pictureTemplate(), QStringLiteral("pdf")) + QStringLiteral(".pdf"));
-    QString       file      = QFileDialog::getSaveFileName(this, tr("Save the comparison sheet"), suggested, tr("PDF pages (*.pdf);;PNG pictures (*.png)"));
+    const QString suggested = QDir(m_settings.pictureFolder())
+                                  .filePath(freePictureName(m_session.now(), m_settings.pictureFolder(),
+                                                            m_settings.pictureTemplate(), QStringLiteral("pdf"))
+                                            + QStringLiteral(".pdf"));
+    QString file = QFileDialog::getSaveFileName(this, tr("Save the comparison sheet"), suggested,
+                                                tr("PDF pages (*.pdf);;PNG pictures (*.png)"));
     if (file.isEmpty()) return;
-    if (const QString suffix = QFileInfo(file).suffix().toLower(); suffix != QStringLiteral("pdf") && suffix != QStringLiteral("png")) {
+    if (const QString suffix = QFileInfo(file).suffix().toLower();
+        suffix != QStringLiteral("pdf") && suffix != QStringLiteral("png")) {
         file += QStringLiteral(".pdf");  // the dialog has not asked about this name
-        if (QFileInfo::exists(file)) return m_messages->tell(tr("%1 is there already; it was left as it is.").arg(file));
+        if (QFileInfo::exists(file))
+            return m_messages->tell(tr("%1 is there already; it was left as it is.").arg(file));
     }
     m_settings.setPictureFolder(QFileInfo(file).absolutePath());
     m_status->showMessage(tr("Drawing and timing %1 algorithms for the sheet").arg(algorithms.size()));
@@ -68,7 +73,10 @@ void MainWindow::watchMeasuring()
     connect(&measurer, &Measurer::ended, m_actions, show);
 }
 
-MeasurePanel& MainWindow::measurePanel() const { return static_cast<MeasurePanel&>(dock(QStringLiteral("measure"))->panel()); }
+MeasurePanel& MainWindow::measurePanel() const
+{
+    return static_cast<MeasurePanel&>(dock(QStringLiteral("measure"))->panel());
+}
 
 void MainWindow::openRecord()
 {
@@ -85,7 +93,8 @@ void MainWindow::addKeyFrame(bool afterCut)
     const dvec3   way    = middle - now.camera.eye;
     const double  length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
     const int     frame  = m_path.keys.empty() ? 0 : m_path.keys.back().frame + kFramesBetweenKeys;
-    if (frame >= kMaxPathFrames) return m_messages->tell(tr("A camera path has at most %1 frames.").arg(kMaxPathFrames));
+    if (frame >= kMaxPathFrames)
+        return m_messages->tell(tr("A camera path has at most %1 frames.").arg(kMaxPathFrames));
     CameraKey key = keyOf(now.camera, frame, length > 0 ? length : 1);
     key.isCut     = afterCut && frame > 0;
     m_path.keys.push_back(key);
@@ -94,19 +103,23 @@ void MainWindow::addKeyFrame(bool afterCut)
 
 std::optional<QString> MainWindow::saveCameraPath(const QString& file) const
 {
-    if (const auto done = writeFile(QFile::encodeName(file).toStdString(), cameraPathToJson(m_path)); !done) return said(done.error());
+    if (const auto done = writeFile(QFile::encodeName(file).toStdString(), cameraPathToJson(m_path)); !done)
+        return said(done.error());
     return {};
 }
 
 void MainWindow::askWhereToSavePath()
 {
     if (m_path.keys.empty()) return m_messages->tell(tr("The camera path is empty: add key frames first."));
-    const QString suggested = freeName(m_settings.pictureFolder(), QStringLiteral("camera-path"), QStringLiteral("json"));
-    QString       file      = QFileDialog::getSaveFileName(this, tr("Save the camera path"), suggested, tr("Camera paths (*.json)"));
+    const QString suggested =
+        freeName(m_settings.pictureFolder(), QStringLiteral("camera-path"), QStringLiteral("json"));
+    QString file =
+        QFileDialog::getSaveFileName(this, tr("Save the camera path"), suggested, tr("Camera paths (*.json)"));
     if (file.isEmpty()) return;
     if (!file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
         file += QStringLiteral(".json");
-        if (QFileInfo::exists(file)) return m_messages->tell(tr("%1 is there already; it was left as it is.").arg(file));
+        if (QFileInfo::exists(file))
+            return m_messages->tell(tr("%1 is there already; it was left as it is.").arg(file));
     }
     if (const auto trouble = saveCameraPath(file)) return m_messages->tell(*trouble);
     m_settings.setPictureFolder(QFileInfo(file).absolutePath());

@@ -34,8 +34,10 @@ MessageBar::MessageBar(QWidget* parent)
         setAccessibleName(tr("Message"));
         m_close->setAccessibleName(tr("Close the message"));
         if (sentence().isEmpty()) return;
-        if (m_say) show(m_say());
-        else hide();
+        if (m_say)
+            show(m_say());
+        else
+            hide();
     });
 }
 

@@ -20,8 +20,8 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
 
     /// Says it again when the language changes.
-    void    tell(std::function<QString()> say);
-    void    tell(const Error& error);
+    void tell(std::function<QString()> say);
+    void tell(const Error& error);
     /// Goes when the language changes.
     void    tell(const QString& sentence);
     QString sentence() const;
@@ -33,9 +33,9 @@ private:
     void dress();
     void show(const QString& sentence);
 
-    QLabel*      m_icon;
-    QLabel*      m_text;
-    QToolButton* m_close;
+    QLabel*                  m_icon;
+    QLabel*                  m_text;
+    QToolButton*             m_close;
     std::function<QString()> m_say;  // what is told; nothing: it is known in one language only
 };
 

@@ -13,7 +13,8 @@
 
 namespace zscope::ui {
 
-PictureNamesDialog::PictureNamesDialog(const QString& pattern, const Snapshot& shown, const QString& folder, QWidget* parent)
+PictureNamesDialog::PictureNamesDialog(const QString& pattern, const Snapshot& shown, const QString& folder,
+                                       QWidget* parent)
     : QDialog(parent), m_shown(shown), m_folder(folder), m_pattern(new QLineEdit(pattern)), m_next(new QLabel)
 {
     setObjectName("pictureNames");
@@ -24,17 +25,19 @@ PictureNamesDialog::PictureNamesDialog(const QString& pattern, const Snapshot& s
     m_next->setAccessibleName(tr("Next picture"));
     m_next->setMinimumHeight(2 * fontMetrics().lineSpacing());
     m_next->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    auto* fields = new QLabel(tr("{scene}  name of the scene\n{algorithm}  preset, or the choices\n{grain}  grain of the steps\n"
-                                 "{step}  step, or end\n{n}  the first number that is free"));
+    auto* fields =
+        new QLabel(tr("{scene}  name of the scene\n{algorithm}  preset, or the choices\n{grain}  grain of the steps\n"
+                      "{step}  step, or end\n{n}  the first number that is free"));
     fields->setObjectName("soft");
     auto* form = new QFormLayout;
     form->setVerticalSpacing(kStep);
     form->addRow(tr("Template"), m_pattern);
     form->addRow(tr("Fields"), fields);
     form->addRow(tr("Next picture"), m_next);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
-    m_keep        = buttons->button(QDialogButtonBox::Ok);
-    auto* layout  = new QVBoxLayout(this);
+    auto* buttons =
+        new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
+    m_keep       = buttons->button(QDialogButtonBox::Ok);
+    auto* layout = new QVBoxLayout(this);
     layout->setSpacing(2 * kStep);
     layout->addLayout(form);
     layout->addWidget(buttons);
@@ -42,7 +45,8 @@ PictureNamesDialog::PictureNamesDialog(const QString& pattern, const Snapshot& s
 
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, [this] { m_pattern->setText(kPictureTemplate); });
+    connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
+            [this] { m_pattern->setText(kPictureTemplate); });
     connect(m_pattern, &QLineEdit::textChanged, this, &PictureNamesDialog::showNext);
     showNext();
     m_pattern->setFocus();
@@ -56,7 +60,8 @@ void PictureNamesDialog::showNext()
     const auto trouble = whyNoPictureTemplate(pattern());
     m_keep->setEnabled(!trouble);
     m_next->setText(trouble ? QStringLiteral("\u26A0 ") + *trouble
-                            : QDir::toNativeSeparators(QDir(m_folder).filePath(freePictureName(m_shown, m_folder, pattern()) + ".png")));
+                            : QDir::toNativeSeparators(
+                                QDir(m_folder).filePath(freePictureName(m_shown, m_folder, pattern()) + ".png")));
 }
 
 }  // namespace zscope::ui

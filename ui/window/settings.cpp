@@ -34,7 +34,9 @@ int firstBrokenLine(const QString& name)
 }  // namespace
 
 Settings::Settings(const QString& file)
-    : m_settings(file.isEmpty() ? QSettings(QSettings::IniFormat, QSettings::UserScope, kOrganisation, kProgram).fileName() : file,
+    : m_settings(file.isEmpty()
+                     ? QSettings(QSettings::IniFormat, QSettings::UserScope, kOrganisation, kProgram).fileName()
+                     : file,
                  QSettings::IniFormat)
 {
     const int line = firstBrokenLine(m_settings.fileName());
@@ -48,13 +50,18 @@ Settings::Settings(const QString& file)
 std::optional<QString> Settings::trouble() const
 {
     if (!m_brokenLine) return {};
-    return *m_brokenLine > 0 ? tr("%1:%2: this is no setting; the window starts with its defaults.").arg(m_settings.fileName()).arg(*m_brokenLine)
-                             : tr("%1 cannot be read as settings; the window starts with its defaults.").arg(m_settings.fileName());
+    return *m_brokenLine > 0
+               ? tr("%1:%2: this is no setting; the window starts with its defaults.")
+                     .arg(m_settings.fileName())
+                     .arg(*m_brokenLine)
+               : tr("%1 cannot be read as settings; the window starts with its defaults.").arg(m_settings.fileName());
 }
 
 void Settings::forget(const QString& file)
 {
-    QSettings settings(file.isEmpty() ? QSettings(QSettings::IniFormat, QSettings::UserScope, kOrganisation, kProgram).fileName() : file,
+    QSettings settings(file.isEmpty()
+                           ? QSettings(QSettings::IniFormat, QSettings::UserScope, kOrganisation, kProgram).fileName()
+                           : file,
                        QSettings::IniFormat);
     settings.clear();
     settings.sync();
@@ -73,9 +80,15 @@ void Settings::finishStart()
     m_settings.sync();
 }
 
-QByteArray Settings::geometry() const { return m_useLayout ? m_settings.value("window/geometry").toByteArray() : QByteArray(); }
+QByteArray Settings::geometry() const
+{
+    return m_useLayout ? m_settings.value("window/geometry").toByteArray() : QByteArray();
+}
 
-QByteArray Settings::layout() const { return m_useLayout ? m_settings.value("window/layout").toByteArray() : QByteArray(); }
+QByteArray Settings::layout() const
+{
+    return m_useLayout ? m_settings.value("window/layout").toByteArray() : QByteArray();
+}
 
 QStringList Settings::hiddenPanels() const
 {
@@ -89,7 +102,10 @@ void Settings::keepWindow(const QByteArray& geometry, const QByteArray& layout, 
     m_settings.setValue("window/hiddenPanels", hiddenPanels);
 }
 
-QString Settings::layoutName() const { return m_useLayout ? m_settings.value("window/layoutName").toString() : QString(); }
+QString Settings::layoutName() const
+{
+    return m_useLayout ? m_settings.value("window/layoutName").toString() : QString();
+}
 
 void Settings::setLayoutName(const QString& word) { m_settings.setValue("window/layoutName", word); }
 
@@ -116,7 +132,10 @@ void Settings::keepOwnLayout(const QString& name, const QByteArray& state, const
     m_settings.setValue(at + "/hidden", hidden);
 }
 
-void Settings::forgetOwnLayout(const QString& name) { m_settings.remove("layouts/" + QString::fromLatin1(QUrl::toPercentEncoding(name))); }
+void Settings::forgetOwnLayout(const QString& name)
+{
+    m_settings.remove("layouts/" + QString::fromLatin1(QUrl::toPercentEncoding(name)));
+}
 
 QStringList Settings::recentFiles() const
 {
@@ -171,8 +190,10 @@ std::optional<QStringList> Settings::keysOf(const QString& command) const
 
 void Settings::keepKeys(const QString& command, const std::optional<QStringList>& keys)
 {
-    if (!keys) m_settings.remove("keys/" + command);
-    else m_settings.setValue("keys/" + command, keys->isEmpty() ? QStringList{QString()} : *keys);
+    if (!keys)
+        m_settings.remove("keys/" + command);
+    else
+        m_settings.setValue("keys/" + command, keys->isEmpty() ? QStringList{QString()} : *keys);
 }
 
 QString Settings::lessonFolder() const { return m_settings.value("files/lessons").toString(); }

@@ -25,7 +25,8 @@ public:
     /// A file, or the user's own place.
     explicit Settings(const QString& file = {});
 
-    /// What was wrong with the file, with its line, in the language of the moment; nothing of the file is used, and a copy is kept.
+    /// What was wrong with the file, with its line, in the language of the moment; nothing of the file is used, and a
+    /// copy is kept.
     std::optional<QString> trouble() const;
 
     /// --reset-settings; of a file, or the user's own.
@@ -47,8 +48,8 @@ public:
     /// Layouts that the user has saved.
     QStringList                        ownLayouts() const;
     std::pair<QByteArray, QStringList> ownLayout(const QString& name) const;  // state, hidden panels
-    void                               keepOwnLayout(const QString& name, const QByteArray& state, const QStringList& hidden);
-    void                               forgetOwnLayout(const QString& name);
+    void keepOwnLayout(const QString& name, const QByteArray& state, const QStringList& hidden);
+    void forgetOwnLayout(const QString& name);
 
     QStringList recentFiles() const;
     void        addRecentFile(const QString& path);
@@ -76,8 +77,8 @@ public:
     void    setPictureFolder(const QString& folder);
 
 private:
-    mutable QSettings m_settings;
-    bool              m_useLayout = true;
+    mutable QSettings  m_settings;
+    bool               m_useLayout = true;
     std::optional<int> m_brokenLine;  // from 1; 0: the file as a whole; nothing: it is sound
 };
 

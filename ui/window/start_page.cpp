@@ -45,15 +45,15 @@ QLabel* section()
 }  // namespace
 
 StartPage::StartPage(Requests requests, QWidget* parent)
-    : QWidget(parent), m_requests(std::move(requests)), m_open(new QPushButton), m_lesson(new QPushButton), m_recentTitle(section()),
-      m_examples(list()), m_recent(list())
+    : QWidget(parent), m_requests(std::move(requests)), m_open(new QPushButton), m_lesson(new QPushButton),
+      m_recentTitle(section()), m_examples(list()), m_recent(list())
 {
     setObjectName("startPage");
-    auto* title = new QLabel(QStringLiteral("ZScope"));
-    auto* line  = new QLabel;
-    auto* drop  = new QLabel;
+    auto* title         = new QLabel(QStringLiteral("ZScope"));
+    auto* line          = new QLabel;
+    auto* drop          = new QLabel;
     auto* examplesTitle = section();
-    QFont large = title->font();
+    QFont large         = title->font();
     large.setPointSizeF(large.pointSizeF() * 2);
     large.setWeight(QFont::DemiBold);
     title->setFont(large);
@@ -82,7 +82,7 @@ StartPage::StartPage(Requests requests, QWidget* parent)
     lists->addWidget(m_examples, 1, 0);
     lists->addWidget(m_recent, 1, 1);
     lists->setColumnStretch(0, 3);  // of the widgets that are there
-    m_lists = lists;
+    m_lists      = lists;
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(5 * kStep, 4 * kStep, 5 * kStep, 3 * kStep);
     layout->setSpacing(2 * kStep);
@@ -99,7 +99,9 @@ StartPage::StartPage(Requests requests, QWidget* parent)
         connect(each, &QListWidget::itemActivated, this, &StartPage::choose);
     }
     spoken(*this, [this, line, drop, examplesTitle] {
-        line->setText(tr("A microscope for visible-surface algorithms: step through how a picture is made, and ask of any pixel why it shows what it shows."));
+        line->setText(
+            tr("A microscope for visible-surface algorithms: step through how a picture is made, and ask of any pixel "
+               "why it shows what it shows."));
         drop->setText(tr("or drop an OBJ file here"));
         examplesTitle->setText(tr("Examples"));
         m_recentTitle->setText(tr("Opened before"));
@@ -111,7 +113,8 @@ StartPage::StartPage(Requests requests, QWidget* parent)
             QListWidgetItem* item = m_examples->item(i);
             const QString    name = item->data(kWord).toString().mid(8);
             for (const SceneEntry& scene : builtinScenes())
-                if (scene.name == name.toStdString()) item->setText(name + QStringLiteral("  \u2014  ") + said(scene.title));
+                if (scene.name == name.toStdString())
+                    item->setText(name + QStringLiteral("  \u2014  ") + said(scene.title));
             item->setToolTip(item->text());
         }
     });

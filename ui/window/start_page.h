@@ -37,7 +37,7 @@ private:
     Requests     m_requests;
     QPushButton *m_open, *m_lesson;
     QGridLayout* m_lists = nullptr;
-    QLabel *     m_recentTitle;
+    QLabel*      m_recentTitle;
     QListWidget *m_examples, *m_recent;
 };
 

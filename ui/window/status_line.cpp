@@ -18,8 +18,8 @@ QString pixelText(const Snapshot& shown, const std::optional<QPoint>& pixel)
     if (!facts) return {};
     QString text = StatusLine::tr("x %1  y %2").arg(facts->pixel.x()).arg(facts->pixel.y());
     if (!facts->triangle) return text + "   " + StatusLine::tr("background");
-    return text + "   " + StatusLine::tr("triangle %1").arg(grouped(facts->triangle->value)) + "   D " +
-           depthText(facts->depth) + "   z " + decimal(facts->z, 4);
+    return text + "   " + StatusLine::tr("triangle %1").arg(grouped(facts->triangle->value)) + "   D "
+           + depthText(facts->depth) + "   z " + decimal(facts->z, 4);
 }
 
 StatusLine::StatusLine(Session& session, QWidget* parent)
@@ -35,7 +35,8 @@ StatusLine::StatusLine(Session& session, QWidget* parent)
     m_cancel->setObjectName("plain");
     connect(m_cancel, &QToolButton::clicked, this, [this] { m_session.cancelWork(); });
     for (QLabel* label : {m_algorithm, m_time, m_exact}) addWidget(label);
-    m_triangles->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // gives way to what is at work, before the window would grow
+    // gives way to what is at work, before the window would grow
+    m_triangles->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(m_triangles, 1);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_work, m_progress, m_cancel, m_pixel, m_machine})
         addPermanentWidget(widget);
@@ -56,29 +57,34 @@ StatusLine::StatusLine(Session& session, QWidget* parent)
 void StatusLine::present(const Snapshot& shown, Changes what)
 {
     if (what & (Change::Scene | Change::Picture) && !shown.frame)
-        for (QLabel* label : {m_algorithm, m_time, m_exact, m_triangles, m_machine}) label->clear();  // they speak of a frame
+        // they speak of a frame
+        for (QLabel* label : {m_algorithm, m_time, m_exact, m_triangles, m_machine}) label->clear();
     if ((what & (Change::Picture | Change::Pipeline)) && shown.frame) {
         const DrawnFrame& frame  = *shown.frame;
         const std::string name   = nameOf(frame.pipeline);
         const Preset*     preset = findPreset(name);
         m_algorithm->setText(QString::fromStdString(name));
         m_algorithm->setToolTip(!frame.report.why.empty() ? said(frame.report.why)
-                                : preset ? said(preset->title) : QString());
+                                : preset                  ? said(preset->title)
+                                                          : QString());
         m_time->setText(milliseconds(frame.report.frameMs));
-        m_time->setToolTip(counted(frame.framesTimed, tr("One frame at full speed"), tr("The median of %1 frames at full speed")) +
-                           (shown.step ? tr("; replaying up to this step took %1").arg(milliseconds(shown.step->replayMs)) : QString()));
+        m_time->setToolTip(
+            counted(frame.framesTimed, tr("One frame at full speed"), tr("The median of %1 frames at full speed"))
+            + (shown.step ? tr("; replaying up to this step took %1").arg(milliseconds(shown.step->replayMs))
+                          : QString()));
         const Claim claim = claimOf(frame.pipeline);
         m_exact->setText(frame.pipeline.fault != Fault::None ? tr("with a fault")
-                         : claim == Claim::Exact           ? tr("exact")
-                         : claim == Claim::ExactByFace     ? tr("exact by face")
-                                                           : tr("approximate"));
+                         : claim == Claim::Exact             ? tr("exact")
+                         : claim == Claim::ExactByFace       ? tr("exact by face")
+                                                             : tr("approximate"));
         const std::size_t triangles = shown.scene ? shown.scene->scene().triangleCount() : 0;
         m_triangles->setText(tr("%1 of %2 seen in %3")
-                                 .arg(grouped(frame.visibleTriangles), counted(triangles, tr("1 triangle"), tr("%1 triangles")),
+                                 .arg(grouped(frame.visibleTriangles),
+                                      counted(triangles, tr("1 triangle"), tr("%1 triangles")),
                                       counted(frame.coveredPixels, tr("1 pixel"), tr("%1 pixels"))));
         const std::string_view simd = wordOf(frame.report.simd);
-        m_machine->setText(counted(static_cast<unsigned>(frame.report.threads), tr("1 thread"), tr("%1 threads")) + " · " +
-                           QString::fromUtf8(simd.data(), static_cast<qsizetype>(simd.size())));
+        m_machine->setText(counted(static_cast<unsigned>(frame.report.threads), tr("1 thread"), tr("%1 threads"))
+                           + " · " + QString::fromUtf8(simd.data(), static_cast<qsizetype>(simd.size())));
     }
     if (what & Change::Busy) {
         if (shown.busy.isEmpty()) {
@@ -99,7 +105,10 @@ void StatusLine::hover(const std::optional<QPoint>& pixel)
     showPixel(m_session.now());
 }
 
-void StatusLine::showPixel(const Snapshot& shown) { m_pixel->setText(pixelText(shown, m_hovered ? m_hovered : shown.picked)); }
+void StatusLine::showPixel(const Snapshot& shown)
+{
+    m_pixel->setText(pixelText(shown, m_hovered ? m_hovered : shown.picked));
+}
 
 void StatusLine::showBusy(const Snapshot& shown)
 {

@@ -31,8 +31,9 @@ void dropBackFaces(const RTCFilterFunctionNArguments* arguments)
     RTCHitN*       hit = arguments->hit;
     const unsigned n   = arguments->N;
     for (unsigned i = 0; i < n; ++i) {
-        const float along = RTCHitN_Ng_x(hit, n, i) * RTCRayN_dir_x(ray, n, i) + RTCHitN_Ng_y(hit, n, i) * RTCRayN_dir_y(ray, n, i) +
-                            RTCHitN_Ng_z(hit, n, i) * RTCRayN_dir_z(ray, n, i);
+        const float along = RTCHitN_Ng_x(hit, n, i) * RTCRayN_dir_x(ray, n, i)
+                            + RTCHitN_Ng_y(hit, n, i) * RTCRayN_dir_y(ray, n, i)
+                            + RTCHitN_Ng_z(hit, n, i) * RTCRayN_dir_z(ray, n, i);
         if (along >= 0) arguments->valid[i] = 0;
     }
 }
@@ -40,7 +41,8 @@ void dropBackFaces(const RTCFilterFunctionNArguments* arguments)
 bool mirrors(const Affine& m)
 {
     const auto& [a, b, c] = m.rows;
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]) < 0;
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+           < 0;
 }
 
 /// Whether the triangle turns its back to the eye.
@@ -50,8 +52,9 @@ bool facesAway(const Scene& scene, TriangleId id, const dvec3& eye)
     const Mesh&      mesh     = scene.meshOf(i);
     const Affine&    toWorld  = scene.instances[i.value].toWorld;
     const auto&      triangle = mesh.triangles[id.value - scene.firstTriangle[i.value]];
-    const dvec3      p = toWorld(mesh.positions[triangle[0]]), e = toWorld(mesh.positions[triangle[1]]) - p, f = toWorld(mesh.positions[triangle[2]]) - p;
-    const dvec3      v = p - eye;
+    const dvec3      p = toWorld(mesh.positions[triangle[0]]), e = toWorld(mesh.positions[triangle[1]]) - p,
+                f = toWorld(mesh.positions[triangle[2]]) - p;
+    const dvec3 v = p - eye;
     return v.x * (e.y * f.z - e.z * f.y) + v.y * (e.z * f.x - e.x * f.z) + v.z * (e.x * f.y - e.y * f.x) > 0;
 }
 
@@ -61,9 +64,12 @@ constexpr std::array kModes{Mode::Packets8, Mode::Packets16, Mode::Streams};
 std::string_view titleOf(Mode mode)
 {
     switch (mode) {
-    case Mode::Packets8: return "packets of 8";
-    case Mode::Packets16: return "packets of 16";
-    case Mode::Streams: break;
+        case Mode::Packets8:
+            return "packets of 8";
+        case Mode::Packets16:
+            return "packets of 16";
+        case Mode::Streams:
+            break;
     }
     return "streams of 256";
 }
@@ -72,7 +78,9 @@ constexpr int kTile = 16;  // pixels a side: what one thread traces at a time, a
 
 class Tracer {
 public:
-    explicit Tracer(const PeerRequest& request) : m_request(request), m_scene(request.scene), m_device(rtcNewDevice(nullptr)) {}
+    explicit Tracer(const PeerRequest& request)
+        : m_request(request), m_scene(request.scene), m_device(rtcNewDevice(nullptr))
+    {}
 
     Result<PeerRun> run()
     {
@@ -85,7 +93,8 @@ public:
             return Error{trouble == RTC_ERROR_OUT_OF_MEMORY ? Trouble::Limit : Trouble::Input,
                          fmt::format("Embree cannot take this scene (its error {})", static_cast<int>(trouble))};
 
-        const auto pixels = static_cast<std::size_t>(m_request.camera.width) * static_cast<std::size_t>(m_request.camera.height);
+        const auto pixels =
+            static_cast<std::size_t>(m_request.camera.width) * static_cast<std::size_t>(m_request.camera.height);
         m_ids.assign(pixels, kNone);
         m_depth.assign(pixels, 0);
         trace(Mode::Packets16);
@@ -94,13 +103,15 @@ public:
 
         const Mode mode = fastestMode();
         for (int frame = 0; frame < m_request.warmUp; ++frame) trace(mode);
-        for (FrameQuota quota(m_request.frames, m_request.leastMs); quota.wantsMore(); quota.drawn(run.frameMs.back())) {
+        for (FrameQuota quota(m_request.frames, m_request.leastMs); quota.wantsMore();
+             quota.drawn(run.frameMs.back())) {
             if (m_request.progress.cancelled()) return Error{Trouble::Cancelled, "the rays were not wanted any more"};
             Stopwatch begun;
             trace(mode);
             run.frameMs.push_back(begun.lap());
         }
-        run.setting = fmt::format("{}{}{}", titleOf(mode), m_usesInstances ? ", instances" : "", filters ? ", back faces filtered" : "");
+        run.setting = fmt::format("{}{}{}", titleOf(mode), m_usesInstances ? ", instances" : "",
+                                  filters ? ", back faces filtered" : "");
         deliver(run);
         return run;
     }
@@ -112,14 +123,16 @@ private:
     {
         Geometry geometry(rtcNewGeometry(m_device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
         rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_HIGH);
-        positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
-        corners   = static_cast<std::uint32_t*>(
-            rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles));
+        positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
+        corners   = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+              geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles));
         if (!positions || !corners) throw std::bad_alloc();
         return geometry;
     }
 
-    static void append(const Mesh& mesh, const Affine& toWorld, std::uint32_t firstVertex, float*& positions, std::uint32_t*& corners)
+    static void append(const Mesh& mesh, const Affine& toWorld, std::uint32_t firstVertex, float*& positions,
+                       std::uint32_t*& corners)
     {
         for (const dvec3& p : mesh.positions) {
             const dvec3 world = toWorld(p);
@@ -138,9 +151,10 @@ private:
 
     void build()
     {
-        m_top           = newScene();
-        m_usesInstances = m_scene.triangleCount() > kMostWrittenOut && m_scene.instances.size() > 1 &&
-                          std::ranges::none_of(m_scene.instances, [](const Instance& i) { return mirrors(i.toWorld); });
+        m_top = newScene();
+        m_usesInstances =
+            m_scene.triangleCount() > kMostWrittenOut && m_scene.instances.size() > 1
+            && std::ranges::none_of(m_scene.instances, [](const Instance& i) { return mirrors(i.toWorld); });
         m_usesInstances ? buildInstances() : buildOneMesh();
         rtcCommitScene(m_top.get());
     }
@@ -148,7 +162,8 @@ private:
     void buildOneMesh()
     {
         std::size_t vertices = 0;
-        for (std::uint32_t i = 0; i < m_scene.instances.size(); ++i) vertices += m_scene.meshOf(InstanceId{i}).positions.size();
+        for (std::uint32_t i = 0; i < m_scene.instances.size(); ++i)
+            vertices += m_scene.meshOf(InstanceId{i}).positions.size();
         float*         positions = nullptr;
         std::uint32_t* corners   = nullptr;
         if (m_scene.triangleCount() == 0) return;
@@ -193,8 +208,11 @@ private:
 
     bool showsBackFaces() const
     {
-        constexpr std::size_t kTolerated = 1000;  // one pixel in so many: faces seen edge on, which count as pixels that differ
-        const auto isBack = [this](std::uint32_t id) { return id != kNone && facesAway(m_scene, TriangleId{id}, m_request.camera.eye); };
+        // one pixel in so many: faces seen edge on, which count as pixels that differ
+        constexpr std::size_t kTolerated = 1000;
+        const auto            isBack     = [this](std::uint32_t id) {
+            return id != kNone && facesAway(m_scene, TriangleId{id}, m_request.camera.eye);
+        };
         return static_cast<std::size_t>(std::ranges::count_if(m_ids, isBack)) * kTolerated > m_ids.size();
     }
 
@@ -229,15 +247,22 @@ private:
 
     void trace(Mode mode)
     {
-        const int columns = (m_request.camera.width + kTile - 1) / kTile, rows = (m_request.camera.height + kTile - 1) / kTile;
-        const int tiles = columns * rows;
+        const int columns = (m_request.camera.width + kTile - 1) / kTile,
+                  rows    = (m_request.camera.height + kTile - 1) / kTile;
+        const int tiles   = columns * rows;
 #pragma omp parallel for schedule(dynamic, 4) num_threads(m_request.threads)
         for (int tile = 0; tile < tiles; ++tile) {
             const int x = tile % columns * kTile, y = tile / columns * kTile;
             switch (mode) {
-            case Mode::Packets8: traceTile<RTCRayHit8, 8>(x, y, false); break;
-            case Mode::Packets16: traceTile<RTCRayHit16, 16>(x, y, false); break;
-            case Mode::Streams: traceTile<RTCRayHit16, 16>(x, y, true); break;
+                case Mode::Packets8:
+                    traceTile<RTCRayHit8, 8>(x, y, false);
+                    break;
+                case Mode::Packets16:
+                    traceTile<RTCRayHit16, 16>(x, y, false);
+                    break;
+                case Mode::Streams:
+                    traceTile<RTCRayHit16, 16>(x, y, true);
+                    break;
             }
         }
     }
@@ -246,21 +271,27 @@ private:
     template <class Packet, int N>
     void traceTile(int tileX, int tileY, bool asStream)
     {
-        constexpr int                    kWide = 4, kHigh = N / kWide, kPackets = kTile * kTile / N;
+        constexpr int                            kWide = 4, kHigh = N / kWide, kPackets = kTile * kTile / N;
         alignas(64) std::array<Packet, kPackets> packets;
         alignas(64) std::array<int, N>           valid;
-        RTCIntersectContext              context;
+        RTCIntersectContext                      context;
         rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        const auto cornerOf = [&](int p) { return std::array{tileX + p % (kTile / kWide) * kWide, tileY + p / (kTile / kWide) * kHigh}; };
+        context.flags       = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        const auto cornerOf = [&](int p) {
+            return std::array{tileX + p % (kTile / kWide) * kWide, tileY + p / (kTile / kWide) * kHigh};
+        };
         for (int p = 0; p < kPackets; ++p) {
             const auto [x, y] = cornerOf(p);
             aim<N, kWide>(packets[static_cast<std::size_t>(p)], valid, x, y, asStream);
             if (asStream) continue;
-            if constexpr (N == 8) rtcIntersect8(valid.data(), m_top.get(), &context, &packets[static_cast<std::size_t>(p)]);
-            else rtcIntersect16(valid.data(), m_top.get(), &context, &packets[static_cast<std::size_t>(p)]);
+            if constexpr (N == 8)
+                rtcIntersect8(valid.data(), m_top.get(), &context, &packets[static_cast<std::size_t>(p)]);
+            else
+                rtcIntersect16(valid.data(), m_top.get(), &context, &packets[static_cast<std::size_t>(p)]);
         }
-        if (asStream) rtcIntersectNM(m_top.get(), &context, reinterpret_cast<RTCRayHitN*>(packets.data()), N, kPackets, sizeof(Packet));
+        if (asStream)
+            rtcIntersectNM(m_top.get(), &context, reinterpret_cast<RTCRayHitN*>(packets.data()), N, kPackets,
+                           sizeof(Packet));
         for (int p = 0; p < kPackets; ++p) {
             const auto [x, y] = cornerOf(p);
             store<N, kWide>(packets[static_cast<std::size_t>(p)], x, y);
@@ -277,23 +308,25 @@ private:
         for (int lane = 0; lane < N; ++lane) {
             const auto  i = static_cast<std::size_t>(lane);
             const int   x = x0 + lane % kWide, y = y0 + lane / kWide;
-            const float right = (static_cast<float>(x) + 0.5f - halfW) * scale, up = (halfH - static_cast<float>(y) - 0.5f) * scale;
-            const bool  isInside = x < c.width && y < c.height;
-            valid[i]             = isInside ? -1 : 0;
-            packet.ray.org_x[i]  = part(c.eye.x);
-            packet.ray.org_y[i]  = part(c.eye.y);
-            packet.ray.org_z[i]  = part(c.eye.z);
+            const float right   = (static_cast<float>(x) + 0.5f - halfW) * scale,
+                        up      = (halfH - static_cast<float>(y) - 0.5f) * scale;
+            const bool isInside = x < c.width && y < c.height;
+            valid[i]            = isInside ? -1 : 0;
+            packet.ray.org_x[i] = part(c.eye.x);
+            packet.ray.org_y[i] = part(c.eye.y);
+            packet.ray.org_z[i] = part(c.eye.z);
             // Along the view it is one unit long, so that distances on the ray are depths of view space.
-            packet.ray.dir_x[i]  = part(c.forward.x) + right * part(c.right.x) + up * part(c.up.x);
-            packet.ray.dir_y[i]  = part(c.forward.y) + right * part(c.right.y) + up * part(c.up.y);
-            packet.ray.dir_z[i]  = part(c.forward.z) + right * part(c.right.z) + up * part(c.up.z);
-            packet.ray.tnear[i]  = part(c.near);
-            packet.ray.tfar[i]   = asStream && !isInside ? -1.0f : part(c.far);  // a stream has no list of the valid ones
-            packet.ray.time[i]   = 0;
-            packet.ray.mask[i]   = ~0u;
-            packet.ray.id[i]     = 0;
-            packet.ray.flags[i]  = 0;
-            packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+            packet.ray.dir_x[i] = part(c.forward.x) + right * part(c.right.x) + up * part(c.up.x);
+            packet.ray.dir_y[i] = part(c.forward.y) + right * part(c.right.y) + up * part(c.up.y);
+            packet.ray.dir_z[i] = part(c.forward.z) + right * part(c.right.z) + up * part(c.up.z);
+            packet.ray.tnear[i] = part(c.near);
+            // a stream has no list of the valid ones
+            packet.ray.tfar[i]      = asStream && !isInside ? -1.0f : part(c.far);
+            packet.ray.time[i]      = 0;
+            packet.ray.mask[i]      = ~0u;
+            packet.ray.id[i]        = 0;
+            packet.ray.flags[i]     = 0;
+            packet.hit.geomID[i]    = RTC_INVALID_GEOMETRY_ID;
             packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
         }
     }
@@ -307,11 +340,12 @@ private:
             const auto i = static_cast<std::size_t>(lane);
             const int  x = x0 + lane % kWide, y = y0 + lane / kWide;
             if (x >= c.width || y >= c.height) continue;
-            const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(c.width) + static_cast<std::size_t>(x);
-            const bool        isHit = packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
-            const auto        first = m_usesInstances && isHit ? m_scene.firstTriangle[packet.hit.instID[0][i]] : 0;
-            m_ids[pixel]            = isHit ? first + packet.hit.primID[i] : kNone;
-            m_depth[pixel]          = isHit ? near / packet.ray.tfar[i] : 0;
+            const std::size_t pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(c.width) + static_cast<std::size_t>(x);
+            const bool isHit = packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+            const auto first = m_usesInstances && isHit ? m_scene.firstTriangle[packet.hit.instID[0][i]] : 0;
+            m_ids[pixel]     = isHit ? first + packet.hit.primID[i] : kNone;
+            m_depth[pixel]   = isHit ? near / packet.ray.tfar[i] : 0;
         }
     }
 

@@ -13,13 +13,13 @@
 
 namespace zscope::cli {
 
-#define ZSCOPE_GL_FUNCTIONS(f)                                                                                       \
-    f(OSMesaCreateContextExt) f(OSMesaMakeCurrent) f(OSMesaDestroyContext) f(glGetString) f(glGetError) f(glFinish)  \
-    f(glClear) f(glEnable) f(glCullFace) f(glShadeModel) f(glViewport) f(glMatrixMode) f(glLoadIdentity)             \
-    f(glLoadMatrixd) f(glGenBuffers) f(glBindBuffer) f(glBufferData) f(glEnableClientState) f(glVertexPointer)       \
-    f(glColorPointer) f(glDrawElements) f(glReadPixels) f(glPixelStorei) f(glGenFramebuffers) f(glBindFramebuffer)   \
-    f(glGenRenderbuffers) f(glBindRenderbuffer) f(glRenderbufferStorage) f(glFramebufferRenderbuffer)                \
-    f(glCheckFramebufferStatus)
+#define ZSCOPE_GL_FUNCTIONS(f)                                                                                         \
+    f(OSMesaCreateContextExt) f(OSMesaMakeCurrent) f(OSMesaDestroyContext) f(glGetString) f(glGetError) f(glFinish)    \
+        f(glClear) f(glEnable) f(glCullFace) f(glShadeModel) f(glViewport) f(glMatrixMode) f(glLoadIdentity)           \
+            f(glLoadMatrixd) f(glGenBuffers) f(glBindBuffer) f(glBufferData) f(glEnableClientState) f(glVertexPointer) \
+                f(glColorPointer) f(glDrawElements) f(glReadPixels) f(glPixelStorei) f(glGenFramebuffers)              \
+                    f(glBindFramebuffer) f(glGenRenderbuffers) f(glBindRenderbuffer) f(glRenderbufferStorage)          \
+                        f(glFramebufferRenderbuffer) f(glCheckFramebufferStatus)
 
 /// Every function under its own name. The library stays loaded as long as the process lives.
 struct GlFunctions {

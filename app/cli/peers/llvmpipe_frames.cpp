@@ -33,8 +33,8 @@ std::array<std::uint8_t, 4> colourOf(std::uint32_t triangle)
     return {part(8), part(16), part(24), 255};
 }
 
-/// The mesh with a colour per triangle: turned so that its last corner is one that no earlier triangle has coloured, and
-/// where all are taken, with a copy of its last corner.
+/// The mesh with a colour per triangle: turned so that its last corner is one that no earlier triangle has coloured,
+/// and where all are taken, with a copy of its last corner.
 GlMesh glMeshOf(const Mesh& mesh)
 {
     GlMesh            gl;
@@ -44,7 +44,7 @@ GlMesh glMeshOf(const Mesh& mesh)
     gl.corners.reserve(3 * mesh.triangles.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         std::array<std::uint32_t, 3> corners = mesh.triangles[t];
-        const auto free = std::ranges::find_if(corners, [&](std::uint32_t v) { return !isTaken[v]; });
+        const auto                   free = std::ranges::find_if(corners, [&](std::uint32_t v) { return !isTaken[v]; });
         if (free != corners.end()) {
             std::rotate(corners.begin(), free + 1, corners.end());
             isTaken[corners[2]] = true;
@@ -63,17 +63,19 @@ using GlMatrix = std::array<double, 16>;
 GlMatrix matrixOf(const Camera& c, const Affine& toWorld)
 {
     const bool   hasFar = std::isfinite(c.far);
-    const double a = hasFar ? (c.far + c.near) / (c.far - c.near) : 1, b = hasFar ? -2 * c.far * c.near / (c.far - c.near) : -2 * c.near;
-    const auto   row = [&](const dvec3& axis, double scale, double offset) {
+    const double a      = hasFar ? (c.far + c.near) / (c.far - c.near) : 1,
+                 b      = hasFar ? -2 * c.far * c.near / (c.far - c.near) : -2 * c.near;
+    const auto row      = [&](const dvec3& axis, double scale, double offset) {
         std::array<double, 4> out{};
-        const auto            dot = [&axis](double x, double y, double z) { return axis.x * x + axis.y * y + axis.z * z; };
-        for (std::size_t k = 0; k < 4; ++k) out[k] = scale * dot(toWorld.rows[0][k], toWorld.rows[1][k], toWorld.rows[2][k]);
+        const auto dot = [&axis](double x, double y, double z) { return axis.x * x + axis.y * y + axis.z * z; };
+        for (std::size_t k = 0; k < 4; ++k)
+            out[k] = scale * dot(toWorld.rows[0][k], toWorld.rows[1][k], toWorld.rows[2][k]);
         out[3] += offset - scale * dot(c.eye.x, c.eye.y, c.eye.z);
         return out;
     };
-    const std::array<std::array<double, 4>, 4> rows{row(c.right, c.focal * c.height / c.width, 0), row(c.up, c.focal, 0), row(c.forward, a, b),
-                                                    row(c.forward, 1, 0)};
-    GlMatrix matrix{};
+    const std::array<std::array<double, 4>, 4> rows{row(c.right, c.focal * c.height / c.width, 0),
+                                                    row(c.up, c.focal, 0), row(c.forward, a, b), row(c.forward, 1, 0)};
+    GlMatrix                                   matrix{};
     for (std::size_t r = 0; r < 4; ++r)
         for (std::size_t k = 0; k < 4; ++k) matrix[4 * k + r] = rows[r][k];
     return matrix;
@@ -85,7 +87,7 @@ public:
 
     Result<PeerRun> run()
     {
-        const Camera& camera = m_request.camera;
+        const Camera& camera  = m_request.camera;
         OSMesaContext context = gl.OSMesaCreateContextExt(OSMESA_BGRA, 24, 0, 0, nullptr);
         // What is drawn goes to a frame buffer of our own; OSMesa only wants to have one.
         std::array<std::uint32_t, 4> unused{};
@@ -93,7 +95,8 @@ public:
             return Error{Trouble::Input, "OSMesa gives no context to draw with"};
         const auto* renderer = reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER));
         if (!renderer || !std::string_view(renderer).starts_with("llvmpipe"))
-            return Error{Trouble::Input, fmt::format("OSMesa draws with '{}' here and not with llvmpipe", renderer ? renderer : "nothing")};
+            return Error{Trouble::Input, fmt::format("OSMesa draws with '{}' here and not with llvmpipe",
+                                                     renderer ? renderer : "nothing")};
 
         Stopwatch start;
         upload();
@@ -102,14 +105,16 @@ public:
         if (!prepare()) return Error{Trouble::Limit, "OSMesa has no frame buffer of that size"};
 
         for (int frame = 0; frame < m_request.warmUp; ++frame) draw();
-        for (FrameQuota quota(m_request.frames, m_request.leastMs); quota.wantsMore(); quota.drawn(run.frameMs.back())) {
+        for (FrameQuota quota(m_request.frames, m_request.leastMs); quota.wantsMore();
+             quota.drawn(run.frameMs.back())) {
             if (m_request.progress.cancelled()) return Error{Trouble::Cancelled, "the frames were not wanted any more"};
             Stopwatch begun;
             draw();
             run.frameMs.push_back(begun.lap());
         }
         readDepth(run);
-        if (gl.glGetError() != GL_NO_ERROR) return Error{Trouble::Limit, "OSMesa reports an error, most likely for lack of memory"};
+        if (gl.glGetError() != GL_NO_ERROR)
+            return Error{Trouble::Limit, "OSMesa reports an error, most likely for lack of memory"};
         gl.OSMesaDestroyContext(context);
         run.setting = fmt::format("{}x{}", camera.width, camera.height);
         return run;
@@ -128,12 +133,16 @@ private:
             std::array<GLuint, 2> names{};
             gl.glGenBuffers(2, names.data());
             gl.glBindBuffer(GL_ARRAY_BUFFER, names[0]);
-            gl.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(own.vertices.size() * sizeof(GlVertex)), own.vertices.data(), GL_STATIC_DRAW);
+            gl.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(own.vertices.size() * sizeof(GlVertex)),
+                            own.vertices.data(), GL_STATIC_DRAW);
             gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, names[1]);
-            gl.glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(own.corners.size() * sizeof(std::uint32_t)), own.corners.data(), GL_STATIC_DRAW);
+            gl.glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                            static_cast<GLsizeiptr>(own.corners.size() * sizeof(std::uint32_t)), own.corners.data(),
+                            GL_STATIC_DRAW);
             m_buffers.push_back({names[0], names[1], static_cast<GLsizei>(own.corners.size())});
         }
-        for (const Instance& instance : m_request.scene.instances) m_matrices.push_back(matrixOf(m_request.camera, instance.toWorld));
+        for (const Instance& instance : m_request.scene.instances)
+            m_matrices.push_back(matrixOf(m_request.camera, instance.toWorld));
     }
 
     bool prepare()
@@ -147,7 +156,8 @@ private:
         for (const std::size_t i : {0u, 1u}) {
             gl.glBindRenderbuffer(GL_RENDERBUFFER, images[i]);
             gl.glRenderbufferStorage(GL_RENDERBUFFER, i == 0 ? GL_RGBA8 : GL_DEPTH_COMPONENT24, width, height);
-            gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER, i == 0 ? GL_COLOR_ATTACHMENT0 : GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, images[i]);
+            gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER, i == 0 ? GL_COLOR_ATTACHMENT0 : GL_DEPTH_ATTACHMENT,
+                                         GL_RENDERBUFFER, images[i]);
         }
         if (gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
         gl.glViewport(0, 0, width, height);
@@ -175,7 +185,8 @@ private:
                 gl.glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices);
                 gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.corners);
                 gl.glVertexPointer(3, GL_FLOAT, sizeof(GlVertex), nullptr);
-                gl.glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(GlVertex), reinterpret_cast<const void*>(offsetof(GlVertex, colour)));
+                gl.glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(GlVertex),
+                                  reinterpret_cast<const void*>(offsetof(GlVertex, colour)));
                 bound = mesh;
             }
             gl.glLoadMatrixd(m_matrices[i].data());
@@ -194,13 +205,14 @@ private:
         run.depth.reset(c.width, c.height);
         for (int y = 0; y < c.height; ++y)
             for (int x = 0; x < c.width; ++x) {  // OpenGL's first row is the lowest
-                const float d = window[static_cast<std::size_t>(c.height - 1 - y) * static_cast<std::size_t>(c.width) + static_cast<std::size_t>(x)];
+                const float d = window[static_cast<std::size_t>(c.height - 1 - y) * static_cast<std::size_t>(c.width)
+                                       + static_cast<std::size_t>(x)];
                 if (d < 1) run.depth.at(x, y) = static_cast<float>(1 - d / scale);
             }
     }
 
     const PeerRequest&    m_request;
-    const GlFunctions&    gl;  // named as its functions are known
+    const GlFunctions&    gl;          // named as its functions are known
     std::vector<Buffers>  m_buffers;   // one per mesh
     std::vector<GlMatrix> m_matrices;  // one per instance
 };

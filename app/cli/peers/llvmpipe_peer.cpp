@@ -43,9 +43,9 @@ bool receiveAll(int pipe, void* data, std::size_t bytes)
 
 /// What goes through the pipe first; the error's sentence, or times and depths, follow.
 struct Header {
-    bool          ok = false;
-    Trouble       trouble = Trouble::Input;
-    double        buildMs = 0;
+    bool          ok       = false;
+    Trouble       trouble  = Trouble::Input;
+    double        buildMs  = 0;
     std::uint64_t sentence = 0, frames = 0, pixels = 0;  // how many letters, times and depths
 };
 
@@ -67,7 +67,8 @@ void sendRun(int pipe, const Result<PeerRun>& run)
 
 Result<PeerRun> receiveRun(int pipe, const PeerRequest& request)
 {
-    const Error endedEarly{Trouble::Limit, "the process that drew with llvmpipe ended early, most likely for lack of memory"};
+    const Error endedEarly{Trouble::Limit,
+                           "the process that drew with llvmpipe ended early, most likely for lack of memory"};
     Header      header;
     if (!receiveAll(pipe, &header, sizeof header)) return endedEarly;
     if (!header.ok) {
@@ -79,8 +80,8 @@ Result<PeerRun> receiveRun(int pipe, const PeerRequest& request)
     run.frameMs.resize(header.frames);
     run.buildMs = header.buildMs;
     run.depth.reset(request.camera.width, request.camera.height);
-    if (!receiveAll(pipe, run.frameMs.data(), header.frames * sizeof(double)) ||
-        !receiveAll(pipe, run.depth.values().data(), header.pixels * sizeof(float)))
+    if (!receiveAll(pipe, run.frameMs.data(), header.frames * sizeof(double))
+        || !receiveAll(pipe, run.depth.values().data(), header.pixels * sizeof(float)))
         return endedEarly;
     return run;
 }
@@ -110,8 +111,7 @@ Result<PeerRun> runApart(const PeerRequest& request, int threads)
     ::close(ends[1]);
     Result<PeerRun> run = receiveRun(ends[0], request);
     ::close(ends[0]);
-    while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {}
     return run;
 }
 
@@ -131,7 +131,8 @@ Result<PeerRun> drawByLlvmpipe(const PeerRequest& request)
     for (const int threads : settings) {
         Result<PeerRun> run = runApart(request, threads);
         if (!run) return run.error();
-        run->setting = fmt::format("LP_NUM_THREADS={}{}", threads, request.scene.instances.size() > 1 ? ", one draw call per instance" : "");
+        run->setting = fmt::format("LP_NUM_THREADS={}{}", threads,
+                                   request.scene.instances.size() > 1 ? ", one draw call per instance" : "");
         if (!best || medianOf(run->frameMs) < medianOf(best->frameMs)) best = std::move(run);
     }
     return best;

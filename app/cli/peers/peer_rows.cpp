@@ -41,8 +41,12 @@ Result<Done> checkPeers()
     if (std::ranges::any_of(peers(), [](const Peer& peer) { return peer.run != nullptr; })) return Done{};
     std::vector<std::string_view> packages;
     for (const Peer& peer : peers()) packages.push_back(peer.package);
-    return Error{Trouble::Usage, fmt::format("--peers has nobody to compare with: this program was built without Embree and OSMesa; install {} and "
-                                             "build it again", fmt::join(packages, " and "))};
+    return Error{
+        Trouble::Usage,
+        fmt::format(
+            "--peers has nobody to compare with: this program was built without Embree and OSMesa; install {} and "
+            "build it again",
+            fmt::join(packages, " and "))};
 }
 
 std::vector<std::string> missingPeers()
@@ -55,7 +59,8 @@ std::vector<std::string> missingPeers()
 
 Result<std::vector<BenchRow>> benchPeers(const BenchRequest& request)
 {
-    if (const std::string why = explainUndrawable(*request.scene); !why.empty()) return Error{Trouble::Input, why, request.scene->name};
+    if (const std::string why = explainUndrawable(*request.scene); !why.empty())
+        return Error{Trouble::Input, why, request.scene->name};
     const Result<Picture> own = ownPicture(request);
     if (!own) return own.error();
 
@@ -92,11 +97,13 @@ Result<std::vector<BenchRow>> benchPeers(const BenchRequest& request)
             row.medianMs    = at(0.5);
             row.q3Ms        = at(0.75);
             row.triangles   = request.scene->triangleCount();
-            row.pixels      = static_cast<std::uint64_t>(request.camera.width) * static_cast<std::uint64_t>(request.camera.height);
-            row.buildMs     = run->buildMs;
-            row.load        = request.load;
+            row.pixels =
+                static_cast<std::uint64_t>(request.camera.width) * static_cast<std::uint64_t>(request.camera.height);
+            row.buildMs                                         = run->buildMs;
+            row.load                                            = request.load;
             row.stageMs[static_cast<std::size_t>(Stage::Other)] = row.medianMs;
-            row.counters    = {{"pixels_that_differ", difference.pixels}, {"of_them_beside_edges", difference.besideEdges}};
+            row.counters                                        = {{"pixels_that_differ", difference.pixels},
+                                                                   {"of_them_beside_edges", difference.besideEdges}};
             rows.push_back(std::move(row));
         }
     }

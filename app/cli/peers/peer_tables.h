@@ -1,5 +1,5 @@
-// How a benchmark with other renderers in it is shown: every run, then scene by scene how many times as fast as each peer the
-// fastest preset was, and the geometric mean of that.
+// How a benchmark with other renderers in it is shown: every run, then scene by scene how many times as fast as each
+// peer the fastest preset was, and the geometric mean of that.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace zscope::cli {
 
-/// A shaded picture is held against llvmpipe, ids and depth against Embree, medians against medians of the same scene with
-/// as many threads. A preset whose picture was wrong does not count.
+/// A shaded picture is held against llvmpipe, ids and depth against Embree, medians against medians of the same scene
+/// with as many threads. A preset whose picture was wrong does not count.
 std::string peerTablesOf(std::span<const BenchRow> rows);
 
 }  // namespace zscope::cli

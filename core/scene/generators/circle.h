@@ -13,7 +13,7 @@ namespace zscope {
 /// {cosine, sine} of `turns` full turns; turns finite.
 inline std::array<double, 2> pointOnCircle(double turns)
 {
-    turns -= std::floor(turns);                          // exact for |turns| < 2^52: [0, 1)
+    turns -= std::floor(turns);  // exact for |turns| < 2^52: [0, 1)
     const int    quarter = static_cast<int>(turns * 4 + 0.5);
     const double angle   = (turns - quarter * 0.25) * 6.283185307179586;  // within 1/8 turn of 0
     const double square  = angle * angle;
@@ -24,10 +24,14 @@ inline std::array<double, 2> pointOnCircle(double turns)
         sine += term * angle / (2 * k + 1);
     }
     switch (quarter & 3) {
-        case 0: return {cosine, sine};
-        case 1: return {-sine, cosine};
-        case 2: return {-cosine, -sine};
-        default: return {sine, -cosine};
+        case 0:
+            return {cosine, sine};
+        case 1:
+            return {-sine, cosine};
+        case 2:
+            return {-cosine, -sine};
+        default:
+            return {sine, -cosine};
     }
 }
 

@@ -1,8 +1,9 @@
 // builtin:city: blocks of buildings between streets, all of it polygons as an architect would draw them.
 //
 // Units      metres; y is up, streets at 0, pavements 0.15 above
-// Blocks     each has two rows of lots: towers of glass panels on an eight- or twelve-cornered plan, houses with windows set
-//            into the walls, L-shaped halls (concave roofs), gabled houses; one block in nine is a park with trees
+// Blocks     each has two rows of lots: towers of glass panels on an eight- or twelve-cornered plan, houses with
+//            windows set into the walls, L-shaped halls (concave roofs), gabled houses; one block in nine is a park
+//            with trees
 // Faces      walls and windows are quads, roofs n-gons; about 900 triangles a lot, half a million by default
 // Promise    a block depends on seed and its place only
 
@@ -26,15 +27,31 @@ constexpr double kPavement = 0.15;
 constexpr int    kLotsX = 3, kLotsZ = 2;
 constexpr double kTrianglesPerBlock = 7500;  // on average, rounded up, for the memory check
 
-enum Surface : std::uint32_t { Asphalt, Marking, Pavement, Grass, Sand, Brick, Plaster, Slate, Glass, DarkGlass, Roof, Tile, Bark, Leaf };
+enum Surface : std::uint32_t {
+    Asphalt,
+    Marking,
+    Pavement,
+    Grass,
+    Sand,
+    Brick,
+    Plaster,
+    Slate,
+    Glass,
+    DarkGlass,
+    Roof,
+    Tile,
+    Bark,
+    Leaf
+};
 
 std::vector<Material> surfaces()
 {
-    return {{"asphalt", {0.10f, 0.105f, 0.115f}},  {"marking", {0.72f, 0.71f, 0.66f}}, {"pavement", {0.40f, 0.39f, 0.37f}},
-            {"grass", {0.18f, 0.36f, 0.15f}},      {"sand", {0.70f, 0.60f, 0.43f}},    {"brick", {0.50f, 0.22f, 0.14f}},
-            {"plaster", {0.78f, 0.72f, 0.60f}},    {"slate", {0.36f, 0.42f, 0.50f}},   {"glass", {0.26f, 0.46f, 0.62f}},
-            {"dark glass", {0.07f, 0.13f, 0.20f}}, {"roof", {0.30f, 0.29f, 0.29f}},    {"tile", {0.46f, 0.17f, 0.10f}},
-            {"bark", {0.20f, 0.13f, 0.08f}},       {"leaf", {0.10f, 0.30f, 0.13f}}};
+    return {
+        {"asphalt", {0.10f, 0.105f, 0.115f}},  {"marking", {0.72f, 0.71f, 0.66f}}, {"pavement", {0.40f, 0.39f, 0.37f}},
+        {"grass", {0.18f, 0.36f, 0.15f}},      {"sand", {0.70f, 0.60f, 0.43f}},    {"brick", {0.50f, 0.22f, 0.14f}},
+        {"plaster", {0.78f, 0.72f, 0.60f}},    {"slate", {0.36f, 0.42f, 0.50f}},   {"glass", {0.26f, 0.46f, 0.62f}},
+        {"dark glass", {0.07f, 0.13f, 0.20f}}, {"roof", {0.30f, 0.29f, 0.29f}},    {"tile", {0.46f, 0.17f, 0.10f}},
+        {"bark", {0.20f, 0.13f, 0.08f}},       {"leaf", {0.10f, 0.30f, 0.13f}}};
 }
 
 /// A point of a plan, as seen from above.
@@ -59,7 +76,10 @@ private:
         m_mesh.positions.push_back({x, y, z});
         return static_cast<std::uint32_t>(m_mesh.positions.size() - 1);
     }
-    void face(std::span<const std::uint32_t> outline, Surface surface) { m_mesh.addPolygon(outline, MaterialId{surface}, m_group); }
+    void face(std::span<const std::uint32_t> outline, Surface surface)
+    {
+        m_mesh.addPolygon(outline, MaterialId{surface}, m_group);
+    }
     void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, Surface surface)
     {
         face(std::array{a, b, c, d}, surface);
@@ -117,7 +137,10 @@ void CityBuilder::panelWall(Place from, Place to, double low, double high, int c
     for (int f = 0; f < floors; ++f)
         for (int c = 0; c < columns; ++c) {
             const auto draw = random.below(8);
-            quad(at(c, f), at(c + 1, f), at(c + 1, f + 1), at(c, f + 1), draw == 0 ? DarkGlass : draw < 3 ? Slate : Glass);
+            quad(at(c, f), at(c + 1, f), at(c + 1, f + 1), at(c, f + 1),
+                 draw == 0  ? DarkGlass
+                 : draw < 3 ? Slate
+                            : Glass);
         }
 }
 
@@ -132,10 +155,10 @@ void CityBuilder::windowWall(Place from, Place to, double low, double high, int 
     };
     for (int f = 0; f < floors; ++f)
         for (int c = 0; c < columns; ++c) {
-            const double s0 = static_cast<double>(c) / columns, s1 = static_cast<double>(c + 1) / columns;
-            const double t0 = static_cast<double>(f) / floors, t1 = static_cast<double>(f + 1) / floors;
-            const double a = s0 + (s1 - s0) * 0.24, b = s1 - (s1 - s0) * 0.24;
-            const double d = t0 + (t1 - t0) * 0.28, e = t1 - (t1 - t0) * 0.18;
+            const double     s0 = static_cast<double>(c) / columns, s1 = static_cast<double>(c + 1) / columns;
+            const double     t0 = static_cast<double>(f) / floors, t1 = static_cast<double>(f + 1) / floors;
+            const double     a = s0 + (s1 - s0) * 0.24, b = s1 - (s1 - s0) * 0.24;
+            const double     d = t0 + (t1 - t0) * 0.28, e = t1 - (t1 - t0) * 0.18;
             const std::array cell{at(s0, t0, 0), at(s1, t0, 0), at(s1, t1, 0), at(s0, t1, 0)};
             const std::array frame{at(a, d, 0), at(b, d, 0), at(b, e, 0), at(a, e, 0)};
             const std::array pane{at(a, d, 1), at(b, d, 1), at(b, e, 1), at(a, e, 1)};
@@ -227,7 +250,8 @@ void CityBuilder::gabled(Random& random, double x0, double z0, double x1, double
     windowWall({x1, z0}, {x0, z0}, kPavement, eaves, 5, floors, wall);
     for (const auto& [x, a, b] : {std::array{x1, z1, z0}, std::array{x0, z0, z1}})
         face(std::array{vertex(x, kPavement, a), vertex(x, kPavement, b), vertex(x, eaves, b), vertex(x, ridge, zm),
-                        vertex(x, eaves, a)}, wall);
+                        vertex(x, eaves, a)},
+             wall);
     quad(vertex(x0, eaves, z1), vertex(x1, eaves, z1), vertex(x1, ridge, zm), vertex(x0, ridge, zm), Tile);
     quad(vertex(x1, eaves, z0), vertex(x0, eaves, z0), vertex(x0, ridge, zm), vertex(x1, ridge, zm), Tile);
 }
@@ -302,11 +326,18 @@ void CityBuilder::block(int column, int row)
             const double c = z0 + 3 + j * kLotZ + gap, d = c + kLotZ - 2 * gap;
             switch (random.below(6)) {
                 case 0:
-                case 1: tower(random, {0.5 * (a + b), 0.5 * (c + d)}, 0.5 * std::min(b - a, d - c)); break;
+                case 1:
+                    tower(random, {0.5 * (a + b), 0.5 * (c + d)}, 0.5 * std::min(b - a, d - c));
+                    break;
                 case 2:
-                case 3: house(random, a, c, b, d); break;
-                case 4: hall(random, a, c, b, d); break;
-                default: gabled(random, a, c, b, d);
+                case 3:
+                    house(random, a, c, b, d);
+                    break;
+                case 4:
+                    hall(random, a, c, b, d);
+                    break;
+                default:
+                    gabled(random, a, c, b, d);
             }
         }
 }
@@ -316,7 +347,8 @@ Result<Scene> make(const Arguments& arguments)
     const int    blocks = static_cast<int>(arguments.whole("blocks"));
     const double all    = static_cast<double>(blocks) * blocks * kTrianglesPerBlock;
     const double bytes  = meshBytes(all, 0.55 * all, 2 * all, all);
-    if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("a city of so many blocks", bytes, arguments.memoryLimit);
+    if (bytes > static_cast<double>(arguments.memoryLimit))
+        return tooLarge("a city of so many blocks", bytes, arguments.memoryLimit);
 
     auto city       = std::make_shared<Mesh>();
     city->name      = "city";

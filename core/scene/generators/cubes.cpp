@@ -50,12 +50,12 @@ Result<Scene> makeGroup(const Arguments&)
     };
     add(placed({5.0, 0.1, 3.6}, 0, 0, {0, -0.1, 0}), palette::kGrey);
     add(placed({1, 1, 1}, 0.06, 0, {-1.1, 1, -0.6}), palette::kSky);
-    add(placed({0.8, 0.8, 0.8}, 0.15, 0.09, {-0.1, 1.25, 0.2}), palette::kAmber);   // cuts into the blue one
+    add(placed({0.8, 0.8, 0.8}, 0.15, 0.09, {-0.1, 1.25, 0.2}), palette::kAmber);  // cuts into the blue one
     add(placed({0.6, 1.7, 0.6}, 0.02, 0, {2.1, 1.7, -0.9}), palette::kGreen);
     add(placed({1.5, 0.22, 0.22}, 0.09, 0.03, {2.0, 1.6, -0.5}), palette::kYellow);  // runs through the tower
     add(placed({0.45, 0.45, 0.45}, 0.11, 0, {2.5, 0.45, 1.3}), palette::kVermilion);
     add(placed({0.5, 0.5, 0.5}, 0.03, 0, {-2.9, 0.5, 1.1}), palette::kRose);
-    add(placed({0.5, 0.5, 0.5}, 0.03, 0, {-2.5, 0.9, 0.9}), palette::kWhite);       // overlaps, faces parallel
+    add(placed({0.5, 0.5, 0.5}, 0.03, 0, {-2.5, 0.9, 0.9}), palette::kWhite);  // overlaps, faces parallel
 
     ViewRequest view;
     view.eye         = dvec3{-4.6, 6.2, 12.2};

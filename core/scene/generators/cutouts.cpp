@@ -1,6 +1,6 @@
 // builtin:cutouts: sheets with holes one behind the other, so that a fragment that is nearest may not exist. A fence of
-// stripes and a net of holes stand before a solid wall and through each other; a floor of checkers passes under the eye, so
-// that it is cut at the near plane; a box with holes is placed askew.
+// stripes and a net of holes stand before a solid wall and through each other; a floor of checkers passes under the
+// eye, so that it is cut at the near plane; a box with holes is placed askew.
 //
 // Size       `size` is the cell of the patterns; the sheets are 8 wide. Small cells are below a pixel and alias
 
@@ -17,7 +17,9 @@ namespace {
 
 MaterialId addMaterial(Mesh& mesh, std::uint64_t colour, std::optional<Cutout> cutout)
 {
-    mesh.materials.push_back({.name = "cut-out " + std::to_string(mesh.materials.size()), .diffuse = palette::colourOf(colour), .cutout = cutout});
+    mesh.materials.push_back({.name    = "cut-out " + std::to_string(mesh.materials.size()),
+                              .diffuse = palette::colourOf(colour),
+                              .cutout  = cutout});
     return MaterialId{static_cast<std::uint32_t>(mesh.materials.size() - 1)};
 }
 
@@ -60,7 +62,10 @@ Result<Scene> make(const Arguments& arguments)
 
 std::vector<Generator> cutouts()
 {
-    return {{"cutouts", "Sheets with holes, through each other and before a wall", {{"size", RealNumber{0.5, 1e-3, 100}}}, make}};
+    return {{"cutouts",
+             "Sheets with holes, through each other and before a wall",
+             {{"size", RealNumber{0.5, 1e-3, 100}}},
+             make}};
 }
 
 }  // namespace zscope::generated

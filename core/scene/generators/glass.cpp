@@ -1,5 +1,5 @@
-// builtin:glass: transparent things that no order of drawing gets right: panes that cross each other, balls of glass that
-// overlap, panes in one plane, and opaque balls among them.
+// builtin:glass: transparent things that no order of drawing gets right: panes that cross each other, balls of glass
+// that overlap, panes in one plane, and opaque balls among them.
 
 #include <array>
 
@@ -15,7 +15,7 @@ Affine ballAt(const dvec3& at, double radius)
 {
     Affine toWorld;
     for (std::size_t i = 0; i < 3; ++i) {
-        toWorld.rows[i] = {0, 0, 0, at[static_cast<int>(i)]};
+        toWorld.rows[i]    = {0, 0, 0, at[static_cast<int>(i)]};
         toWorld.rows[i][i] = radius;
     }
     return toWorld;
@@ -26,8 +26,10 @@ std::shared_ptr<const Mesh> panes()
 {
     auto mesh       = std::make_shared<Mesh>();
     mesh->name      = "panes";
-    mesh->materials = {{"table", {0.55f, 0.48f, 0.40f}}, {"red glass", {0.85f, 0.10f, 0.12f}, 0.4f},
-                       {"green glass", {0.10f, 0.70f, 0.25f}, 0.35f}, {"blue glass", {0.12f, 0.25f, 0.90f}, 0.5f},
+    mesh->materials = {{"table", {0.55f, 0.48f, 0.40f}},
+                       {"red glass", {0.85f, 0.10f, 0.12f}, 0.4f},
+                       {"green glass", {0.10f, 0.70f, 0.25f}, 0.35f},
+                       {"blue glass", {0.12f, 0.25f, 0.90f}, 0.5f},
                        {"smoked glass", {0.05f, 0.05f, 0.05f}, 0.7f}};
     const auto quad = [&mesh](const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d, std::uint32_t material) {
         const auto first = static_cast<std::uint32_t>(mesh->positions.size());
@@ -35,7 +37,8 @@ std::shared_ptr<const Mesh> panes()
         mesh->addPolygon(std::array{first, first + 1, first + 2, first + 3}, MaterialId{material});
     };
     quad({-5, -1, 4}, {5, -1, 4}, {5, -1, -5}, {-5, -1, -5}, 0);
-    constexpr std::array<std::array<double, 2>, 3> kAlong{{{3, 0.5}, {-1.5, 2.5}, {1.75, 2.25}}};  // half a pane's length in x, z
+    // half a pane's length in x, z
+    constexpr std::array<std::array<double, 2>, 3> kAlong{{{3, 0.5}, {-1.5, 2.5}, {1.75, 2.25}}};
     for (std::uint32_t i = 0; i < kAlong.size(); ++i) {
         const auto [x, z] = kAlong[i];
         quad({-x, -1, -z}, {x, -1, z}, {x, 2, z}, {-x, 2, -z}, i + 1);
@@ -48,8 +51,8 @@ std::shared_ptr<const Mesh> panes()
 
 Result<Scene> make(const Arguments&)
 {
-    auto glass       = std::make_shared<Mesh>(*makeSoccerBall());
-    glass->name      = "ball of glass";
+    auto glass  = std::make_shared<Mesh>(*makeSoccerBall());
+    glass->name = "ball of glass";
     for (Material& material : glass->materials) material.opacity = 0.3f;
 
     Scene scene;
@@ -73,7 +76,9 @@ Result<Scene> make(const Arguments&)
 
 std::vector<Generator> glass()
 {
-    return {{.name = "glass", .title = "Panes and balls of glass that cross each other, opaque balls among them", .make = make}};
+    return {{.name  = "glass",
+             .title = "Panes and balls of glass that cross each other, opaque balls among them",
+             .make  = make}};
 }
 
 }  // namespace zscope::generated

@@ -28,15 +28,18 @@ Place movedTo(const std::string& where, const Place& p)
 /// A kite cut along one of its diagonals; the diagonal between its first and third corner turns with `direction`.
 Result<Scene> sharedEdge(const Arguments& arguments)
 {
-    HardScene          hard(64, 64);
-    const std::string& ends  = arguments.word("ends");
-    const double       turns = static_cast<double>(arguments.whole("direction")) / 400;
-    const Place        middle{32.3, 31.7};
+    HardScene             hard(64, 64);
+    const std::string&    ends  = arguments.word("ends");
+    const double          turns = static_cast<double>(arguments.whole("direction")) / 400;
+    const Place           middle{32.3, 31.7};
     std::array<Vertex, 4> corner{};
     for (std::size_t i = 0; i < 4; ++i)
-        corner[i] = hard.at(movedTo(ends, onCircle(middle, i % 2 == 0 ? 24 : 15, turns + 0.25 * static_cast<double>(i))));
-    if (arguments.word("diagonal") == "long") hard.quad(corner[0], corner[1], corner[2], corner[3]);
-    else hard.quad(corner[1], corner[2], corner[3], corner[0]);
+        corner[i] =
+            hard.at(movedTo(ends, onCircle(middle, i % 2 == 0 ? 24 : 15, turns + 0.25 * static_cast<double>(i))));
+    if (arguments.word("diagonal") == "long")
+        hard.quad(corner[0], corner[1], corner[2], corner[3]);
+    else
+        hard.quad(corner[1], corner[2], corner[3], corner[0]);
     return hard.finish();
 }
 
@@ -46,8 +49,10 @@ Result<Scene> squareOnCentres(const Arguments& arguments)
     HardScene    hard(16, 16);
     const Vertex topLeft = hard.at({2.5, 2.5}), bottomLeft = hard.at({2.5, 7.5});
     const Vertex bottomRight = hard.at({7.5, 7.5}), topRight = hard.at({7.5, 2.5});
-    if (arguments.word("diagonal") == "falling") hard.quad(topLeft, bottomLeft, bottomRight, topRight);
-    else hard.quad(bottomLeft, bottomRight, topRight, topLeft);
+    if (arguments.word("diagonal") == "falling")
+        hard.quad(topLeft, bottomLeft, bottomRight, topRight);
+    else
+        hard.quad(bottomLeft, bottomRight, topRight, topLeft);
     return hard.finish();
 }
 
@@ -70,7 +75,7 @@ Result<Scene> edgesThroughCentres(const Arguments& arguments)
 Result<Scene> fan(const Arguments& arguments)
 {
     HardScene          hard(128, 128);
-    const std::string& where = arguments.word("centre");
+    const std::string& where  = arguments.word("centre");
     const Place        centre = movedTo(where, {64.3141, 63.2718});
     const auto         count  = static_cast<std::uint32_t>(arguments.whole("triangles"));
     const Vertex       hub    = hard.at(centre);
@@ -82,12 +87,12 @@ Result<Scene> fan(const Arguments& arguments)
 /// Three slivers: the first starts on a row (column) of centres, the second ends on one, the third is between two.
 Result<Scene> slivers(const Arguments& arguments)
 {
-    const std::string& run   = arguments.word("run");
-    const double       width = arguments.real("width") * kGridUnit;
+    const std::string& run     = arguments.word("run");
+    const double       width   = arguments.real("width") * kGridUnit;
     const bool         upright = run == "vertical" || run == "steep";
     const double       rise    = run == "shallow" || run == "steep" ? 200 : 0;
-    HardScene hard = upright ? HardScene(256, 1024) : HardScene(1024, 256);
-    const auto place = [upright](double along, double across) {
+    HardScene          hard    = upright ? HardScene(256, 1024) : HardScene(1024, 256);
+    const auto         place   = [upright](double along, double across) {
         return upright ? Place{across, along} : Place{along, across};
     };
     for (const double start : {10.5, 20.5 - width, 30.8})
@@ -98,9 +103,9 @@ Result<Scene> slivers(const Arguments& arguments)
 /// A closed sphere of parallels and meridians whose outline is a circle of 50 pixels about the picture's middle.
 Result<Scene> tinyTriangles(const Arguments& arguments)
 {
-    const auto wanted = static_cast<double>(arguments.whole("triangles"));
-    const auto rings  = static_cast<std::uint32_t>(std::lround(std::sqrt(wanted / 2)));
-    const double bytes = wanted * 60;  // a mesh takes 24 per vertex, half as many vertices, and 48 per triangle
+    const auto   wanted = static_cast<double>(arguments.whole("triangles"));
+    const auto   rings  = static_cast<std::uint32_t>(std::lround(std::sqrt(wanted / 2)));
+    const double bytes  = wanted * 60;  // a mesh takes 24 per vertex, half as many vertices, and 48 per triangle
     if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("the sphere", bytes, arguments.memoryLimit);
 
     Camera camera;
@@ -119,7 +124,9 @@ Result<Scene> tinyTriangles(const Arguments& arguments)
     for (std::uint32_t ring = 1; ring < rings; ++ring)
         for (std::uint32_t step = 0; step < rings; ++step) point(ring, -static_cast<double>(step) / rings);
     const Vertex south  = point(rings, 0);
-    const auto   vertex = [&](std::uint32_t ring, std::uint32_t step) { return north + 1 + (ring - 1) * rings + step % rings; };
+    const auto   vertex = [&](std::uint32_t ring, std::uint32_t step) {
+        return north + 1 + (ring - 1) * rings + step % rings;
+    };
     for (std::uint32_t step = 0; step < rings; ++step) {
         if (arguments.progress.cancelled()) return Error{Trouble::Cancelled, "the scene was not wanted any more"};
         hard.triangle(north, vertex(1, step), vertex(1, step + 1));
@@ -148,11 +155,11 @@ Result<Scene> tJunction(const Arguments& arguments)
 Result<Scene> zeroArea(const Arguments& arguments)
 {
     HardScene          hard(32, 32);
-    const std::string& kind = arguments.word("kind");
-    const auto repeated  = [&] { hard.triangle({4.5, 4.5}, {4.5, 4.5}, {28.5, 20.5}); };
-    const auto collinear = [&] { hard.triangle({2.5, 2.5}, {10.5, 10.5}, {26.5, 26.5}); };
-    const auto equal     = [&] { hard.triangle({16.5, 16.5}, {16.5, 16.5}, {16.5, 16.5}); };
-    const auto snapped   = [&] {  // thin before snapping, a line after it
+    const std::string& kind      = arguments.word("kind");
+    const auto         repeated  = [&] { hard.triangle({4.5, 4.5}, {4.5, 4.5}, {28.5, 20.5}); };
+    const auto         collinear = [&] { hard.triangle({2.5, 2.5}, {10.5, 10.5}, {26.5, 26.5}); };
+    const auto         equal     = [&] { hard.triangle({16.5, 16.5}, {16.5, 16.5}, {16.5, 16.5}); };
+    const auto         snapped   = [&] {  // thin before snapping, a line after it
         hard.triangle({4.5, 12.5}, {28.5, 12.5}, {16.5, 12.5 + 0.4 * kGridUnit});
     };
     if (kind == "repeated") repeated();
@@ -192,7 +199,8 @@ Result<Scene> wholePicture(const Arguments& arguments)
 {
     HardScene    hard(64, 64);
     const double times = arguments.real("times");
-    hard.triangle({32 - 96 * times, 32 - 80 * times}, {32 - 96 * times, 32 + 144 * times}, {32 + 176 * times, 32 - 8 * times});
+    hard.triangle({32 - 96 * times, 32 - 80 * times}, {32 - 96 * times, 32 + 144 * times},
+                  {32 + 176 * times, 32 - 8 * times});
     return hard.finish();
 }
 
@@ -225,8 +233,10 @@ Result<Scene> flippedBySnapping(const Arguments& arguments)
 {
     HardScene   hard(64, 32);
     const Place left{8, 10.5 + 0.6 * kGridUnit}, right{56, 10.5 - 0.4 * kGridUnit}, middle{32, 10.5 + 0.2 * kGridUnit};
-    if (arguments.word("facing") == "front") hard.triangle(left, middle, right);
-    else hard.triangle(left, right, middle);
+    if (arguments.word("facing") == "front")
+        hard.triangle(left, middle, right);
+    else
+        hard.triangle(left, right, middle);
     return hard.finish();
 }
 
@@ -236,27 +246,46 @@ std::vector<Generator> hard_a()
 {
     const OneOf where{{"centre", "corner", "elsewhere"}};
     return {
-        {"hard/A1", "Two triangles that share an edge, in 400 directions",
-         {{"direction", WholeNumber{37, 0, 399}}, {"ends", where}, {"diagonal", OneOf{{"long", "short"}}}}, sharedEdge},
-        {"hard/A2", "A square with its corners on pixel centres", {{"diagonal", OneOf{{"falling", "rising"}}}},
+        {"hard/A1",
+         "Two triangles that share an edge, in 400 directions",
+         {{"direction", WholeNumber{37, 0, 399}}, {"ends", where}, {"diagonal", OneOf{{"long", "short"}}}},
+         sharedEdge},
+        {"hard/A2",
+         "A square with its corners on pixel centres",
+         {{"diagonal", OneOf{{"falling", "rising"}}}},
          squareOnCentres},
-        {"hard/A3", "Edges that run through rows and columns of pixel centres",
-         {{"shape", OneOf{{"rectangle", "diamond", "triangles"}}}}, edgesThroughCentres},
-        {"hard/A4", "A fan of triangles about one vertex",
-         {{"triangles", WholeNumber{1000, 3, 1'000'000}}, {"centre", where}}, fan},
-        {"hard/A5", "Slivers 1000 pixels long; width in 1/256 pixel",
-         {{"width", RealNumber{1, 0, 1024}}, {"run", OneOf{{"horizontal", "vertical", "shallow", "steep"}}}}, slivers},
-        {"hard/A6", "A closed sphere of triangles far smaller than a pixel",
-         {{"triangles", WholeNumber{1'000'000, 32, 100'000'000}}}, tinyTriangles},
+        {"hard/A3",
+         "Edges that run through rows and columns of pixel centres",
+         {{"shape", OneOf{{"rectangle", "diamond", "triangles"}}}},
+         edgesThroughCentres},
+        {"hard/A4",
+         "A fan of triangles about one vertex",
+         {{"triangles", WholeNumber{1000, 3, 1'000'000}}, {"centre", where}},
+         fan},
+        {"hard/A5",
+         "Slivers 1000 pixels long; width in 1/256 pixel",
+         {{"width", RealNumber{1, 0, 1024}}, {"run", OneOf{{"horizontal", "vertical", "shallow", "steep"}}}},
+         slivers},
+        {"hard/A6",
+         "A closed sphere of triangles far smaller than a pixel",
+         {{"triangles", WholeNumber{1'000'000, 32, 100'000'000}}},
+         tinyTriangles},
         {"hard/A7", "A long edge against two short ones", {{"midpoint", OneOf{{"grid", "gap", "overlap"}}}}, tJunction},
-        {"hard/A8", "Triangles of zero area",
-         {{"kind", OneOf{{"among", "repeated", "collinear", "equal", "snapped"}}}}, zeroArea},
-        {"hard/A9", "Corners halfway between two points of the snapping grid", {{"units", WholeNumber{0, -128, 127}}},
+        {"hard/A8",
+         "Triangles of zero area",
+         {{"kind", OneOf{{"among", "repeated", "collinear", "equal", "snapped"}}}},
+         zeroArea},
+        {"hard/A9",
+         "Corners halfway between two points of the snapping grid",
+         {{"units", WholeNumber{0, -128, 127}}},
          snappingMidpoint},
-        {"hard/A10", "A triangle that covers the picture many times over", {{"times", RealNumber{10000, 1, 1e12}}},
+        {"hard/A10",
+         "A triangle that covers the picture many times over",
+         {{"times", RealNumber{10000, 1, 1e12}}},
          wholePicture},
         {"hard/A11", "A corner 2^exponent pixels away", {{"exponent", WholeNumber{40, 6, 1000}}}, farCorner},
-        {"hard/A12", "The border of the picture",
+        {"hard/A12",
+         "The border of the picture",
          {{"shape", OneOf{{"centres", "whole", "beyond", "last-in", "last-out", "first-in", "first-out"}}}},
          pictureBorder},
         {"hard/A13", "A triangle that snapping turns over", {{"facing", OneOf{{"front", "back"}}}}, flippedBySnapping},

@@ -78,8 +78,8 @@ Result<Scene> aroundTheEye(const Arguments& arguments)
 {
     HardScene          hard(64, 64);
     const std::string& what = arguments.word("z");
-    const double       z = what == "zero" ? 0 : what == "minus-near" ? -kNear : what == "tiny" ? 0x1p-60 : 0x1p-1060;
-    const Vertex a = hard.inView({-20, 10, 1}), b = hard.inView({1, -8, z}), c = hard.inView({20, 14, 1});
+    const double       z    = what == "zero" ? 0 : what == "minus-near" ? -kNear : what == "tiny" ? 0x1p-60 : 0x1p-1060;
+    const Vertex       a = hard.inView({-20, 10, 1}), b = hard.inView({1, -8, z}), c = hard.inView({20, 14, 1});
     triangleFrom(hard, arguments.whole("first"), {a, b, c});
     return hard.finish();
 }
@@ -111,10 +111,10 @@ Result<Scene> insideBox(const Arguments& arguments)
 /// A floor from behind the eye to the horizon at the height of the eye, above and below it nothing.
 Result<Scene> inThePlane(const Arguments& arguments)
 {
-    Camera camera          = pixelCamera(65, 65);
+    Camera camera             = pixelCamera(65, 65);
     const auto [cosine, sine] = pointOnCircle(arguments.real("roll") / 360);
-    camera.right           = {cosine, sine, 0};
-    camera.up              = {-sine, cosine, 0};
+    camera.right              = {cosine, sine, 0};
+    camera.up                 = {-sine, cosine, 0};
     HardScene    hard(camera);
     const Vertex a = hard.inView({-100, 0, -3}), b = hard.inView({100, 0, -3});
     const Vertex c = hard.inView({70, 0, 40}), d = hard.inView({-110, 0, 50});
@@ -159,8 +159,8 @@ Result<Scene> farFromTheOrigin(const Arguments& arguments)
     camera.far    = 128 * detail;
     camera.width  = 128;
     camera.height = 128;
-    HardScene              hard(camera);
-    Random                 random(11);
+    HardScene               hard(camera);
+    Random                  random(11);
     constexpr std::uint32_t kSide = 20;
     for (std::uint32_t y = 0; y <= kSide; ++y)
         for (std::uint32_t x = 0; x <= kSide; ++x) {
@@ -180,13 +180,13 @@ Result<Scene> extremeAngle(const Arguments& arguments)
 {
     const double degrees = arguments.real("angle");
     ViewRequest  view;
-    view.eye         = dvec3{0, 0, 0};
-    view.target      = dvec3{0, 0, -1};
-    view.verticalFov = degrees;
-    view.near        = 0.125;
-    view.far         = kInfinity;
-    view.width       = 96;
-    view.height      = 64;
+    view.eye           = dvec3{0, 0, 0};
+    view.target        = dvec3{0, 0, -1};
+    view.verticalFov   = degrees;
+    view.near          = 0.125;
+    view.far           = kInfinity;
+    view.width         = 96;
+    view.height        = 64;
     const double slope = std::tan(degrees * (3.141592653589793 / 360));  // of the picture's upper edge
     HardScene    hard(64, 64);
     Random       random(5);
@@ -239,7 +239,7 @@ Result<Scene> extremeNumbers(const Arguments& arguments)
     const std::string& what = arguments.word("what");
     hard.triangle({2.5, 2.5}, {2.5, 30}, {30, 2.5});
     constexpr double kHuge = 1e308, kDenormal = 0x1p-1074;
-    const auto extreme = [&](const dvec3& a, const dvec3& b, const dvec3& c) {
+    const auto       extreme = [&](const dvec3& a, const dvec3& b, const dvec3& c) {
         const Vertex first = hard.inView(a), second = hard.inView(b), third = hard.inView(c);
         hard.triangle(first, second, third);
     };
@@ -256,8 +256,8 @@ Result<Scene> extremeNumbers(const Arguments& arguments)
 /// The smallest pictures there are: one pixel wide, high, or both.
 Result<Scene> smallestPicture(const Arguments& arguments)
 {
-    const auto side = [&](std::string_view key) { return static_cast<int>(arguments.whole(key)); };
-    HardScene  hard(side("width"), side("height"));
+    const auto   side = [&](std::string_view key) { return static_cast<int>(arguments.whole(key)); };
+    HardScene    hard(side("width"), side("height"));
     const double width = hard.camera.width, height = hard.camera.height;
     hard.triangle({-1, -1}, {-1, 3 * height}, {2 * width, -1}, 0.125);
     hard.triangle({0.25, 0.25}, {0.25, height * 0.75}, {width * 0.75, 0.25}, 0.25);
@@ -270,28 +270,47 @@ std::vector<Generator> hard_b()
 {
     const Parameter first{"first", WholeNumber{0, 0, 2}};  // the corner that is listed first
     return {
-        {"hard/B1", "One, two or three corners behind the near plane", {{"behind", WholeNumber{1, 1, 3}}, first},
+        {"hard/B1",
+         "One, two or three corners behind the near plane",
+         {{"behind", WholeNumber{1, 1, 3}}, first},
          cornersBehind},
-        {"hard/B2", "A shared edge that crosses the near plane", {{"seed", WholeNumber{1, 0, 1'000'000}}},
+        {"hard/B2",
+         "A shared edge that crosses the near plane",
+         {{"seed", WholeNumber{1, 0, 1'000'000}}},
          sharedEdgeAcrossNear},
-        {"hard/B3", "A corner or a face exactly on the near plane", {{"what", OneOf{{"corner", "face"}}}, first},
+        {"hard/B3",
+         "A corner or a face exactly on the near plane",
+         {{"what", OneOf{{"corner", "face"}}}, first},
          onTheNearPlane},
-        {"hard/B4", "A corner level with the eye, behind it, or hardly in front",
-         {{"z", OneOf{{"zero", "minus-near", "tiny", "denormal"}}}, first}, aroundTheEye},
+        {"hard/B4",
+         "A corner level with the eye, behind it, or hardly in front",
+         {{"z", OneOf{{"zero", "minus-near", "tiny", "denormal"}}}, first},
+         aroundTheEye},
         {"hard/B5", "The camera inside a closed box", {{"direction", WholeNumber{0, 0, 11}}}, insideBox},
-        {"hard/B6", "The camera in the plane of a large face; roll in degrees", {{"roll", RealNumber{0, -180, 180}}},
+        {"hard/B6",
+         "The camera in the plane of a large face; roll in degrees",
+         {{"roll", RealNumber{0, -180, 180}}},
          inThePlane},
         {"hard/B7", "A cloud of triangles, all lengths scaled", {{"scale", RealNumber{1, 1e-30, 1e30}}}, scaledCloud},
-        {"hard/B8", "Detail of a thousandth, far from the origin",
-         {{"offset", RealNumber{1e6, -1e9, 1e9}}, {"detail", OneOf{{"decimal", "binary"}}}}, farFromTheOrigin},
+        {"hard/B8",
+         "Detail of a thousandth, far from the origin",
+         {{"offset", RealNumber{1e6, -1e9, 1e9}}, {"detail", OneOf{{"decimal", "binary"}}}},
+         farFromTheOrigin},
         {"hard/B9", "An extreme vertical angle, in degrees", {{"angle", RealNumber{179, 0.01, 179}}}, extremeAngle},
-        {"hard/B10", "Thin sheets at both ends of a depth range of eleven decades",
-         {{"end", OneOf{{"near", "far"}}}, {"sheet", OneOf{{"flat", "leaning"}}}}, thinSheets},
-        {"hard/B11", "Sheets exactly at far and one float32 step to either side", {{"far", RealNumber{256, 1, 1e30}}},
+        {"hard/B10",
+         "Thin sheets at both ends of a depth range of eleven decades",
+         {{"end", OneOf{{"near", "far"}}}, {"sheet", OneOf{{"flat", "leaning"}}}},
+         thinSheets},
+        {"hard/B11",
+         "Sheets exactly at far and one float32 step to either side",
+         {{"far", RealNumber{256, 1, 1e30}}},
          atTheFarPlane},
-        {"hard/B12", "Coordinates of extreme size between ordinary neighbours",
-         {{"what", OneOf{{"huge-x", "huge-z", "huge-behind", "huge-all", "denormal", "denormal-z"}}}}, extremeNumbers},
-        {"hard/B13", "The smallest pictures there are",
+        {"hard/B12",
+         "Coordinates of extreme size between ordinary neighbours",
+         {{"what", OneOf{{"huge-x", "huge-z", "huge-behind", "huge-all", "denormal", "denormal-z"}}}},
+         extremeNumbers},
+        {"hard/B13",
+         "The smallest pictures there are",
          {{"width", WholeNumber{1, 1, kMaxPictureSide}}, {"height", WholeNumber{64, 1, kMaxPictureSide}}},
          smallestPicture},
     };

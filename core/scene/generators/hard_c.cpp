@@ -126,7 +126,7 @@ Result<Scene> oneStepApart(const Arguments& arguments)
     const double near = far + arguments.real("step") * ulp;  // exact: `near` is the depth at z = 1
     HardScene    hard(64, 64, near);
     const auto   sheet = [&](const Place& topLeft, const Place& bottomRight, double z) {
-        const auto at = [&](double x, double y) { return hard.inView({(x - 32) * z, (32 - y) * z, z}); };
+        const auto   at = [&](double x, double y) { return hard.inView({(x - 32) * z, (32 - y) * z, z}); };
         const Vertex a = at(topLeft.x, topLeft.y), b = at(topLeft.x, bottomRight.y);
         const Vertex c = at(bottomRight.x, bottomRight.y), d = at(bottomRight.x, topLeft.y);
         hard.quad(a, b, c, d);
@@ -142,16 +142,25 @@ std::vector<Generator> hard_c()
 {
     return {
         {"hard/C1", "The same triangle several times", {{"copies", WholeNumber{5, 1, 100'000}}}, identical},
-        {"hard/C2", "Triangles in one plane that overlap with different corners",
-         {{"triangles", WholeNumber{12, 1, 10'000}}, {"seed", WholeNumber{1, 0, 1'000'000}}}, coplanar},
-        {"hard/C3", "Two sheets that cross in a column of pixel centres", {{"first", OneOf{{"left", "right"}}}}, crossing},
+        {"hard/C2",
+         "Triangles in one plane that overlap with different corners",
+         {{"triangles", WholeNumber{12, 1, 10'000}}, {"seed", WholeNumber{1, 0, 1'000'000}}},
+         coplanar},
+        {"hard/C3",
+         "Two sheets that cross in a column of pixel centres",
+         {{"first", OneOf{{"left", "right"}}}},
+         crossing},
         {"hard/C4", "Three triangles that overlap in a circle", {}, cyclicOverlap},
-        {"hard/C5", "Two sheets converging to a common edge, 2^-apart of the depth apart at the other",
-         {{"apart", WholeNumber{18, 1, 52}}}, converging},
+        {"hard/C5",
+         "Two sheets converging to a common edge, 2^-apart of the depth apart at the other",
+         {{"apart", WholeNumber{18, 1, 52}}},
+         converging},
         {"hard/C6", "A wall seen almost edge-on; the angle in degrees", {{"angle", RealNumber{89.999, 0, 90}}}, edgeOn},
         {"hard/C7", "A triangle cut at the near plane next to ordinary ones", {}, clippedBesideOrdinary},
-        {"hard/C8", "Sheets a float32 step apart, or part of one",
-         {{"step", RealNumber{1, 0, 16}}, {"base", OneOf{{"even", "odd"}}}}, oneStepApart},
+        {"hard/C8",
+         "Sheets a float32 step apart, or part of one",
+         {{"step", RealNumber{1, 0, 16}}, {"base", OneOf{{"even", "odd"}}}},
+         oneStepApart},
     };
 }
 

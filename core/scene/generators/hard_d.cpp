@@ -1,5 +1,6 @@
-// builtin:hard/D1 .. hard/D9: the hard cases of the pyramid (docs/correctness.md, Hard cases, D). What is to be hidden is a
-// sheet of many small triangles, so that a hierarchy has nodes below its root to ask about. D3 and D8 are no scenes.
+// builtin:hard/D1 .. hard/D9: the hard cases of the pyramid (docs/correctness.md, Hard cases, D). What is to be hidden
+// is a sheet of many small triangles, so that a hierarchy has nodes below its root to ask about. D3 and D8 are no
+// scenes.
 
 #include <algorithm>
 
@@ -11,9 +12,9 @@ namespace {
 
 using namespace zscope::hard;
 
-constexpr int    kSize    = 128;
-constexpr double kFront   = 0.125;  // depth of what hides
-constexpr double kBehind  = 0.0625;
+constexpr int    kSize   = 128;
+constexpr double kFront  = 0.125;  // depth of what hides
+constexpr double kBehind = 0.0625;
 
 /// A rectangle as cells of about `cell` pixels, in lines from the top.
 void sheet(HardScene& hard, const Place& topLeft, const Place& bottomRight, double depth, double cell)
@@ -50,8 +51,8 @@ Result<Scene> holeOfOnePixel(const Arguments& arguments)
     return hard.finish();
 }
 
-/// A wall and a sheet some float32 steps nearer than it, one of them first in the file. Both stand at right angles to the
-/// view, the wall at depth 1/4 and the sheet at z = 1, so that their depths are exact.
+/// A wall and a sheet some float32 steps nearer than it, one of them first in the file. Both stand at right angles to
+/// the view, the wall at depth 1/4 and the sheet at z = 1, so that their depths are exact.
 Result<Scene> aboutTheWallsDepth(const Arguments& arguments)
 {
     const double steps = static_cast<double>(arguments.whole("steps"));
@@ -76,11 +77,11 @@ Result<Scene> aboutTheWallsDepth(const Arguments& arguments)
 Result<Scene> acrossTheBorders(const Arguments&)
 {
     HardScene hard(kSize, kSize);
-    sheet(hard, {-40, 20}, {24, 60}, kBehind, 2);           // half outside, hidden
-    sheet(hard, {100, -30}, {170, 40}, kBehind, 3);         // at a corner, hidden but for a part right of the wall
-    sheet(hard, {140, 140}, {180, 180}, kBehind, 2);        // wholly outside
-    sheet(hard, {-64, 100}, {0, 120}, kBehind, 4);          // touches the border from outside
-    for (int i = 0; i < 300; ++i) {                         // between centres
+    sheet(hard, {-40, 20}, {24, 60}, kBehind, 2);     // half outside, hidden
+    sheet(hard, {100, -30}, {170, 40}, kBehind, 3);   // at a corner, hidden but for a part right of the wall
+    sheet(hard, {140, 140}, {180, 180}, kBehind, 2);  // wholly outside
+    sheet(hard, {-64, 100}, {0, 120}, kBehind, 4);    // touches the border from outside
+    for (int i = 0; i < 300; ++i) {                   // between centres
         const double x = 2 + i % 100, y = 70 + i / 100;
         hard.rectangle({x + 0.55, y + 0.55}, {x + 1.45, y + 1.45}, 0.5);
     }
@@ -113,14 +114,25 @@ Result<Scene> farToNear(const Arguments&)
 std::vector<Generator> hard_d()
 {
     return {
-        {"hard/D1", "A sheet behind one cell of a level, or a pixel wider",
-         {{"level", WholeNumber{5, 3, 5}}, {"wider", OneOf{{"no", "yes"}}}}, onTileBorders},
-        {"hard/D2", "A sheet behind a wall with a hole of one pixel",
-         {{"x", WholeNumber{63, 0, kSize - 1}}, {"y", WholeNumber{64, 0, kSize - 1}}}, holeOfOnePixel},
-        {"hard/D4", "A sheet as near as a wall, or some float32 steps nearer",
-         {{"steps", WholeNumber{0, -4, 4}}, {"first", OneOf{{"wall", "sheet"}}}}, aboutTheWallsDepth},
-        {"hard/D6", "Sheets behind a wall, over the borders of the picture and between pixel centres", {}, acrossTheBorders},
-        {"hard/D7", "A strip as wide as the picture, hidden but for its last pixel", {{"width", WholeNumber{513, 9, 4097}}},
+        {"hard/D1",
+         "A sheet behind one cell of a level, or a pixel wider",
+         {{"level", WholeNumber{5, 3, 5}}, {"wider", OneOf{{"no", "yes"}}}},
+         onTileBorders},
+        {"hard/D2",
+         "A sheet behind a wall with a hole of one pixel",
+         {{"x", WholeNumber{63, 0, kSize - 1}}, {"y", WholeNumber{64, 0, kSize - 1}}},
+         holeOfOnePixel},
+        {"hard/D4",
+         "A sheet as near as a wall, or some float32 steps nearer",
+         {{"steps", WholeNumber{0, -4, 4}}, {"first", OneOf{{"wall", "sheet"}}}},
+         aboutTheWallsDepth},
+        {"hard/D6",
+         "Sheets behind a wall, over the borders of the picture and between pixel centres",
+         {},
+         acrossTheBorders},
+        {"hard/D7",
+         "A strip as wide as the picture, hidden but for its last pixel",
+         {{"width", WholeNumber{513, 9, 4097}}},
          asWideAsThePicture},
         {"hard/D9", "Sheets from far to near", {}, farToNear},
     };

@@ -1,5 +1,5 @@
-// builtin:hard/E1 .. hard/E8: the hard cases of octree and BVH (docs/correctness.md, Hard cases, E). All have more triangles
-// than a node keeps without being divided.
+// builtin:hard/E1 .. hard/E8: the hard cases of octree and BVH (docs/correctness.md, Hard cases, E). All have more
+// triangles than a node keeps without being divided.
 
 #include "core/scene/generators/hard_scene.h"
 #include "core/scene/generators/random.h"
@@ -19,7 +19,7 @@ Result<Scene> onThePlanes(const Arguments&)
     camera.focal  = 1;
     HardScene    hard(camera);
     const dvec3  middle{0, 0, 160};
-    const double half = 64;
+    const double half   = 64;
     const auto   square = [&](int axis, double across, double u, double v, double side) {
         std::array<Vertex, 4> corner;
         for (std::size_t i = 0; i < 4; ++i) {
@@ -35,7 +35,8 @@ Result<Scene> onThePlanes(const Arguments&)
         for (int plane = -2; plane <= 2; ++plane)
             for (int i = 0; i < 8; ++i)
                 for (int j = 0; j < 8; ++j)
-                    if ((i + j + plane) % 3 == 0) square(axis, 0.5 * half * plane, half * (i - 4) / 4, half * (j - 4) / 4, half / 4);
+                    if ((i + j + plane) % 3 == 0)
+                        square(axis, 0.5 * half * plane, half * (i - 4) / 4, half * (j - 4) / 4, half / 4);
     return hard.finish();
 }
 
@@ -89,17 +90,22 @@ Result<Scene> tinyNextToHuge(const Arguments&)
     Random    random(5);
     for (int i = 0; i < 400; ++i) {
         const dvec3 at{random.between(-2e-5, 2e-5), random.between(-2e-5, 2e-5), random.between(1e-6, 2e-6)};
-        const auto  near = [&] { return hard.inView(at + random.between(dvec3{-4e-6, -4e-6, -2e-7}, dvec3{4e-6, 4e-6, 2e-7})); };
+        const auto  near = [&] {
+            return hard.inView(at + random.between(dvec3{-4e-6, -4e-6, -2e-7}, dvec3{4e-6, 4e-6, 2e-7}));
+        };
         const Vertex a = near(), b = near(), c = near();
         hard.triangle(a, b, c);
     }
     for (int i = 0; i < 400; ++i) {
         const dvec3 at{random.between(-4e7, 4e7), random.between(-4e7, 4e7), random.between(1e6, 2e6)};
-        const auto  far = [&] { return hard.inView(at + random.between(dvec3{-8e6, -8e6, -1e5}, dvec3{8e6, 8e6, 1e5})); };
+        const auto  far = [&] {
+            return hard.inView(at + random.between(dvec3{-8e6, -8e6, -1e5}, dvec3{8e6, 8e6, 1e5}));
+        };
         const Vertex a = far(), b = far(), c = far();
         hard.triangle(a, b, c);
     }
-    const Vertex stray = hard.inView({1e9, -1e9, 1e9}), a = hard.inView({-3e6, 1e6, 2e6}), b = hard.inView({1e6, 5e6, 3e6});
+    const Vertex stray = hard.inView({1e9, -1e9, 1e9}), a = hard.inView({-3e6, 1e6, 2e6}),
+                 b = hard.inView({1e6, 5e6, 3e6});
     hard.triangle(a, b, stray);
     return hard.finish();
 }
@@ -114,11 +120,16 @@ Result<Scene> oneCentre(const Arguments& arguments)
         const int    i    = forward ? n : kCount - 1 - n;
         const double size = 0.07 * (i + 1);
         const double tilt = i % 7 * 0.1;
-        const auto   at   = [&](double x, double y, double z) { return hard.inView({x * size, y * size, 64 + z * tilt * size}); };
-        const Vertex a = at(-60, -60, -1), b = at(60, -60, 1), c = at(-60, 60, 0);  // one of them crosses: boxes share a centre
+        const auto   at   = [&](double x, double y, double z) {
+            return hard.inView({x * size, y * size, 64 + z * tilt * size});
+        };
+        // one of them crosses: boxes share a centre
+        const Vertex a = at(-60, -60, -1), b = at(60, -60, 1), c = at(-60, 60, 0);
         const Vertex d = at(60, 60, 0);
-        if (i % 2) hard.triangle(a, b, d);
-        else hard.triangle(a, d, c);
+        if (i % 2)
+            hard.triangle(a, b, d);
+        else
+            hard.triangle(a, d, c);
     }
     return hard.finish();
 }
@@ -127,9 +138,9 @@ Result<Scene> oneCentre(const Arguments& arguments)
 /// aside; it crosses the near plane on every side.
 Result<Scene> eyeWithin(const Arguments& arguments)
 {
-    const std::string& where = arguments.word("eye");
+    const std::string& where  = arguments.word("eye");
     Camera             camera = pixelCamera(kSize, kSize, 0.5);
-    camera.focal = 1;
+    camera.focal              = 1;
     if (where == "face") camera.eye = {0, 1.25, -2.5};
     if (where == "edge") camera.eye = {0, 0, 1.5};
     if (where == "inside") camera.eye = {1.25, -2.125, 0.75};
@@ -137,12 +148,13 @@ Result<Scene> eyeWithin(const Arguments& arguments)
     Random    random(7);
     for (const double side : {-8.0, 8.0})  // two corners make the box of everything a cube about the origin
         for (int i = 0; i < 2; ++i) {
-            const Vertex a = hard.inWorld({side, side, side}), b = hard.inWorld({side, side * 0.9, side}), c = hard.inWorld({side, side, side * 0.9});
+            const Vertex a = hard.inWorld({side, side, side}), b = hard.inWorld({side, side * 0.9, side}),
+                         c = hard.inWorld({side, side, side * 0.9});
             hard.triangle(a, b, c);
         }
     for (int i = 0; i < 1500; ++i) {
-        const dvec3 middle = random.between(dvec3{-7, -7, -7}, dvec3{7, 7, 7});
-        const auto  near   = [&] { return hard.inWorld(middle + random.between(dvec3{-1, -1, -1}, dvec3{1, 1, 1})); };
+        const dvec3  middle = random.between(dvec3{-7, -7, -7}, dvec3{7, 7, 7});
+        const auto   near   = [&] { return hard.inWorld(middle + random.between(dvec3{-1, -1, -1}, dvec3{1, 1, 1})); };
         const Vertex a = near(), b = near(), c = near();
         hard.triangle(a, b, c);
     }
@@ -155,7 +167,8 @@ Result<Scene> throughTheNearPlane(const Arguments&)
     HardScene hard(kSize, kSize);
     for (int i = 0; i < 600; ++i) {
         const double z = -1 + 0.01 * i;
-        const Vertex a = hard.inView({-20 - z, -3 * z, z}), b = hard.inView({20, -3 * z - 1, z}), c = hard.inView({0, 8 - z, z + 0.3});
+        const Vertex a = hard.inView({-20 - z, -3 * z, z}), b = hard.inView({20, -3 * z - 1, z}),
+                     c = hard.inView({0, 8 - z, z + 0.3});
         hard.triangle(a, b, c);
     }
     hard.rectangle({8, 8}, {88, 88}, 0.125);
@@ -170,7 +183,10 @@ std::vector<Generator> hard_e()
         {"hard/E1", "Squares in the splitting planes of the octree", {}, onThePlanes},
         {"hard/E2", "The same triangle many times", {{"count", WholeNumber{1000, 1, 1'000'000}}}, coincident},
         {"hard/E3", "A giant triangle among tiny ones", {{"count", WholeNumber{3000, 1, 10'000'000}}}, giantAmongTiny},
-        {"hard/E4", "A scene without extent along an axis", {{"shape", OneOf{{"wall", "floor", "line", "point"}}}}, flat},
+        {"hard/E4",
+         "A scene without extent along an axis",
+         {{"shape", OneOf{{"wall", "floor", "line", "point"}}}},
+         flat},
         {"hard/E5", "Triangles of 1e-6 before triangles of 1e6, and a stray corner", {}, tinyNextToHuge},
         {"hard/E6", "Triangles about one centre", {{"order", OneOf{{"forward", "reversed"}}}}, oneCentre},
         {"hard/E7", "Triangles all round the eye", {{"eye", OneOf{{"corner", "edge", "face", "inside"}}}}, eyeWithin},

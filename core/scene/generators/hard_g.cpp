@@ -1,5 +1,5 @@
-// builtin:hard/G1 .. hard/G5: the hard cases of polygons of any size (docs/correctness.md, Hard cases, G). Face 0 is the case,
-// face 1 a wall behind it, so that a pixel that is missing shows something else, and not only background.
+// builtin:hard/G1 .. hard/G5: the hard cases of polygons of any size (docs/correctness.md, Hard cases, G). Face 0 is
+// the case, face 1 a wall behind it, so that a pixel that is missing shows something else, and not only background.
 
 #include <cmath>
 #include <map>
@@ -59,7 +59,8 @@ Places comb()
     for (int tooth = 0; tooth < 12; ++tooth) {
         const double width = 4 + tooth % 3 * 0.5, gap = tooth % 3 == 0 ? 1 : tooth % 3 == 1 ? 0.3125 : kGridUnit;
         const double top = 8.5 + tooth % 4 * 3.25, lean = tooth % 2 == 0 ? 0 : 0.25;
-        upper.insert(upper.end(), {{x + lean, top}, {x + width - lean, top + 0.5}, {x + width, 70.5}, {x + width + gap, 70.5}});
+        upper.insert(upper.end(),
+                     {{x + lean, top}, {x + width - lean, top + 0.5}, {x + width, 70.5}, {x + width + gap, 70.5}});
         x += width + gap;
     }
     upper.pop_back();  // beside the last tooth there is no gap
@@ -70,12 +71,15 @@ Places comb()
 /// An arm that winds inwards, two and a half times round, a pixel and a half wide.
 Places spiral()
 {
-    Places outer, inner;
-    double left = 4.5, top = 4.5, right = 90.25, bottom = 91.75;
+    Places       outer, inner;
+    double       left = 4.5, top = 4.5, right = 90.25, bottom = 91.75;
     const double arm = 1.5, pitch = 7.25;
     for (int turn = 0; turn < 6; ++turn) {
         outer.insert(outer.end(), {{left, top}, {left, bottom}, {right, bottom}, {right, top + pitch}});
-        inner.insert(inner.end(), {{left + arm, top + arm}, {left + arm, bottom - arm}, {right - arm, bottom - arm}, {right - arm, top + pitch + arm}});
+        inner.insert(inner.end(), {{left + arm, top + arm},
+                                   {left + arm, bottom - arm},
+                                   {right - arm, bottom - arm},
+                                   {right - arm, top + pitch + arm}});
         left += pitch, top += pitch, right -= pitch, bottom -= pitch;
     }
     Places outline = outer;
@@ -97,12 +101,29 @@ Result<Scene> withAHole(const Arguments& arguments)
     HardScene          hard(kSize, kSize);
     const std::string& hole = arguments.word("hole");
     if (hole == "inside")
-        return inFrontOfAWall(hard, {{10.5, 12.25}, {14.25, 84.5}, {86.5, 80.25}, {82.25, 10.5}, {10.5, 12.25},
-                                     {30.25, 32.5}, {58.5, 28.25}, {66.5, 60.5}, {34.75, 64.25}, {30.25, 32.5}});
+        return inFrontOfAWall(hard, {{10.5, 12.25},
+                                     {14.25, 84.5},
+                                     {86.5, 80.25},
+                                     {82.25, 10.5},
+                                     {10.5, 12.25},
+                                     {30.25, 32.5},
+                                     {58.5, 28.25},
+                                     {66.5, 60.5},
+                                     {34.75, 64.25},
+                                     {30.25, 32.5}});
     if (hole == "corner")
-        return inFrontOfAWall(hard, {{10.5, 12.5}, {14.25, 84.5}, {86.5, 80.25}, {82.25, 10.5}, {10.5, 12.5}, {50.25, 28.5}, {40.5, 56.75}});
-    return inFrontOfAWall(hard, {{10.5, 12.5}, {10.5, 84.5}, {82.5, 84.5}, {82.5, 12.5}, {46.5, 12.5},  // the hole's tip on the upper side
-                                 {62.25, 48.5}, {30.75, 48.5}, {46.5, 12.5}});
+        return inFrontOfAWall(
+            hard,
+            {{10.5, 12.5}, {14.25, 84.5}, {86.5, 80.25}, {82.25, 10.5}, {10.5, 12.5}, {50.25, 28.5}, {40.5, 56.75}});
+    // the hole's tip on the upper side
+    return inFrontOfAWall(hard, {{10.5, 12.5},
+                                 {10.5, 84.5},
+                                 {82.5, 84.5},
+                                 {82.5, 12.5},
+                                 {46.5, 12.5},
+                                 {62.25, 48.5},
+                                 {30.75, 48.5},
+                                 {46.5, 12.5}});
 }
 
 /// A star drawn in one go, its five sides crossing one another.
@@ -117,8 +138,8 @@ Result<Scene> pentagram(const Arguments&)
     return inFrontOfAWall(hard, outline);
 }
 
-/// A saddle: a square with two opposite corners raised, seen from so low that one of its triangles shows its back (folded),
-/// or from higher up (bent). Around it triangles that share its sides, out to a square frame.
+/// A saddle: a square with two opposite corners raised, seen from so low that one of its triangles shows its back
+/// (folded), or from higher up (bent). Around it triangles that share its sides, out to a square frame.
 Result<Scene> notPlane(const Arguments& arguments)
 {
     Camera camera = pixelCamera(kSize, kSize);
@@ -145,7 +166,8 @@ Result<Scene> manyCorners(const Arguments& arguments)
 {
     const auto   count = static_cast<int>(arguments.whole("corners"));
     const double bytes = static_cast<double>(count) * 2000;
-    if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("the corners", bytes, arguments.memoryLimit);
+    if (bytes > static_cast<double>(arguments.memoryLimit))
+        return tooLarge("the corners", bytes, arguments.memoryLimit);
     HardScene hard(kSize, kSize);
     Places    outline;
     for (int i = 0; static_cast<int>(outline.size()) < count; ++i) {
@@ -168,11 +190,19 @@ std::vector<Generator> hard_g()
 {
     return {
         {"hard/G1", "Concave faces: a star, a comb, a spiral", {{"shape", OneOf{{"star", "comb", "spiral"}}}}, concave},
-        {"hard/G2", "A face with a hole, inside or touching the outline", {{"hole", OneOf{{"inside", "corner", "side"}}}}, withAHole},
+        {"hard/G2",
+         "A face with a hole, inside or touching the outline",
+         {{"hole", OneOf{{"inside", "corner", "side"}}}},
+         withAHole},
         {"hard/G3", "A pentagram: a face that crosses itself", {}, pentagram},
-        {"hard/G4", "A quadrilateral that is not plane, among neighbours", {{"view", OneOf{{"folded", "bent"}}}}, notPlane},
-        {"hard/G5", "A face of thousands of corners, some repeated, some on one line",
-         {{"corners", WholeNumber{10'000, 12, 20'000}}}, manyCorners},
+        {"hard/G4",
+         "A quadrilateral that is not plane, among neighbours",
+         {{"view", OneOf{{"folded", "bent"}}}},
+         notPlane},
+        {"hard/G5",
+         "A face of thousands of corners, some repeated, some on one line",
+         {{"corners", WholeNumber{10'000, 12, 20'000}}},
+         manyCorners},
     };
 }
 

@@ -40,7 +40,10 @@ bool HardScene::polygon(std::span<const Vertex> outline)
     const auto face   = m_mesh->polygonCount();
     const auto colour = static_cast<std::uint32_t>(face % m_mesh->materials.size());
     if (m_mesh->addPolygon(outline, MaterialId{colour})) return true;
-    m_warnings.push_back({{}, 0, "face " + std::to_string(face) + " has no area or crosses itself; its triangles are a fan from its first corner"});
+    m_warnings.push_back({{},
+                          0,
+                          "face " + std::to_string(face)
+                              + " has no area or crosses itself; its triangles are a fan from its first corner"});
     return false;
 }
 

@@ -18,9 +18,9 @@
 
 namespace zscope::hard {
 
-inline constexpr double kNear     = 0.25;         // of every hard scene that does not say otherwise
+inline constexpr double kNear     = 0.25;  // of every hard scene that does not say otherwise
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
-inline constexpr double kGridUnit = 1.0 / 256;    // pixels
+inline constexpr double kGridUnit = 1.0 / 256;  // pixels
 
 /// The camera described above.
 Camera pixelCamera(int width, int height, double near = kNear, double far = kInfinity);
@@ -35,7 +35,8 @@ using Vertex = std::uint32_t;
 class HardScene {
 public:
     HardScene(int width, int height, double near = kNear, double far = kInfinity)
-        : HardScene(pixelCamera(width, height, near, far)) {}
+        : HardScene(pixelCamera(width, height, near, far))
+    {}
     explicit HardScene(const Camera& camera);
 
     Camera camera;  // what the default view will be
@@ -46,7 +47,8 @@ public:
     Vertex inView(const dvec3& position) { return inWorld({position.x, position.y, -position.z}); }
     Vertex inWorld(const dvec3& position);
 
-    /// One face of any number of corners. False: it was mended (core/scene/mesh.h), and the scene holds a warning of it.
+    /// One face of any number of corners. False: it was mended (core/scene/mesh.h), and the scene holds a warning of
+    /// it.
     bool polygon(std::span<const Vertex> outline);
     bool polygon(std::span<const Place> outline, double depth = kNear);
     void triangle(Vertex a, Vertex b, Vertex c);

@@ -1,4 +1,5 @@
-// builtin:icosphere: a ball of any number of nearly equal triangles, smooth or bumpy, closed or with a hole at the bottom.
+// builtin:icosphere: a ball of any number of nearly equal triangles, smooth or bumpy, closed or with a hole at the
+// bottom.
 
 #include "core/scene/generators/icosphere.h"
 
@@ -22,7 +23,8 @@ dvec3 withLength(const dvec3& v, double length)
 /// Corner 0 is the top, 1 to 5 the upper ring, 6 to 10 the lower ring half a corner further round, 11 the bottom.
 std::array<dvec3, 12> icosahedron()
 {
-    constexpr double kHeight = 0.4472135954999579, kRadius = 0.8944271909999159;  // of the rings: 1 and 2 over the root of 5
+    // of the rings: 1 and 2 over the root of 5
+    constexpr double      kHeight = 0.4472135954999579, kRadius = 0.8944271909999159;
     std::array<dvec3, 12> corners;
     corners.front() = {0, 1, 0};
     corners.back()  = {0, -1, 0};
@@ -41,10 +43,10 @@ std::array<std::array<std::size_t, 3>, 20> faces()
     std::array<std::array<std::size_t, 3>, 20> all;
     for (std::size_t i = 0; i < 5; ++i) {
         const std::size_t j = (i + 1) % 5;
-        all[i]      = {11, 6 + j, 6 + i};
-        all[5 + i]  = {1 + j, 6 + i, 6 + j};
-        all[10 + i] = {6 + i, 1 + j, 1 + i};
-        all[15 + i] = {0, 1 + i, 1 + j};
+        all[i]              = {11, 6 + j, 6 + i};
+        all[5 + i]          = {1 + j, 6 + i, 6 + j};
+        all[10 + i]         = {6 + i, 1 + j, 1 + i};
+        all[15 + i]         = {0, 1 + i, 1 + j};
     }
     return all;
 }
@@ -52,8 +54,8 @@ std::array<std::array<std::size_t, 3>, 20> faces()
 /// How far from the middle the surface is in the direction of a unit vector.
 double radiusAt(const dvec3& p, double bumps)
 {
-    const double waves = (pointOnCircle(0.9 * p.x + 0.5 * p.y)[1] + pointOnCircle(1.1 * p.z - 0.7 * p.x + 0.2)[1]) +
-                         pointOnCircle(1.3 * p.y + 0.4 * p.z + 0.6)[1];
+    const double waves = (pointOnCircle(0.9 * p.x + 0.5 * p.y)[1] + pointOnCircle(1.1 * p.z - 0.7 * p.x + 0.2)[1])
+                         + pointOnCircle(1.3 * p.y + 0.4 * p.z + 0.6)[1];
     return 1 + bumps * waves / 3;
 }
 
@@ -71,8 +73,9 @@ std::shared_ptr<const Mesh> makeIcosphere(const IcosphereShape& shape)
     std::uint32_t       met     = 0;
     const auto          at      = [&](const std::array<dvec3, 3>& face, std::uint32_t i, std::uint32_t j) {
         // Row i of a face runs from its first side, at i/n of it, to its last; rows widen towards the middle side.
-        const dvec3 plane = face[0] * static_cast<double>(n - i) + (face[1] * static_cast<double>(i - j) + face[2] * static_cast<double>(j));
-        const dvec3 unit  = withLength(plane, 1);
+        const dvec3 plane = face[0] * static_cast<double>(n - i)
+                            + (face[1] * static_cast<double>(i - j) + face[2] * static_cast<double>(j));
+        const dvec3 unit = withLength(plane, 1);
         return welder.vertexAt(shape.bumps == 0 ? unit : unit * radiusAt(unit, shape.bumps));
     };
     using Place    = std::array<std::uint32_t, 2>;
@@ -98,16 +101,19 @@ namespace {
 
 Result<Scene> make(const Arguments& arguments)
 {
-    const auto     frequency = static_cast<std::uint32_t>(arguments.whole("frequency"));
-    const auto     leftOut   = static_cast<std::uint32_t>(arguments.whole("left-out"));
-    const double   faces     = 20.0 * frequency * frequency;
-    const double   bytes     = meshBytes(faces / 2, faces, 3 * faces, faces) + Welder::kBytesPerVertex * faces / 2;
-    if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("an icosphere of that frequency", bytes, arguments.memoryLimit);
+    const auto   frequency = static_cast<std::uint32_t>(arguments.whole("frequency"));
+    const auto   leftOut   = static_cast<std::uint32_t>(arguments.whole("left-out"));
+    const double faces     = 20.0 * frequency * frequency;
+    const double bytes     = meshBytes(faces / 2, faces, 3 * faces, faces) + Welder::kBytesPerVertex * faces / 2;
+    if (bytes > static_cast<double>(arguments.memoryLimit))
+        return tooLarge("an icosphere of that frequency", bytes, arguments.memoryLimit);
     if (leftOut >= frequency * frequency)
-        return Error{Trouble::Usage, "the parameter 'left-out' of builtin:icosphere must be less than the square of 'frequency'"};
+        return Error{Trouble::Usage,
+                     "the parameter 'left-out' of builtin:icosphere must be less than the square of 'frequency'"};
 
     Scene scene;
-    scene.meshes.push_back(makeIcosphere({.frequency = frequency, .bumps = arguments.real("bumps"), .leftOut = leftOut}));
+    scene.meshes.push_back(
+        makeIcosphere({.frequency = frequency, .bumps = arguments.real("bumps"), .leftOut = leftOut}));
     scene.instances.push_back({MeshId{0}, Affine{}});
     ViewRequest view;
     view.eye         = dvec3{1.1, 1.3, 4.2};
@@ -123,7 +129,9 @@ std::vector<Generator> icosphere()
 {
     return {{"icosphere",
              "A ball of nearly equal triangles",
-             {{"frequency", WholeNumber{16, 1, 700}}, {"bumps", RealNumber{0, 0, 0.5}}, {"left-out", WholeNumber{0, 0, 489'999}}},
+             {{"frequency", WholeNumber{16, 1, 700}},
+              {"bumps", RealNumber{0, 0, 0.5}},
+              {"left-out", WholeNumber{0, 0, 489'999}}},
              make}};
 }
 

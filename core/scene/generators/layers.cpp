@@ -14,7 +14,8 @@ Result<Scene> make(const Arguments& arguments)
     const bool         frontLast = arguments.word("order") == "back";
     const double       layers    = static_cast<double>(count);
     const double       bytes     = meshBytes(4 * layers, layers, 4 * layers, 2 * layers);
-    if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("so many layers", bytes, arguments.memoryLimit);
+    if (bytes > static_cast<double>(arguments.memoryLimit))
+        return tooLarge("so many layers", bytes, arguments.memoryLimit);
 
     auto quads       = std::make_shared<Mesh>();
     quads->name      = "layers";

@@ -1,7 +1,8 @@
-// builtin:million: one mesh of a million triangles, waving sheets one behind the other, each of which fills the picture: with
-// the usual sixteen sheets at least sixteen triangles lie behind one another at every pixel.
+// builtin:million: one mesh of a million triangles, waving sheets one behind the other, each of which fills the
+// picture: with the usual sixteen sheets at least sixteen triangles lie behind one another at every pixel.
 //
-// Faces      `sheets` sheets of 2 r x r cells, two triangles each, with r the largest that keeps within `faces`; a million is met
+// Faces      `sheets` sheets of 2 r x r cells, two triangles each, with r the largest that keeps within `faces`; a
+//            million is met
 // Order      the sheets follow one another in seeded disorder, so that the order as submitted neither helps nor harms
 
 #include <array>
@@ -27,7 +28,8 @@ public:
     double at(double x, double y) const
     {
         double height = 0;
-        for (const Wave& wave : m_waves) height += m_amplitude * pointOnCircle(wave.perX * x + wave.perY * y + wave.start)[1];
+        for (const Wave& wave : m_waves)
+            height += m_amplitude * pointOnCircle(wave.perX * x + wave.perY * y + wave.start)[1];
         return height;
     }
 
@@ -43,10 +45,11 @@ Result<Scene> make(const Arguments& arguments)
 {
     const double faces = static_cast<double>(arguments.whole("faces"));
     const double bytes = meshBytes(0.6 * faces, faces, 3 * faces, faces);
-    if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("so many faces", bytes, arguments.memoryLimit);
+    if (bytes > static_cast<double>(arguments.memoryLimit))
+        return tooLarge("so many faces", bytes, arguments.memoryLimit);
     const auto sheetCount = static_cast<std::uint32_t>(arguments.whole("sheets"));
-    const auto rows = static_cast<std::uint32_t>(std::sqrt(faces / (4.0 * sheetCount)));
-    const auto columns = 2 * rows;
+    const auto rows       = static_cast<std::uint32_t>(std::sqrt(faces / (4.0 * sheetCount)));
+    const auto columns    = 2 * rows;
 
     Random                     random(static_cast<std::uint64_t>(arguments.whole("seed")));
     std::vector<std::uint32_t> order(sheetCount);
@@ -56,7 +59,8 @@ Result<Scene> make(const Arguments& arguments)
     auto sheets  = std::make_shared<Mesh>();
     sheets->name = "million";
     sheets->materials.clear();
-    for (std::uint32_t i = 0; i < sheetCount; ++i) sheets->materials.push_back({"sheet " + std::to_string(i), palette::colourOf(i)});
+    for (std::uint32_t i = 0; i < sheetCount; ++i)
+        sheets->materials.push_back({"sheet " + std::to_string(i), palette::colourOf(i)});
     for (std::uint32_t made = 0; made < sheetCount; ++made) {
         const std::uint32_t sheet    = order[made];
         const double        distance = 10 + 4.0 * sheet;  // its waves stay clear of the next one's
@@ -96,7 +100,10 @@ std::vector<Generator> million()
 {
     return {{"million",
              "One mesh of a million faces in waving sheets, sixteen deep at every pixel",
-             {{"faces", WholeNumber{1'000'000, 1000, 50'000'000}}, {"seed", WholeNumber{1, 0, 1'000'000'000}}, {"sheets", WholeNumber{16, 1, 64}}, {"height", RealNumber{1.5, 0, 1.5}}},
+             {{"faces", WholeNumber{1'000'000, 1000, 50'000'000}},
+              {"seed", WholeNumber{1, 0, 1'000'000'000}},
+              {"sheets", WholeNumber{16, 1, 64}},
+              {"height", RealNumber{1.5, 0, 1.5}}},
              make}};
 }
 

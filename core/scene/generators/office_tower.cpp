@@ -1,7 +1,7 @@
 // builtin:office-tower: one furnished office, n x n x n times, wall to wall and floor on floor.
 //
-// Module     8 x 3.5 x 8 metres, about 15,000 triangles: floor slab, two walls with a doorway each (the neighbours' walls
-//            close the other sides), six desks with keyboards key by key, chairs, four shelves of books, lamps
+// Module     8 x 3.5 x 8 metres, about 15,000 triangles: floor slab, two walls with a doorway each (the neighbours'
+//            walls close the other sides), six desks with keyboards key by key, chairs, four shelves of books, lamps
 // Memory     one mesh of 3 MiB and 132 bytes per module: 5 MiB of instances for 33^3, 538 million triangles
 // Promise    a module closes its floor, so that no storey sees another
 
@@ -64,7 +64,7 @@ private:
     /// An upright prism of `sides` sides with both ends.
     void post(const dvec3& foot, double radius, double height, std::uint32_t sides, std::uint32_t surface)
     {
-        const auto first = static_cast<std::uint32_t>(m_mesh.positions.size());
+        const auto                 first = static_cast<std::uint32_t>(m_mesh.positions.size());
         std::vector<std::uint32_t> low, high;
         for (std::uint32_t i = 0; i < sides; ++i) {
             const auto [c, s] = pointOnCircle(static_cast<double>(i) / sides);
@@ -75,7 +75,8 @@ private:
         }
         for (std::uint32_t i = 0; i < sides; ++i) {
             const std::uint32_t j = (i + 1) % sides;
-            m_mesh.addPolygon(std::array{first + 2 * i, first + 2 * j, first + 2 * j + 1, first + 2 * i + 1}, MaterialId{surface});
+            m_mesh.addPolygon(std::array{first + 2 * i, first + 2 * j, first + 2 * j + 1, first + 2 * i + 1},
+                              MaterialId{surface});
         }
         m_mesh.addPolygon(low, MaterialId{surface});
         m_mesh.addPolygon(high, MaterialId{surface});
@@ -139,8 +140,9 @@ void OfficeBuilder::shelf(double x, double z, double facing, Random& random)
         add({0.02, y, 0.02}, {0.32, y + 0.02, 1.18}, Wood);
         double from = 0.03;
         for (int book = 0; book < kBooks; ++book) {
-            const double thick = random.between(0.02, 0.05), high = random.between(0.2, 0.32), deep = random.between(0.15, 0.27);
-            const auto   cover = Book + static_cast<std::uint32_t>(random.below(palette::kDistinct.size()));
+            const double thick = random.between(0.02, 0.05), high = random.between(0.2, 0.32),
+                         deep = random.between(0.15, 0.27);
+            const auto cover  = Book + static_cast<std::uint32_t>(random.below(palette::kDistinct.size()));
             add({0.02, y + 0.02, from}, {0.02 + deep, y + 0.02 + high, from + thick}, cover);
             from += thick + 0.002;
         }
@@ -184,7 +186,8 @@ Result<Scene> make(const Arguments& arguments)
     const std::int64_t n     = arguments.whole("n");
     const double       count = static_cast<double>(n * n * n);
     const double       bytes = count * (sizeof(Instance) + sizeof(std::uint32_t)) + (4 << 20);
-    if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("so many offices", bytes, arguments.memoryLimit);
+    if (bytes > static_cast<double>(arguments.memoryLimit))
+        return tooLarge("so many offices", bytes, arguments.memoryLimit);
 
     Scene scene;
     scene.meshes = {office()};
@@ -222,7 +225,8 @@ Result<Scene> make(const Arguments& arguments)
 
 std::vector<Generator> office_tower()
 {
-    return {{"office-tower", "One office, n x n x n times: 538 million triangles", {{"n", WholeNumber{33, 1, 65}}}, make}};
+    return {
+        {"office-tower", "One office, n x n x n times: 538 million triangles", {{"n", WholeNumber{33, 1, 65}}}, make}};
 }
 
 }  // namespace zscope::generated

@@ -33,12 +33,14 @@ inline Rgb colourOf(std::uint64_t n)
     return {base.r + (0.86f - base.r) * light, base.g + (0.86f - base.g) * light, base.b + (0.86f - base.b) * light};
 }
 
-/// A colour that is the number itself, for n below 2^21: its binary digits dealt to red, green and blue in turn, the lowest
-/// digit counting most, so that neighbours differ much and no two numbers share a colour even in 8 bits a channel.
+/// A colour that is the number itself, for n below 2^21: its binary digits dealt to red, green and blue in turn, the
+/// lowest digit counting most, so that neighbours differ much and no two numbers share a colour even in 8 bits a
+/// channel.
 inline Rgb colourOfNumber(std::uint64_t n)
 {
     std::array<std::uint32_t, 3> channel{};
-    for (unsigned digit = 0; digit < 21; ++digit) channel[digit % 3] |= static_cast<std::uint32_t>(n >> digit & 1) << (6 - digit / 3);
+    for (unsigned digit = 0; digit < 21; ++digit)
+        channel[digit % 3] |= static_cast<std::uint32_t>(n >> digit & 1) << (6 - digit / 3);
     const auto level = [](std::uint32_t of127) { return 0.22f + 0.62f * static_cast<float>(of127) / 127.0f; };
     return {level(channel[0]), level(channel[1]), level(channel[2])};
 }

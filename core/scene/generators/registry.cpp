@@ -11,29 +11,10 @@
 #include "core/base/memory.h"
 
 // The registry: one line per file of this folder.
-#define ZSCOPE_GENERATOR_FILES(file) \
-    file(cubes)                      \
-    file(teapot)                     \
-    file(soccer_ball)                \
-    file(icosphere)                  \
-    file(soccer_field)               \
-    file(city)                       \
-    file(soup)                       \
-    file(layers)                     \
-    file(cutouts)                    \
-    file(reliefs)                    \
-    file(walls)                      \
-    file(glass)                      \
-    file(rows)                       \
-    file(million)                    \
-    file(office_tower)               \
-    file(hard_a)                     \
-    file(hard_b)                     \
-    file(hard_c)                     \
-    file(hard_d)                     \
-    file(hard_e)                     \
-    file(hard_f)                     \
-    file(hard_g)
+#define ZSCOPE_GENERATOR_FILES(file)                                                                                 \
+    file(cubes) file(teapot) file(soccer_ball) file(icosphere) file(soccer_field) file(city) file(soup) file(layers) \
+        file(cutouts) file(reliefs) file(walls) file(glass) file(rows) file(million) file(office_tower) file(hard_a) \
+            file(hard_b) file(hard_c) file(hard_d) file(hard_e) file(hard_f) file(hard_g)
 
 namespace zscope {
 
@@ -115,8 +96,8 @@ std::size_t editDistance(std::string_view a, std::string_view b)
         row[0]               = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const std::size_t above = row[j];
-            row[j]   = std::min({row[j - 1] + 1, above + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-            diagonal = above;
+            row[j]                  = std::min({row[j - 1] + 1, above + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            diagonal                = above;
         }
     }
     return row[b.size()];
@@ -125,7 +106,7 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 Error unknownScene(std::string_view name)
 {
     std::vector<std::string_view> close;
-    std::vector<std::string_view> plain;  // every name that is not in a folder
+    std::vector<std::string_view> plain;                       // every name that is not in a folder
     const std::string_view        start = name.substr(0, 64);  // a name is never longer
     for (const Generator& generator : generators()) {
         const std::string_view candidate = generator.name;
@@ -146,8 +127,10 @@ Error unknownScene(std::string_view name)
 void Arguments::set(std::string key, Value value)
 {
     const auto known = std::ranges::find(m_values, key, &std::pair<std::string, Value>::first);
-    if (known != m_values.end()) known->second = std::move(value);
-    else m_values.emplace_back(std::move(key), std::move(value));
+    if (known != m_values.end())
+        known->second = std::move(value);
+    else
+        m_values.emplace_back(std::move(key), std::move(value));
 }
 
 const Arguments::Value& Arguments::at(std::string_view key) const
@@ -175,11 +158,11 @@ Result<Arguments> parseArguments(const Generator& generator, std::string_view wo
     while (!words.empty()) {
         const std::size_t      end  = words.find('&');
         const std::string_view word = words.substr(0, end);
-        words = end == std::string_view::npos ? std::string_view{} : words.substr(end + 1);
+        words                       = end == std::string_view::npos ? std::string_view{} : words.substr(end + 1);
 
-        const std::size_t      equals = word.find('=');
-        const std::string_view key    = word.substr(0, equals);
-        const auto parameter          = std::ranges::find(generator.parameters, key, &Parameter::key);
+        const std::size_t      equals    = word.find('=');
+        const std::string_view key       = word.substr(0, equals);
+        const auto             parameter = std::ranges::find(generator.parameters, key, &Parameter::key);
         if (parameter == generator.parameters.end()) {
             if (generator.parameters.empty())
                 return Error{Trouble::Usage, fmt::format("builtin:{} takes no parameters, and '{}' is given",
@@ -191,8 +174,8 @@ Result<Arguments> parseArguments(const Generator& generator, std::string_view wo
             return Error{Trouble::Usage, fmt::format("the parameter '{}' of builtin:{} needs a value: {}={}", key,
                                                      generator.name, key, fallbackOf(*parameter))};
         if (std::ranges::find(given, key) != given.end())
-            return Error{Trouble::Usage, fmt::format("the parameter '{}' of builtin:{} is given twice", key,
-                                                     generator.name)};
+            return Error{Trouble::Usage,
+                         fmt::format("the parameter '{}' of builtin:{} is given twice", key, generator.name)};
         given.push_back(key);
 
         const std::string_view written = word.substr(equals + 1);
@@ -227,13 +210,14 @@ Result<Scene> generate(std::string_view word, std::uint64_t memoryLimit, const P
 
 double meshBytes(double vertices, double polygons, double corners, double triangles)
 {
-    const Mesh mesh;
-    const auto each = [](const auto& list) { return static_cast<double>(sizeof(list[0])); };
-    const double perPolygon = each(mesh.firstCorner) + each(mesh.polygonMaterial) + each(mesh.polygonGroup) +
-                              each(mesh.firstTriangle);
+    const Mesh   mesh;
+    const auto   each = [](const auto& list) { return static_cast<double>(sizeof(list[0])); };
+    const double perPolygon =
+        each(mesh.firstCorner) + each(mesh.polygonMaterial) + each(mesh.polygonGroup) + each(mesh.firstTriangle);
     const double perTriangle = each(mesh.triangles) + each(mesh.trianglePolygon);
-    return 2 * (vertices * each(mesh.positions) + corners * each(mesh.corners) + polygons * perPolygon +
-                triangles * perTriangle);
+    return 2
+           * (vertices * each(mesh.positions) + corners * each(mesh.corners) + polygons * perPolygon
+              + triangles * perTriangle);
 }
 
 Error tooLarge(std::string_view what, double bytes, std::uint64_t limit)

@@ -35,7 +35,7 @@ struct OneOf {
 
 /// Something that can be asked of a generator.
 struct Parameter {
-    std::string                                   key;
+    std::string                                  key;
     std::variant<WholeNumber, RealNumber, OneOf> range;
 };
 

@@ -1,8 +1,8 @@
-// builtin:reliefs: surfaces whose fragments lie farther than their triangles say, so that what is nearest is known only when
-// a fragment has been looked at. Behind the faces of a brick wall and of a floor with bowls, nearer than their deepest fragments,
-// stand solid sheets, that of the wall in pieces of which some lie wholly behind bricks; louvres cross the wall; the floor passes
-// under the eye, so that it is cut at the near plane; a box with both holes and louvres is placed askew; a pane of glass stands
-// in the joints.
+// builtin:reliefs: surfaces whose fragments lie farther than their triangles say, so that what is nearest is known only
+// when a fragment has been looked at. Behind the faces of a brick wall and of a floor with bowls, nearer than their
+// deepest fragments, stand solid sheets, that of the wall in pieces of which some lie wholly behind bricks; louvres
+// cross the wall; the floor passes under the eye, so that it is cut at the near plane; a box with both holes and
+// louvres is placed askew; a pane of glass stands in the joints.
 //
 // Size       `size` is the cell of the patterns, `depth` how far back they reach; the sheets are 8 wide
 
@@ -17,7 +17,8 @@ namespace zscope::generated {
 
 namespace {
 
-MaterialId addMaterial(Mesh& mesh, const std::string& name, std::uint64_t colour, std::optional<Relief> relief, std::optional<Cutout> cutout = {})
+MaterialId addMaterial(Mesh& mesh, const std::string& name, std::uint64_t colour, std::optional<Relief> relief,
+                       std::optional<Cutout> cutout = {})
 {
     mesh.materials.push_back({.name = name, .diffuse = palette::colourOf(colour), .cutout = cutout, .relief = relief});
     return MaterialId{static_cast<std::uint32_t>(mesh.materials.size() - 1)};
@@ -43,13 +44,16 @@ Result<Scene> make(const Arguments& arguments)
     const double half = depth / 2;
     addQuad(*sheets, {{{-4, -1, -6}, {4, -1, -6}, {4, 5, -6}, {-4, 5, -6}}}, solid);
     addQuad(*sheets, {{{-4, -1, -3}, {4, -1, -4}, {4, 3, -4}, {-4, 3, -3}}}, bricks);
-    addQuadInPieces(*sheets, {{{-4, -1, -3 - half}, {4, -1, -4 - half}, {4, 3, -4 - half}, {-4, 3, -3 - half}}}, 24, mortar);
+    addQuadInPieces(*sheets, {{{-4, -1, -3 - half}, {4, -1, -4 - half}, {4, 3, -4 - half}, {-4, 3, -3 - half}}}, 24,
+                    mortar);
     addQuad(*sheets, {{{-4, -1, -4}, {4, -1, -3}, {4, 3, -3}, {-4, 3, -4}}}, louvres);
     addQuad(*sheets, {{{-4, -1, 6}, {4, -1, 6}, {4, -1, -6}, {-4, -1, -6}}}, bowls);
     const double ground = -1 - depth / 8;
     addQuad(*sheets, {{{-4, ground, 6}, {4, ground, 6}, {4, ground, -6}, {-4, ground, -6}}}, mortar);
-    addQuad(*sheets, {{{-4, -1, -3 - half / 2}, {4, -1, -4 - half / 2}, {4, 3, -4 - half / 2}, {-4, 3, -3 - half / 2}}}, pane);
-    addBox(*box, addMaterial(*box, "slats with holes", 20, Relief{ReliefPattern::Louvres, size, depth}, Cutout{CutoutPattern::Holes, size}));
+    addQuad(*sheets, {{{-4, -1, -3 - half / 2}, {4, -1, -4 - half / 2}, {4, 3, -4 - half / 2}, {-4, 3, -3 - half / 2}}},
+            pane);
+    addBox(*box, addMaterial(*box, "slats with holes", 20, Relief{ReliefPattern::Louvres, size, depth},
+                             Cutout{CutoutPattern::Holes, size}));
 
     Affine askew;  // turned about y by atan(3/4), half as large, to the right of the view
     askew.rows = {{{0.4, 0, 0.3, 1.2}, {0, 0.5, 0, -0.3}, {-0.3, 0, 0.4, -1.5}}};
@@ -70,8 +74,10 @@ Result<Scene> make(const Arguments& arguments)
 
 std::vector<Generator> reliefs()
 {
-    return {{"reliefs", "Bricks, louvres and bowls: surfaces whose fragments change their depth",
-             {{"size", RealNumber{0.5, 1e-3, 100}}, {"depth", RealNumber{0.4, 1e-6, 1e6}}}, make}};
+    return {{"reliefs",
+             "Bricks, louvres and bowls: surfaces whose fragments change their depth",
+             {{"size", RealNumber{0.5, 1e-3, 100}}, {"depth", RealNumber{0.4, 1e-6, 1e6}}},
+             make}};
 }
 
 }  // namespace zscope::generated

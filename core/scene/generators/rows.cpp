@@ -1,5 +1,5 @@
-// builtin:rows: one model in rows behind rows, as dense as it can stand without touching: what is in front hides almost all
-// that is behind it.
+// builtin:rows: one model in rows behind rows, as dense as it can stand without touching: what is in front hides almost
+// all that is behind it.
 //
 // Memory     one mesh and about 130 bytes per instance
 
@@ -17,7 +17,8 @@ Result<Scene> make(const Arguments& arguments)
     const std::int64_t nx = arguments.whole("nx"), ny = arguments.whole("ny"), nz = arguments.whole("nz");
     const double       count = static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
     const double       bytes = count * (sizeof(Instance) + sizeof(std::uint32_t));
-    if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("so many rows", bytes, arguments.memoryLimit);
+    if (bytes > static_cast<double>(arguments.memoryLimit))
+        return tooLarge("so many rows", bytes, arguments.memoryLimit);
     const Result<Scene> model = generate(arguments.word("model"), arguments.memoryLimit, arguments.progress);
     if (!model) return model.error();
 

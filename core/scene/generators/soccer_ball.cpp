@@ -42,7 +42,8 @@ std::vector<std::uint32_t> ringVertices(Welder& welder, std::span<const dvec3> c
             const dvec3& from  = corners[side];
             const dvec3& to    = corners[(side + 1) % corners.size()];
             const dvec3  edge  = from * (1 - along) + to * along;
-            vertices.push_back(welder.vertexAt(onSphere(middle + (edge - middle) * ring.reach, ring.reach < 1 ? 1 : kSeam)));
+            vertices.push_back(
+                welder.vertexAt(onSphere(middle + (edge - middle) * ring.reach, ring.reach < 1 ? 1 : kSeam)));
         }
     return vertices;
 }
@@ -66,8 +67,8 @@ void addStrip(Mesh& ball, std::span<const std::uint32_t> inner, std::uint32_t in
     }
 }
 
-void addPatch(Mesh& ball, Welder& welder, std::span<const dvec3> corners, std::span<const Ring> rings, MaterialId material,
-              GroupId group)
+void addPatch(Mesh& ball, Welder& welder, std::span<const dvec3> corners, std::span<const Ring> rings,
+              MaterialId material, GroupId group)
 {
     std::vector<std::uint32_t> inner = ringVertices(welder, corners, rings[0]);
     ball.addPolygon(inner, material, group);
@@ -132,7 +133,8 @@ std::shared_ptr<const Mesh> makeSoccerBall()
         for (std::size_t j = i + 1; j < corners.size(); ++j)
             for (std::size_t k = i + 1; k < corners.size(); ++k) {
                 const dvec3 &a = corners[i], &b = corners[j], &c = corners[k];
-                if (!areNeighbours(a, b) || !areNeighbours(b, c) || !areNeighbours(c, a) || !turnsLeft(a, b, c)) continue;
+                if (!areNeighbours(a, b) || !areNeighbours(b, c) || !areNeighbours(c, a) || !turnsLeft(a, b, c))
+                    continue;
                 const std::array hexagon{third(a, b), third(b, a), third(b, c), third(c, b), third(c, a), third(a, c)};
                 addPatch(*ball, welder, hexagon, kHexagonRings, MaterialId{0}, GroupId{2});
             }

@@ -1,5 +1,5 @@
-// builtin:soccer-field: one ball at random places of a cube, turned at random; the colour of a ball is its number. The ball
-// is a soccer ball, or an icosphere of 5,120 triangles.
+// builtin:soccer-field: one ball at random places of a cube, turned at random; the colour of a ball is its number. The
+// ball is a soccer ball, or an icosphere of 5,120 triangles.
 //
 // Density    one ball in 64 cubic units, whatever the count; balls may overlap
 // Memory     one mesh and 116 bytes per ball
@@ -65,7 +65,9 @@ std::vector<Generator> soccer_field()
 {
     return {{"soccer-field",
              "One ball in many places, a colour for each",
-             {{"count", WholeNumber{1000, 1, 1'200'000}}, {"seed", WholeNumber{1, 0, 1'000'000'000}}, {"ball", OneOf{{"soccer", "icosphere"}}}},
+             {{"count", WholeNumber{1000, 1, 1'200'000}},
+              {"seed", WholeNumber{1, 0, 1'000'000'000}},
+              {"ball", OneOf{{"soccer", "icosphere"}}}},
              make}};
 }
 

@@ -1,8 +1,8 @@
 // builtin:soup: random triangles in a cube, made to be awkward: sizes over three orders of magnitude, triangles that
 // share corners, triangles nearly in the plane of the one before, and some across the near plane of the default view.
 //
-// Kinds      of ten triangles: five anywhere; two hang on an edge of an earlier one; two nearly coplanar with an earlier
-//            one and overlapping it; one through the near plane
+// Kinds      of ten triangles: five anywhere; two hang on an edge of an earlier one; two nearly coplanar with an
+//            earlier one and overlapping it; one through the near plane
 // Promise    the n-th triangle depends only on seed, size and n: a smaller count is the start of a larger one
 
 #include <algorithm>
@@ -29,8 +29,8 @@ dvec3 within(Random& random, const dvec3& middle, double reach)
 /// A size between 1/1000 and 1 of `size`, every order of magnitude equally often.
 double mixedSize(Random& random, double size)
 {
-    double       reach   = size * random.between(0.1, 1.0);
-    const auto   decades = random.below(3);
+    double     reach   = size * random.between(0.1, 1.0);
+    const auto decades = random.below(3);
     for (std::uint64_t i = 0; i < decades; ++i) reach *= 0.1;
     return reach;
 }
@@ -41,12 +41,14 @@ Result<Scene> make(const Arguments& arguments)
     const double       size  = arguments.real("size");
     const double       n     = static_cast<double>(count);
     const double       bytes = meshBytes(3 * n, n, 3 * n, n);
-    if (bytes > static_cast<double>(arguments.memoryLimit)) return tooLarge("so many triangles", bytes, arguments.memoryLimit);
+    if (bytes > static_cast<double>(arguments.memoryLimit))
+        return tooLarge("so many triangles", bytes, arguments.memoryLimit);
 
     auto soup       = std::make_shared<Mesh>();
     soup->name      = "soup";
     soup->materials = {};
-    for (std::uint64_t i = 0; i < 35; ++i) soup->materials.push_back({"colour " + std::to_string(i), palette::colourOf(i), 1});
+    for (std::uint64_t i = 0; i < 35; ++i)
+        soup->materials.push_back({"colour " + std::to_string(i), palette::colourOf(i), 1});
     const auto vertex = [&soup](const dvec3& p) {
         soup->positions.push_back(p);
         return static_cast<std::uint32_t>(soup->positions.size() - 1);
@@ -55,8 +57,8 @@ Result<Scene> make(const Arguments& arguments)
     Random      random(static_cast<std::uint64_t>(arguments.whole("seed")));
     const dvec3 corner{kHalf, kHalf, kHalf};
     for (std::int64_t i = 0; i < count; ++i) {
-        const auto   kind  = random.below(10);
-        const double reach = mixedSize(random, size);
+        const auto                   kind  = random.below(10);
+        const double                 reach = mixedSize(random, size);
         std::array<std::uint32_t, 3> triangle{};
         if (kind < 5 || (kind < 9 && i == 0)) {
             const dvec3 middle = random.between(-corner, corner);
@@ -67,8 +69,8 @@ Result<Scene> make(const Arguments& arguments)
             triangle          = {other[(side + 1) % 3], other[side], 0};  // the shared edge runs the other way
             triangle[2]       = vertex(within(random, soup->positions[triangle[0]], reach));
         } else if (kind < 9) {
-            const auto& other = soup->triangles[random.below(static_cast<std::uint64_t>(i))];
-            const dvec3 a = soup->positions[other[0]], b = soup->positions[other[1]], c = soup->positions[other[2]];
+            const auto&  other = soup->triangles[random.below(static_cast<std::uint64_t>(i))];
+            const dvec3  a = soup->positions[other[0]], b = soup->positions[other[1]], c = soup->positions[other[2]];
             const double lift = kind == 7 ? 0 : reach * 1e-7;  // in its plane up to rounding, or just off it
             for (auto& v : triangle) {
                 const double s = random.between(-0.2, 0.9);

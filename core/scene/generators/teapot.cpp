@@ -15,7 +15,7 @@ namespace zscope::generated {
 
 namespace {
 
-using ControlPoint = std::array<double, 3>;  // x towards the spout, y to the side, z up
+using ControlPoint = std::array<double, 3>;         // x towards the spout, y to the side, z up
 using Patch        = std::array<ControlPoint, 16>;  // rows of four
 
 /// How a given patch stands for several: turned four times about the axis, or mirrored once to the other side.
@@ -39,10 +39,10 @@ constexpr Patch revolved(const std::array<ProfilePoint, 4>& profile)
     Patch points{};
     for (std::size_t i = 0; i < 4; ++i) {
         const auto [radius, height, reach] = profile[i];
-        points[4 * i]     = {radius, 0, height};
-        points[4 * i + 1] = {radius, -reach, height};
-        points[4 * i + 2] = {reach, -radius, height};
-        points[4 * i + 3] = {0, -radius, height};
+        points[4 * i]                      = {radius, 0, height};
+        points[4 * i + 1]                  = {radius, -reach, height};
+        points[4 * i + 2]                  = {reach, -radius, height};
+        points[4 * i + 3]                  = {0, -radius, height};
     }
     return points;
 }
@@ -110,10 +110,14 @@ ControlPoint placed(const ControlPoint& p, Symmetry symmetry, int turn)
 {
     if (symmetry == Symmetry::Mirror) return {p[0], turn == 0 ? p[1] : -p[1], p[2]};
     switch (turn) {
-        case 0: return p;
-        case 1: return {p[1], -p[0], p[2]};
-        case 2: return {-p[0], -p[1], p[2]};
-        default: return {-p[1], p[0], p[2]};
+        case 0:
+            return p;
+        case 1:
+            return {p[1], -p[0], p[2]};
+        case 2:
+            return {-p[0], -p[1], p[2]};
+        default:
+            return {-p[1], p[0], p[2]};
     }
 }
 
@@ -127,9 +131,9 @@ void addPatch(Mesh& mesh, Welder& welder, const GivenPatch& given, int turn, std
     std::vector<std::uint32_t> grid(std::size_t{side} * side);
     for (std::uint32_t i = 0; i < side; ++i)
         for (std::uint32_t j = 0; j < side; ++j)
-            grid[std::size_t{i} * side + j] = welder.vertexAt(upright(
-                placed(pointAt(given.points, static_cast<double>(i) / cells, static_cast<double>(j) / cells),
-                       given.symmetry, turn)));
+            grid[std::size_t{i} * side + j] = welder.vertexAt(
+                upright(placed(pointAt(given.points, static_cast<double>(i) / cells, static_cast<double>(j) / cells),
+                               given.symmetry, turn)));
 
     const bool mirrored = given.symmetry == Symmetry::Mirror && turn == 1;
     for (std::uint32_t i = 0; i < cells; ++i)
@@ -184,7 +188,8 @@ Result<Scene> make(const Arguments& arguments)
 
 std::vector<Generator> teapot()
 {
-    return {{"teapot", "Newell's teapot, its patches cut into quads", {{"tessellation", WholeNumber{10, 1, 1000}}}, make}};
+    return {
+        {"teapot", "Newell's teapot, its patches cut into quads", {{"tessellation", WholeNumber{10, 1, 1000}}}, make}};
 }
 
 }  // namespace zscope::generated

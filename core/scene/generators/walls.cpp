@@ -1,8 +1,8 @@
 // Scenes that a wall hides: builtin:wall-and-city, a city behind a garden wall, seen past its end in a narrow strip;
 // builtin:hole-in-wall, balls behind a wall with a square hole of one cell of the pyramid.
 //
-// Exact      the hole of level L is a square of 2^L pixels of the default view, its sides on borders of cells of that level
-//            and all below
+// Exact      the hole of level L is a square of 2^L pixels of the default view, its sides on borders of cells of that
+//            level and all below
 
 #include <array>
 
@@ -19,7 +19,8 @@ std::shared_ptr<const Mesh> gardenWall(double x0, double x1, double height, doub
 {
     auto wall       = std::make_shared<Mesh>();
     wall->name      = "wall";
-    wall->materials = {{"brick", {0.50f, 0.22f, 0.14f}}, {"coping", {0.42f, 0.40f, 0.37f}}, {"grass", {0.18f, 0.36f, 0.15f}}};
+    wall->materials = {
+        {"brick", {0.50f, 0.22f, 0.14f}}, {"coping", {0.42f, 0.40f, 0.37f}}, {"grass", {0.18f, 0.36f, 0.15f}}};
     const auto block = [&wall](const dvec3& low, const dvec3& high, std::uint32_t material) {
         const auto first = static_cast<std::uint32_t>(wall->positions.size());
         for (int i = 0; i < 8; ++i)
@@ -27,7 +28,8 @@ std::shared_ptr<const Mesh> gardenWall(double x0, double x1, double height, doub
         constexpr std::array<std::array<std::uint32_t, 4>, 6> kFaces{
             {{4, 5, 7, 6}, {1, 0, 2, 3}, {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}}};
         for (const auto& face : kFaces)
-            wall->addPolygon(std::array{first + face[0], first + face[1], first + face[2], first + face[3]}, MaterialId{material});
+            wall->addPolygon(std::array{first + face[0], first + face[1], first + face[2], first + face[3]},
+                             MaterialId{material});
     };
     for (const auto& [x, end] : {std::pair{-400.0, meadow}, {-400.0, z + 60}, {400.0, z + 60}, {400.0, meadow}})
         wall->positions.push_back({x, 0, end});
@@ -41,8 +43,8 @@ std::shared_ptr<const Mesh> gardenWall(double x0, double x1, double height, doub
 
 Result<Scene> makeWallAndCity(const Arguments& arguments)
 {
-    const std::string word = "city?blocks=" + std::to_string(arguments.whole("blocks")) +
-                             "&seed=" + std::to_string(arguments.whole("seed"));
+    const std::string word =
+        "city?blocks=" + std::to_string(arguments.whole("blocks")) + "&seed=" + std::to_string(arguments.whole("seed"));
     const Result<Scene> city = generate(word, arguments.memoryLimit, arguments.progress);
     if (!city) return city.error();
 
@@ -67,18 +69,19 @@ Result<Scene> makeWallAndCity(const Arguments& arguments)
 
 Result<Scene> makeHoleInWall(const Arguments& arguments)
 {
-    // One unit is one pixel at distance 256 of a picture 512 pixels high: corners of the wall are seen exactly where they
-    // are put, and the middle of the picture is a border of cells of every level up to 8.
+    // One unit is one pixel at distance 256 of a picture 512 pixels high: corners of the wall are seen exactly where
+    // they are put, and the middle of the picture is a border of cells of every level up to 8.
     constexpr double kWall = 256, kHalf = 256;
     const double     side = static_cast<double>(std::int64_t{1} << arguments.whole("level"));
 
-    auto wall       = std::make_shared<Mesh>();
-    wall->name      = "wall with a hole";
-    wall->materials = {{"plaster", palette::kGrey}};
+    auto wall        = std::make_shared<Mesh>();
+    wall->name       = "wall with a hole";
+    wall->materials  = {{"plaster", palette::kGrey}};
     const auto piece = [&wall](double x0, double y0, double x1, double y1) {
         if (x0 >= x1 || y0 >= y1) return;
         const auto first = static_cast<std::uint32_t>(wall->positions.size());
-        for (const auto& [x, y] : {std::pair{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}) wall->positions.push_back({x, y, -kWall});
+        for (const auto& [x, y] : {std::pair{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})
+            wall->positions.push_back({x, y, -kWall});
         wall->addPolygon(std::array{first, first + 1, first + 2, first + 3});
     };
     // The hole is right of and below the middle of the picture; y is up.
@@ -88,7 +91,7 @@ Result<Scene> makeHoleInWall(const Arguments& arguments)
     piece(0, -kHalf, kHalf, -side);
 
     Scene scene;
-    scene.meshes = {makeSoccerBall(), wall};
+    scene.meshes         = {makeSoccerBall(), wall};
     std::uint64_t number = 0;
     for (int layer = 2; layer >= 0; --layer)
         for (int row = -2; row <= 2; ++row)

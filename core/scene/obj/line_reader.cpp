@@ -29,8 +29,9 @@ std::optional<std::string> encodingTrouble(std::string_view bytes)
 {
     const auto startsWith = [&](std::string_view mark) { return bytes.substr(0, mark.size()) == mark; };
     const bool isMarked   = startsWith("\xFF\xFE") || startsWith("\xFE\xFF");
-    const bool isUnmarked = bytes.size() >= 4 && ((bytes[0] == 0 && bytes[2] == 0 && bytes[1] != 0 && bytes[3] != 0) ||
-                                                  (bytes[1] == 0 && bytes[3] == 0 && bytes[0] != 0 && bytes[2] != 0));
+    const bool isUnmarked = bytes.size() >= 4
+                            && ((bytes[0] == 0 && bytes[2] == 0 && bytes[1] != 0 && bytes[3] != 0)
+                                || (bytes[1] == 0 && bytes[3] == 0 && bytes[0] != 0 && bytes[2] != 0));
     if (!isMarked && !isUnmarked) return std::nullopt;
     return "the text is UTF-16; save it as UTF-8 or plain ASCII";
 }

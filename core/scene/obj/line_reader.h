@@ -29,8 +29,8 @@ public:
     /// Moves to the next statement that is not blank. False at the end, or when one is too long.
     bool next();
 
-    std::string_view text() const { return m_text; }        // without blanks at either end; valid until next()
-    int              number() const { return m_number; }    // of the line where the statement starts, from 1
+    std::string_view text() const { return m_text; }      // without blanks at either end; valid until next()
+    int              number() const { return m_number; }  // of the line where the statement starts, from 1
     bool             tooLong() const { return m_tooLong; }
     std::size_t      position() const { return m_position; }  // bytes passed
 
@@ -38,11 +38,11 @@ private:
     std::string_view takeLine();
 
     std::string_view m_bytes;
-    std::size_t      m_position   = 0;
-    std::size_t      m_nextFeed   = 0;  // position of the next LF at or after m_position, or the end; 0: not known
-    int              m_lines      = 0;  // taken
-    int              m_number     = 0;
-    bool             m_tooLong    = false;
+    std::size_t      m_position = 0;
+    std::size_t      m_nextFeed = 0;  // position of the next LF at or after m_position, or the end; 0: not known
+    int              m_lines    = 0;  // taken
+    int              m_number   = 0;
+    bool             m_tooLong  = false;
     std::string_view m_text;
     std::string      m_joined;
 };

@@ -47,7 +47,10 @@ std::string plainText(std::string_view bytes, const std::string& file, WarningLi
         std::string_view       rest = lines.text();
         const std::string_view word = takeWord(rest);
         const auto             warn = [&](const std::string& what) {
-            warnings.add(file, lines.number(), [&] { return fmt::format("{}: {}; the statement is left out", quotable(word), what); });
+            const auto sentence = [&] {
+                return fmt::format("{}: {}; the statement is left out", quotable(word), what);
+            };
+            warnings.add(file, lines.number(), sentence);
         };
         std::array<double, 3> value{};
         if (word == "newmtl") {
@@ -57,7 +60,8 @@ std::string plainText(std::string_view bytes, const std::string& file, WarningLi
                 warn("the name is missing");
                 continue;
             }
-            plain += fmt::format("newmtl {}\nKd {} {} {}\n", name, standard.diffuse.r, standard.diffuse.g, standard.diffuse.b);
+            plain += fmt::format("newmtl {}\nKd {} {} {}\n", name, standard.diffuse.r, standard.diffuse.g,
+                                 standard.diffuse.b);
         } else if (!inMaterial) {
             continue;
         } else if (word == "Kd") {
@@ -70,10 +74,12 @@ std::string plainText(std::string_view bytes, const std::string& file, WarningLi
         } else if (word == "d" || word == "Tr") {
             std::string_view number = rest;
             if (takeWord(number) != "-halo") number = rest;
-            if (readFractions(number, value, warn) > 0) plain += fmt::format("{} {}\n", word, static_cast<float>(value[0]));
+            if (readFractions(number, value, warn) > 0)
+                plain += fmt::format("{} {}\n", word, static_cast<float>(value[0]));
         }
     }
-    if (lines.tooLong()) warnings.add(file, lines.number(), [] { return std::string("the line is too long; the rest is left out"); });
+    if (lines.tooLong())
+        warnings.add(file, lines.number(), [] { return std::string("the line is too long; the rest is left out"); });
     return plain;
 }
 
@@ -81,7 +87,7 @@ std::string plainText(std::string_view bytes, const std::string& file, WarningLi
 
 void MaterialLibrary::read(std::string_view names, int line, WarningList& warnings)
 {
-    const auto warn = [&](const auto& sentence) { warnings.add(m_objFile, line, sentence); };
+    const auto  warn = [&](const auto& sentence) { warnings.add(m_objFile, line, sentence); };
     std::string whole(withoutBlanks(names));
     if (whole.empty()) return warn([] { return std::string("mtllib names no file"); });
     if (m_folder.empty()) return warn([] { return std::string("there is no folder to read a material library from"); });
@@ -111,7 +117,7 @@ void MaterialLibrary::readFile(const std::string& path, int line, WarningList& w
             return fmt::format("more than {} material libraries; this one is left out", kMaxLibraries);
         });
     m_read.insert(path);
-    const std::string shown = std::filesystem::path(path).filename().string();
+    const std::string         shown = std::filesystem::path(path).filename().string();
     const Result<std::string> bytes = readRegularFile(path, kMaxLibraryBytes);
     if (!bytes.ok())
         return warnings.add(m_objFile, line, [&] {
@@ -122,10 +128,10 @@ void MaterialLibrary::readFile(const std::string& path, int line, WarningList& w
             return fmt::format("material library '{}' is left out: {}", quotable(shown), *trouble);
         });
 
-    std::istringstream              stream(plainText(*bytes, path, warnings));
-    std::map<std::string, int>      numbers;
+    std::istringstream               stream(plainText(*bytes, path, warnings));
+    std::map<std::string, int>       numbers;
     std::vector<tinyobj::material_t> read;
-    std::string                     remarks, errors;
+    std::string                      remarks, errors;
     tinyobj::LoadMtl(&numbers, &read, &stream, &remarks, &errors);
     for (const auto& [name, number] : numbers) {
         if (name.empty()) continue;  // its entry for a file without materials

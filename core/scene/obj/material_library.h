@@ -25,7 +25,9 @@ inline constexpr std::size_t kMaxLibraryBytes = std::size_t{16} << 20;
 class MaterialLibrary {
 public:
     /// `folder` may be empty: then there is no folder to read from, and every library is missing.
-    MaterialLibrary(std::string folder, std::string objFile) : m_folder(std::move(folder)), m_objFile(std::move(objFile)) {}
+    MaterialLibrary(std::string folder, std::string objFile)
+        : m_folder(std::move(folder)), m_objFile(std::move(objFile))
+    {}
 
     /// Reads what the statement `mtllib NAMES` on `line` of the OBJ file names: one name with blanks, or several.
     void read(std::string_view names, int line, WarningList& warnings);

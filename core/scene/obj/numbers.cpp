@@ -52,18 +52,21 @@ NumberTrouble readReal(std::string_view word, double& value)
         value = text.front() == '-' ? -0.0 : 0.0;
         return NumberTrouble::None;
     }
-    return std::isfinite(value) ? NumberTrouble::None
+    return std::isfinite(value)                                         ? NumberTrouble::None
            : text.find_first_of("0123456789") == std::string_view::npos ? NumberTrouble::NotFinite
-                                                                         : NumberTrouble::OutOfRange;
+                                                                        : NumberTrouble::OutOfRange;
 }
 
 std::string_view describe(NumberTrouble trouble)
 {
     switch (trouble) {
-    case NumberTrouble::NotFinite: return "is not a finite number";
-    case NumberTrouble::OutOfRange: return "is beyond the range of numbers";
-    case NumberTrouble::None:
-    case NumberTrouble::NotANumber: break;
+        case NumberTrouble::NotFinite:
+            return "is not a finite number";
+        case NumberTrouble::OutOfRange:
+            return "is beyond the range of numbers";
+        case NumberTrouble::None:
+        case NumberTrouble::NotANumber:
+            break;
     }
     return "is not a number";
 }
@@ -74,7 +77,8 @@ bool readIndex(std::string_view word, std::int64_t& value)
     const auto [end, trouble]   = std::from_chars(text.data(), text.data() + text.size(), value);
     if (trouble == std::errc::invalid_argument || end != text.data() + text.size()) return false;
     if (trouble == std::errc::result_out_of_range)
-        value = text.front() == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
+        value =
+            text.front() == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
     return true;
 }
 

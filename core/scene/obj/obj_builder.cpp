@@ -51,15 +51,15 @@ void ObjBuilder::loseVertex(int line, const Sentence& sentence)
     m_unusable.push_back(true);
     m_mesh->positions.back() = dvec3{0.0};
     ++m_counts.unusableVertices;
-    m_warnings.add(m_file, line, [&] {
-        return fmt::format("vertex {} {}; faces that use it are left out", vertex + 1, sentence());
-    });
+    m_warnings.add(m_file, line,
+                   [&] { return fmt::format("vertex {} {}; faces that use it are left out", vertex + 1, sentence()); });
 }
 
 bool ObjBuilder::addVertex(const Statement& statement)
 {
     std::vector<dvec3>& positions = m_mesh->positions;
-    if (positions.size() >= kMaxIndices) return fail(Trouble::Limit, "more vertices than 32 bits can number", statement.line);
+    if (positions.size() >= kMaxIndices)
+        return fail(Trouble::Limit, "more vertices than 32 bits can number", statement.line);
     if (!m_budget.makeRoom(positions, 1)) return outOfMemory(statement.line);
     ++m_counts.vertices;
     positions.push_back(dvec3{0.0});
@@ -74,7 +74,8 @@ bool ObjBuilder::addVertex(const Statement& statement)
         }
         const NumberTrouble trouble = readReal(word, read[axis]);
         if (trouble == NumberTrouble::None) continue;
-        loseVertex(statement.line, [&] { return fmt::format("has a coordinate '{}' that {}", quotable(word), describe(trouble)); });
+        loseVertex(statement.line,
+                   [&] { return fmt::format("has a coordinate '{}' that {}", quotable(word), describe(trouble)); });
         return true;
     }
     positions.back() = read;
@@ -127,7 +128,7 @@ bool ObjBuilder::readCorner(std::string_view word, int line)
 {
     const std::size_t      slash  = word.find('/');
     const std::string_view vertex = word.substr(0, slash);
-    const auto drop = [&](const auto& sentence) {
+    const auto             drop   = [&](const auto& sentence) {
         dropFace(line, sentence);
         return false;
     };
@@ -137,19 +138,23 @@ bool ObjBuilder::readCorner(std::string_view word, int line)
     if (slash != std::string_view::npos) {
         std::string_view others = word.substr(slash + 1);
         for (int part = 0; part < 2 && !others.empty(); ++part) {
-            const std::size_t      end   = others.find('/');
-            const std::string_view other = others.substr(0, end);
+            const std::size_t      end     = others.find('/');
+            const std::string_view other   = others.substr(0, end);
             std::int64_t           ignored = 0;
             if (!other.empty() && !readIndex(other, ignored)) break;
             others = end == std::string_view::npos ? std::string_view{} : others.substr(end + 1);
         }
         if (!others.empty())
-            return drop([&] { return fmt::format("face has a corner '{}' that is not of the form v/vt/vn", quotable(word)); });
+            return drop(
+                [&] { return fmt::format("face has a corner '{}' that is not of the form v/vt/vn", quotable(word)); });
     }
     const auto count = static_cast<std::int64_t>(m_mesh->positions.size());
     if (index == 0) return drop([] { return std::string("face refers to vertex 0, but vertices count from 1"); });
-    if (index > count) return drop([&] { return fmt::format("face refers to vertex {} of {}", quotable(vertex), count); });
-    if (index < -count) return drop([&] { return fmt::format("face refers to vertex {}, counting back over {}", quotable(vertex), count); });
+    if (index > count)
+        return drop([&] { return fmt::format("face refers to vertex {} of {}", quotable(vertex), count); });
+    if (index < -count)
+        return drop(
+            [&] { return fmt::format("face refers to vertex {}, counting back over {}", quotable(vertex), count); });
     const auto at = static_cast<std::uint32_t>(index > 0 ? index - 1 : count + index);
     if (at < m_unusable.size() && m_unusable[at])
         return drop([&] { return fmt::format("face uses vertex {}, which has no usable coordinates", at + 1); });
@@ -163,29 +168,32 @@ bool ObjBuilder::keepFace(int line)
     const std::size_t corners = m_corners.size();
     if (mesh.corners.size() + corners > kMaxIndices)
         return fail(Trouble::Limit, "more corners of faces than 32 bits can number", line);
-    if (mesh.triangles.size() + corners > kMaxTriangles) return fail(Trouble::Limit, "more triangles than there are ids", line);
-    const bool fits = m_budget.makeRoom(mesh.corners, corners) && m_budget.makeRoom(mesh.firstCorner, 1) &&
-                      m_budget.makeRoom(mesh.polygonMaterial, 1) && m_budget.makeRoom(mesh.polygonGroup, 1) &&
-                      m_budget.makeRoom(mesh.firstTriangle, 1) && m_budget.makeRoom(mesh.triangles, corners) &&
-                      m_budget.makeRoom(mesh.trianglePolygon, corners) && m_budget.makeRoom(mesh.mendedFaces, 1) &&
-                      (corners <= 4 || m_budget.fits(corners * kSplitBytesPerCorner));
+    if (mesh.triangles.size() + corners > kMaxTriangles)
+        return fail(Trouble::Limit, "more triangles than there are ids", line);
+    const bool fits = m_budget.makeRoom(mesh.corners, corners) && m_budget.makeRoom(mesh.firstCorner, 1)
+                      && m_budget.makeRoom(mesh.polygonMaterial, 1) && m_budget.makeRoom(mesh.polygonGroup, 1)
+                      && m_budget.makeRoom(mesh.firstTriangle, 1) && m_budget.makeRoom(mesh.triangles, corners)
+                      && m_budget.makeRoom(mesh.trianglePolygon, corners) && m_budget.makeRoom(mesh.mendedFaces, 1)
+                      && (corners <= 4 || m_budget.fits(corners * kSplitBytesPerCorner));
     if (!fits) return outOfMemory(line);
     if (!m_groupIsEntered && !enterGroup()) return outOfMemory(line);
 
     switch (mesh.addPolygon(m_corners, m_materialId, m_groupId, m_splitter)) {
-    case PolygonSplit::Fan:
-    case PolygonSplit::Ears: break;
-    case PolygonSplit::MendedFan:
-        ++m_counts.mendedFaces;
-        m_warnings.add(m_file, line, [] {
-            return std::string("face has no area or crosses itself; it is drawn as a fan from its first corner");
-        });
-        break;
-    case PolygonSplit::Refused:
-        dropFace(line, [&] {
-            return fmt::format("face is concave and has {} corners, and at most {} are split", corners, kMaxConcaveCorners);
-        });
-        return true;
+        case PolygonSplit::Fan:
+        case PolygonSplit::Ears:
+            break;
+        case PolygonSplit::MendedFan:
+            ++m_counts.mendedFaces;
+            m_warnings.add(m_file, line, [] {
+                return std::string("face has no area or crosses itself; it is drawn as a fan from its first corner");
+            });
+            break;
+        case PolygonSplit::Refused:
+            dropFace(line, [&] {
+                return fmt::format("face is concave and has {} corners, and at most {} are split", corners,
+                                   kMaxConcaveCorners);
+            });
+            return true;
     }
     (corners == 3 ? m_counts.triangles : corners == 4 ? m_counts.quads : m_counts.largerFaces) += 1;
     return true;
@@ -263,7 +271,8 @@ void ObjBuilder::colourMaterials()
             continue;
         }
         m_warnings.add(m_file, m_materialLine[i], [&] {
-            return fmt::format("material '{}' is in no material library; it has the standard colour", quotable(material.name));
+            return fmt::format("material '{}' is in no material library; it has the standard colour",
+                               quotable(material.name));
         });
     }
 }
@@ -273,10 +282,17 @@ Error ObjBuilder::nothingToDraw() const
     if (m_counts.faces == 0 && m_counts.vertices == 0)
         return {Trouble::Input, "nothing to draw: the file holds no vertices and no faces; is it an OBJ file?", m_file};
     if (m_counts.faces == 0)
-        return {Trouble::Input, fmt::format("nothing to draw: the file holds {} {} but no faces", m_counts.vertices, m_counts.vertices == 1 ? "vertex" : "vertices"), m_file};
-    if (m_counts.faces == 1) return {Trouble::Input, fmt::format("nothing to draw: the only face cannot be used ({})", m_firstDrop), m_file, m_firstDropLine};
-    return {Trouble::Input, fmt::format("nothing to draw: none of the {} faces can be used (the first, {})", m_counts.faces, m_firstDrop),
-            m_file, m_firstDropLine};
+        return {Trouble::Input,
+                fmt::format("nothing to draw: the file holds {} {} but no faces", m_counts.vertices,
+                            m_counts.vertices == 1 ? "vertex" : "vertices"),
+                m_file};
+    if (m_counts.faces == 1)
+        return {Trouble::Input, fmt::format("nothing to draw: the only face cannot be used ({})", m_firstDrop), m_file,
+                m_firstDropLine};
+    return {
+        Trouble::Input,
+        fmt::format("nothing to draw: none of the {} faces can be used (the first, {})", m_counts.faces, m_firstDrop),
+        m_file, m_firstDropLine};
 }
 
 std::vector<Warning> ObjBuilder::skippedKinds(const StatementStream& stream) const
@@ -284,8 +300,7 @@ std::vector<Warning> ObjBuilder::skippedKinds(const StatementStream& stream) con
     std::vector<Warning> summaries;
     for (const auto& [kind, skipped] : stream.skipped()) {
         const std::string what = kind.empty() ? "statements of further kinds" : fmt::format("statement '{}'", kind);
-        summaries.push_back({m_file, skipped.firstLine,
-                             fmt::format("{} skipped, {} in all", what, skipped.count)});
+        summaries.push_back({m_file, skipped.firstLine, fmt::format("{} skipped, {} in all", what, skipped.count)});
     }
     std::ranges::stable_sort(summaries, {}, &Warning::line);
     return summaries;
@@ -301,7 +316,10 @@ Result<ObjImport> ObjBuilder::finish(const StatementStream& stream) &&
     m_counts.objectNames       = m_objectNames.size();
     m_counts.materialNames     = m_materials.size();
     m_counts.skippedStatements = stream.skippedCount();
-    return ObjImport{.mesh = std::move(m_mesh), .warnings = std::move(m_warnings).finish(m_file, skippedKinds(stream)), .counts = m_counts, .libraries = m_library.files()};
+    return ObjImport{.mesh      = std::move(m_mesh),
+                     .warnings  = std::move(m_warnings).finish(m_file, skippedKinds(stream)),
+                     .counts    = m_counts,
+                     .libraries = m_library.files()};
 }
 
 }  // namespace zscope::obj

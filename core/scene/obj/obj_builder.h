@@ -39,14 +39,14 @@ public:
     Result<ObjImport> finish(const StatementStream& stream) &&;
 
 private:
-    bool     fail(Trouble kind, std::string sentence, int line);
-    bool     outOfMemory(int line);
-    bool     readCorners(const Statement& statement);
-    bool     readCorner(std::string_view word, int line);
-    bool     keepFace(int line);
-    bool     enterGroup();
-    void     colourMaterials();
-    Error    nothingToDraw() const;
+    bool                 fail(Trouble kind, std::string sentence, int line);
+    bool                 outOfMemory(int line);
+    bool                 readCorners(const Statement& statement);
+    bool                 readCorner(std::string_view word, int line);
+    bool                 keepFace(int line);
+    bool                 enterGroup();
+    void                 colourMaterials();
+    Error                nothingToDraw() const;
     std::vector<Warning> skippedKinds(const StatementStream& stream) const;
 
     template <class Sentence>
@@ -63,8 +63,8 @@ private:
     PolygonSplitter       m_splitter;
     std::optional<Error>  m_error;
 
-    std::vector<bool>                 m_unusable;  // by vertex; shorter than the positions once no more follow
-    std::vector<std::uint32_t>        m_corners;   // of the face at hand
+    std::vector<bool>                 m_unusable;         // by vertex; shorter than the positions once no more follow
+    std::vector<std::uint32_t>        m_corners;          // of the face at hand
     std::string                       m_group, m_object;  // names in force
     bool                              m_groupIsEntered = true;
     GroupId                           m_groupId;

@@ -35,14 +35,16 @@ public:
         table.vertex_cb = [](void* self, auto...) {
             of(self).guard([](Callbacks& c) { return c.m_builder.addVertex(c.m_stream.current()); });
         };
-        table.index_cb  = [](void* self, tinyobj::index_t*, int) {
+        table.index_cb = [](void* self, tinyobj::index_t*, int) {
             of(self).guard([](Callbacks& c) { return c.m_builder.addFace(c.m_stream.current()); });
         };
         table.usemtl_cb = [](void* self, const char* name, int) {
             of(self).guard([name](Callbacks& c) { return c.m_builder.useMaterial(name, c.m_stream.current().line); });
         };
         table.group_cb = [](void* self, const char** names, int count) {
-            of(self).guard([names, count](Callbacks& c) { return c.m_builder.useGroup(joined(names, count), c.m_stream.current().line); });
+            of(self).guard([names, count](Callbacks& c) {
+                return c.m_builder.useGroup(joined(names, count), c.m_stream.current().line);
+            });
         };
         table.object_cb = [](void* self, const char* name) {
             of(self).guard([name](Callbacks& c) { return c.m_builder.useObject(name, c.m_stream.current().line); });
@@ -109,7 +111,8 @@ Result<ObjImport> importChecked(std::string_view text, const std::string& name, 
     Callbacks(builder, stream).run();
     if (isCancelled) return Error{Trouble::Cancelled, "loading was cancelled", name};
     if (lines.tooLong())
-        return Error{Trouble::Limit, fmt::format("the line is longer than {} MiB", obj::kMaxLineBytes >> 20), name, lines.number()};
+        return Error{Trouble::Limit, fmt::format("the line is longer than {} MiB", obj::kMaxLineBytes >> 20), name,
+                     lines.number()};
     auto import = std::move(builder).finish(stream);
     if (import.ok()) options.progress.at(1, "reading");
     return import;

@@ -48,10 +48,10 @@ struct ObjCounts {
 struct ObjImport {
     std::shared_ptr<const Mesh> mesh;
     /// At most obj::kMaxWarnings in file order, one per kind of skipped statement, and one that counts the rest.
-    std::vector<Warning> warnings;
-    ObjCounts            counts;
-    std::vector<std::string> libraries;  // real paths of the material libraries it names
-    double               readMs = 0, parseMs = 0;  // how long each took
+    std::vector<Warning>     warnings;
+    ObjCounts                counts;
+    std::vector<std::string> libraries;                // real paths of the material libraries it names
+    double                   readMs = 0, parseMs = 0;  // how long each took
 };
 
 Result<ObjImport> importObj(const std::string& path, const ObjOptions& options = {});

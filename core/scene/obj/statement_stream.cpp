@@ -4,15 +4,11 @@
 
 namespace zscope::obj {
 
-std::string printableName(std::string_view text)
-{
-    return printable(withoutBlanks(text).substr(0, kMaxNameBytes));
-}
+std::string printableName(std::string_view text) { return printable(withoutBlanks(text).substr(0, kMaxNameBytes)); }
 
 StatementStream::StatementStream(LineReader& lines, std::function<bool()> keepGoing)
     : m_lines(lines), m_keepGoing(std::move(keepGoing))
-{
-}
+{}
 
 StatementStream::int_type StatementStream::underflow()
 {

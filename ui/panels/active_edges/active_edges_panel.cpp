@@ -26,7 +26,7 @@ namespace zscope::ui {
 namespace {
 
 constexpr int         kLowest        = 200;  // a few rows; what lies below them is scrolled to on a low screen
-constexpr std::size_t kPolygonsNamed = 60;  // the tool tip of the list; the line itself shows what fits
+constexpr std::size_t kPolygonsNamed = 60;   // the tool tip of the list; the line itself shows what fits
 
 }  // namespace
 
@@ -47,7 +47,7 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
     small.setPointSizeF(small.pointSizeF() * 0.92);
     m_table->setFont(small);
     m_table->horizontalHeader()->setFont(small);
-    m_table->viewport()->installEventFilter(this);  // its width is known last
+    m_table->viewport()->installEventFilter(this);              // its width is known last
     m_table->setColumnHidden(EdgeTableModel::FirstLine, true);  // in the tool tip; the last line decides
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setHighlightSections(false);
@@ -90,9 +90,7 @@ ActiveEdgesPanel::ActiveEdgesPanel(Session& session, QWidget* parent)
     connect(m_strip, &LineStrip::picked, this, [this](int x) {
         if (const SweepState* sweep = this->session().now().sweep()) this->session().pick(QPoint(x, sweep->y));
     });
-    spoken(*this, [this] {
-        m_table->setAccessibleName(tr("Active edge table"));
-    });
+    spoken(*this, [this] { m_table->setAccessibleName(tr("Active edge table")); });
 }
 
 void ActiveEdgesPanel::present(const Snapshot& now, Changes what)
@@ -118,8 +116,10 @@ void ActiveEdgesPanel::showRows(const Snapshot& shown, Changes what)
         fitColumns();
     }
     const int selected = shown.selectedEdge ? m_model->rowOf(*shown.selectedEdge) : -1;
-    if (selected < 0) m_table->clearSelection();
-    else if (!m_table->selectionModel()->isRowSelected(selected)) m_table->selectRow(selected);
+    if (selected < 0)
+        m_table->clearSelection();
+    else if (!m_table->selectionModel()->isRowSelected(selected))
+        m_table->selectRow(selected);
     m_filling = false;
     if (sameRows && selected >= 0) return;  // the row is under the user's hand
     const bool rows = !m_model->rows().empty();
@@ -140,12 +140,15 @@ void ActiveEdgesPanel::showRows(const Snapshot& shown, Changes what)
     if (familyOf(shown.pipeline) != Family::Sweep)
         m_hint->setText(tr("This algorithm keeps no active edges. Choose the scanline algorithm to see them."));
     else if (!sweep)
-        m_hint->setText(shown.scene ? tr("The edges appear when the edge table has been built.") : tr("Open a scene to see its edges."));
+        m_hint->setText(shown.scene ? tr("The edges appear when the edge table has been built.")
+                                    : tr("Open a scene to see its edges."));
     else if (shown.showsStep)
-        m_hint->setText(shown.grain == Grain::Line ? tr("No edge is active on this line. Press Right to go on.")
-                                                   : tr("No edge is active here. Press Right to go on, or choose the grain “line”."));
+        m_hint->setText(shown.grain == Grain::Line
+                            ? tr("No edge is active on this line. Press Right to go on.")
+                            : tr("No edge is active here. Press Right to go on, or choose the grain “line”."));
     else
-        m_hint->setText(tr("The picture is finished and no edge is active. Press Left to step back, or drag the timeline."));
+        m_hint->setText(
+            tr("The picture is finished and no edge is active. Press Left to step back, or drag the timeline."));
 }
 
 void ActiveEdgesPanel::showWords(const Snapshot& shown)
@@ -164,9 +167,10 @@ void ActiveEdgesPanel::showWords(const Snapshot& shown)
                                  counted(sweep->activePolygons.size(), tr("1 polygon"), tr("%1 polygons"))));
 
     const Theme& theme = themeOf(palette());
-    m_changes->setText(QStringLiteral("<span style='color:%1'>▲</span> %2 &nbsp;&nbsp; <span style='color:%3'>▼</span> %4")
-                           .arg(theme.entered.name(), tr("%1 entered").arg(grouped(sweep->entered.size())), theme.left.name(),
-                                tr("%1 left").arg(grouped(sweep->left.size()))));
+    m_changes->setText(
+        QStringLiteral("<span style='color:%1'>▲</span> %2 &nbsp;&nbsp; <span style='color:%3'>▼</span> %4")
+            .arg(theme.entered.name(), tr("%1 entered").arg(grouped(sweep->entered.size())), theme.left.name(),
+                 tr("%1 left").arg(grouped(sweep->left.size()))));
 
     QStringList ids;
     for (std::size_t i = 0; i < sweep->activePolygons.size() && i < kPolygonsNamed; ++i)
@@ -197,9 +201,9 @@ bool ActiveEdgesPanel::eventFilter(QObject* object, QEvent* event)
 void ActiveEdgesPanel::fitColumns()
 {
     // As wide as the widest text, and no narrower than a little while ago, so that columns do not dance.
-    using Model = EdgeTableModel;
+    using Model                 = EdgeTableModel;
     constexpr int      kPadding = 9, kSlack = 24;
-    const QFontMetrics metrics  = m_table->fontMetrics();
+    const QFontMetrics metrics = m_table->fontMetrics();
     for (int column = 0; column < Model::kColumns; ++column) {
         int width = metrics.horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
         if (const int row = m_model->widestRow(static_cast<Model::Column>(column)); row >= 0)
@@ -209,12 +213,13 @@ void ActiveEdgesPanel::fitColumns()
         if (width > kept || width < kept - kSlack) kept = width;
     }
     m_widths[Model::Mark] = 20;
-    int free = m_table->viewport()->width();
+    int free              = m_table->viewport()->width();
     for (int column = 0; column < Model::kColumns; ++column)
         if (!m_table->isColumnHidden(column)) free -= m_widths[static_cast<std::size_t>(column)];
     const int share = std::max(0, free) / (Model::kColumns - 2);  // all but the mark and the hidden one
     for (int column = 0; column < Model::kColumns; ++column)
-        m_table->setColumnWidth(column, m_widths[static_cast<std::size_t>(column)] + (column == Model::Mark ? 0 : share));
+        m_table->setColumnWidth(column,
+                                m_widths[static_cast<std::size_t>(column)] + (column == Model::Mark ? 0 : share));
     m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + 5);
 }
 

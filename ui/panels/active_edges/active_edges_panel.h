@@ -36,18 +36,18 @@ private:
     void fitColumns();
     void fitPolygons();
 
-    EdgeTableModel* m_model;
-    QTableView*     m_table;
-    QLabel*         m_changes;
-    QLabel*         m_polygons;
-    QString         m_polygonText;  // before it is made to fit
-    QLabel*         m_hint;
-    ScrolledPart*   m_room = nullptr;  // of all of them, scrolled where the panel is low
-    LineStrip*      m_strip;
-    BucketChart*    m_buckets;
-    QStackedLayout* m_tableOrHint;
-    std::array<int, 8> m_widths{};  // of the columns
-    bool            m_filling = false;  // rows are being replaced: what happens to the selection is not the user's
+    EdgeTableModel*    m_model;
+    QTableView*        m_table;
+    QLabel*            m_changes;
+    QLabel*            m_polygons;
+    QString            m_polygonText;  // before it is made to fit
+    QLabel*            m_hint;
+    ScrolledPart*      m_room = nullptr;  // of all of them, scrolled where the panel is low
+    LineStrip*         m_strip;
+    BucketChart*       m_buckets;
+    QStackedLayout*    m_tableOrHint;
+    std::array<int, 8> m_widths{};         // of the columns
+    bool               m_filling = false;  // rows are being replaced: what happens to the selection is not the user's
 };
 
 }  // namespace zscope::ui

@@ -41,7 +41,8 @@ void BucketChart::present(const Snapshot& shown)
     m_highest               = m_counts.empty() ? 0 : *std::ranges::max_element(m_counts);
     if (m_line >= 0 && m_line < static_cast<int>(m_counts.size()))
         setAccessibleDescription(counted(static_cast<unsigned>(m_counts[static_cast<std::size_t>(m_line)]),
-                                          tr("1 edge starts on the current line"), tr("%1 edges start on the current line")));
+                                         tr("1 edge starts on the current line"),
+                                         tr("%1 edges start on the current line")));
     update();
 }
 
@@ -71,14 +72,16 @@ void BucketChart::paintEvent(QPaintEvent*)
     }
     if (m_line >= 0) {
         painter.fillRect(QRectF(now - 1, chart.top(), 2, chart.height()), theme.now);
-        const QString here = tr("line %1: %2").arg(grouped(static_cast<unsigned>(m_line)),
-                                                     grouped(static_cast<unsigned>(m_counts[static_cast<std::size_t>(m_line)])));
+        const QString here = tr("line %1: %2")
+                                 .arg(grouped(static_cast<unsigned>(m_line)),
+                                      grouped(static_cast<unsigned>(m_counts[static_cast<std::size_t>(m_line)])));
         painter.setPen(theme.text);
         const int half = fontMetrics().horizontalAdvance(here) / 2;
         const int at   = std::clamp(static_cast<int>(now) - half, 0, std::max(0, width() - 2 * half - 2));
         painter.drawText(QRect(at, labels.top(), 2 * half + 2, label), Qt::AlignCenter, here);
         painter.setPen(theme.softText);
-        if (at > fontMetrics().horizontalAdvance("0") + kStep) painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter, "0");
+        if (at > fontMetrics().horizontalAdvance("0") + kStep)
+            painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter, "0");
         const QString last = grouped(m_counts.size() - 1);
         if (at + 2 * half + kStep < width() - fontMetrics().horizontalAdvance(last))
             painter.drawText(labels, Qt::AlignRight | Qt::AlignVCenter, last);

@@ -39,16 +39,17 @@ LineStripContents stripOf(const StepState& state)
     if (sweep.activeEdges.empty() || strip.x0 >= strip.x1) return {};
 
     std::array<int, LineStripContents::kLanes> ends{};  // of the last span in each lane
-    std::vector<SpanRow> spans = sweep.spans;
+    std::vector<SpanRow>                       spans = sweep.spans;
     std::ranges::stable_sort(spans, {}, &SpanRow::x0);
     for (const SpanRow& span : spans) {
         if (span.x1 <= strip.x0 || span.x0 >= strip.x1) continue;
         const auto free = std::ranges::find_if(ends, [&](int end) { return end <= span.x0; });
         const auto lane = free == ends.end() ? LineStripContents::kLanes - 1 : static_cast<int>(free - ends.begin());
         ends[static_cast<std::size_t>(lane)] = span.x1;
-        strip.lanes = std::max(strip.lanes, lane + 1);
-        const bool isNow = state.event >= Grain::Span && state.span && span == *state.span;
-        strip.offered.push_back({std::max(span.x0, strip.x0), std::min(span.x1, strip.x1), span.polygon.value, lane, isNow});
+        strip.lanes                          = std::max(strip.lanes, lane + 1);
+        const bool isNow                     = state.event >= Grain::Span && state.span && span == *state.span;
+        strip.offered.push_back(
+            {std::max(span.x0, strip.x0), std::min(span.x1, strip.x1), span.polygon.value, lane, isNow});
     }
     const auto rank = [&](int x) { return visible.rankAt(x, sweep.y); };
     for (int x = strip.x0; x < strip.x1;) {
@@ -64,9 +65,7 @@ LineStrip::LineStrip(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setMouseTracking(true);
-    spoken(*this, [this] {
-        setAccessibleName(tr("Strip of the current line"));
-    });
+    spoken(*this, [this] { setAccessibleName(tr("Strip of the current line")); });
 }
 
 QSize LineStrip::sizeHint() const
@@ -79,7 +78,8 @@ void LineStrip::present(const Snapshot& shown)
     const ShownStep* step = shown.stepOfPicture();
     m_contents            = step ? stripOf(step->state) : LineStripContents{};
     m_picked              = pickedTriangle(shown);
-    setAccessibleDescription(counted(m_contents.owners.size(), tr("1 interval has an owner"), tr("%1 intervals have an owner")));
+    setAccessibleDescription(
+        counted(m_contents.owners.size(), tr("1 interval has an owner"), tr("%1 intervals have an owner")));
     update();
 }
 
@@ -120,9 +120,11 @@ void LineStrip::paintEvent(QPaintEvent*)
         painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter, tr("Nothing on this line"));
         return;
     }
-    painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter, tr("x %1").arg(grouped(static_cast<unsigned>(m_contents.x0))));
-    painter.drawText(labels, Qt::AlignHCenter | Qt::AlignVCenter,
-                     m_contents.offered.empty() ? tr("no span of this line is filled yet") : tr("spans offered, owners below"));
+    painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("x %1").arg(grouped(static_cast<unsigned>(m_contents.x0))));
+    painter.drawText(
+        labels, Qt::AlignHCenter | Qt::AlignVCenter,
+        m_contents.offered.empty() ? tr("no span of this line is filled yet") : tr("spans offered, owners below"));
     painter.drawText(labels, Qt::AlignRight | Qt::AlignVCenter, grouped(static_cast<unsigned>(m_contents.x1)));
 }
 
@@ -137,7 +139,8 @@ bool LineStrip::event(QEvent* event)
     const auto* help = static_cast<QHelpEvent*>(event);
     QString     text;
     if (const auto x = pixelAt(help->pos().x())) {
-        const auto run = std::ranges::find_if(m_contents.owners, [&](const StripRun& r) { return r.x0 <= *x && *x < r.x1; });
+        const auto run =
+            std::ranges::find_if(m_contents.owners, [&](const StripRun& r) { return r.x0 <= *x && *x < r.x1; });
         text = run == m_contents.owners.end()
                    ? tr("x %1: background").arg(grouped(static_cast<unsigned>(*x)))
                    : tr("x %1 to %2: triangle %3")

@@ -17,8 +17,8 @@ namespace zscope::ui {
 struct StripRun {
     int           x0 = 0, x1 = 0;
     std::uint32_t polygon = 0;
-    int           lane  = 0;      // offered spans: 0 is the lowest
-    bool          isNow = false;  // the span of this step
+    int           lane    = 0;      // offered spans: 0 is the lowest
+    bool          isNow   = false;  // the span of this step
 
     friend bool operator==(const StripRun&, const StripRun&) = default;
 };
@@ -53,7 +53,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    double           toView(double x) const;
+    double             toView(double x) const;
     std::optional<int> pixelAt(double view) const;
 
     LineStripContents         m_contents;

@@ -35,14 +35,16 @@ QComboBox* presetBox()
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
     for (std::size_t i = 0; i < presets().size(); ++i)
-        box->addItem(QString::fromUtf8(presets()[i].name.data(), static_cast<qsizetype>(presets()[i].name.size())), static_cast<int>(i));
+        box->addItem(QString::fromUtf8(presets()[i].name.data(), static_cast<qsizetype>(presets()[i].name.size())),
+                     static_cast<int>(i));
     return box;
 }
 
 /// What the presets of a box are, `first` being the first one's row.
 void sayTitles(QComboBox& box, int first)
 {
-    for (std::size_t i = 0; i < presets().size(); ++i) box.setItemData(first + static_cast<int>(i), said(presets()[i].title), Qt::ToolTipRole);
+    for (std::size_t i = 0; i < presets().size(); ++i)
+        box.setItemData(first + static_cast<int>(i), said(presets()[i].title), Qt::ToolTipRole);
 }
 
 /// A composition without a name of its own stands below the others while it is chosen.
@@ -62,9 +64,9 @@ void choose(QComboBox& box, const std::optional<Pipeline>& pipeline, int first)
 
 ComparePanel::ComparePanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_a(presetBox()), m_b(presetBox()), m_link(new ChoiceBox), m_swap(new QPushButton),
-      m_keep(new QPushButton), m_worst(new QPushButton), m_wipe(new QSlider(Qt::Horizontal)),
-      m_tolerance(new QSpinBox), m_linked(new QCheckBox), m_verdict(new QLabel), m_times(new QLabel),
-      m_hint(new QLabel), m_linkNote(new QLabel), m_grid(new QGridLayout), m_body(new QWidget)
+      m_keep(new QPushButton), m_worst(new QPushButton), m_wipe(new QSlider(Qt::Horizontal)), m_tolerance(new QSpinBox),
+      m_linked(new QCheckBox), m_verdict(new QLabel), m_times(new QLabel), m_hint(new QLabel), m_linkNote(new QLabel),
+      m_grid(new QGridLayout), m_body(new QWidget)
 {
     m_b->insertItem(0, QString(), -1);
     m_wipe->setRange(0, kWipeSteps);
@@ -72,7 +74,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     m_tolerance->setAlignment(Qt::AlignRight);
     m_tolerance->setKeyboardTracking(false);
     m_linked->setFocusPolicy(Qt::TabFocus);
-    for (int i = 0; i < 4; ++i) m_link->addItem(QString());  // by Link
+    for (int i = 0; i < 4; ++i) m_link->addItem(QString());    // by Link
     m_link->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // in another language, too
     m_linkNote->setObjectName("soft");
     m_linkNote->setWordWrap(true);
@@ -152,22 +154,30 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     outer->addWidget(scrolling(inside));
 
     connect(m_a, &QComboBox::activated, this, [this](int index) {
-        if (const int i = m_a->itemData(index).toInt(); i >= 0) this->session().setPipeline(presets()[static_cast<std::size_t>(i)].pipeline);
+        if (const int i = m_a->itemData(index).toInt(); i >= 0)
+            this->session().setPipeline(presets()[static_cast<std::size_t>(i)].pipeline);
     });
     connect(m_b, &QComboBox::activated, this, [this](int index) {
         const int i = m_b->itemData(index).toInt();
-        if (i >= 0) this->session().compareWith(presets()[static_cast<std::size_t>(i)].pipeline);
-        else if (i == -1) this->session().compareWith({});
+        if (i >= 0)
+            this->session().compareWith(presets()[static_cast<std::size_t>(i)].pipeline);
+        else if (i == -1)
+            this->session().compareWith({});
     });
-    connect(m_keep, &QPushButton::clicked, this, [this] { this->session().compareWith(this->session().now().pipeline); });
+    connect(m_keep, &QPushButton::clicked, this,
+            [this] { this->session().compareWith(this->session().now().pipeline); });
     connect(m_swap, &QPushButton::clicked, this, [this] { this->session().swapCompared(); });
     connect(m_worst, &QPushButton::clicked, this, [this] {
         const auto& result = this->session().now().compare.result;
-        if (result && result->difference.worst) this->session().pick(QPoint((*result->difference.worst)[0], (*result->difference.worst)[1]));
+        if (result && result->difference.worst)
+            this->session().pick(QPoint((*result->difference.worst)[0], (*result->difference.worst)[1]));
     });
-    connect(m_wipe, &QSlider::valueChanged, this, [this](int value) { this->session().setWipe(static_cast<double>(value) / kWipeSteps); });
-    connect(m_tolerance, &QSpinBox::valueChanged, this, [this](int steps) { this->session().setTolerance(static_cast<std::uint32_t>(steps)); });
-    connect(m_link, &QComboBox::activated, this, [this](int index) { this->session().linkBy(static_cast<Link>(index)); });
+    connect(m_wipe, &QSlider::valueChanged, this,
+            [this](int value) { this->session().setWipe(static_cast<double>(value) / kWipeSteps); });
+    connect(m_tolerance, &QSpinBox::valueChanged, this,
+            [this](int steps) { this->session().setTolerance(static_cast<std::uint32_t>(steps)); });
+    connect(m_link, &QComboBox::activated, this,
+            [this](int index) { this->session().linkBy(static_cast<Link>(index)); });
     connect(m_linked, &QCheckBox::clicked, this, [this](bool on) { this->session().linkSteps(on); });
     spoken(*this, [this, toleranceName] {
         m_a->setAccessibleName(tr("Algorithm A"));
@@ -185,7 +195,8 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
         m_link->setAccessibleName(tr("What of A's step B follows"));
         const std::array linkNames{tr("same step"), tr("same line"), tr("same stage"), tr("picked pixel")};
         const std::array linkTips{tr("The same number, or the same part of the run where B has no steps of that grain"),
-                                  tr("Where B works on A's line for the first time"), tr("The same part of the same stage"),
+                                  tr("Where B works on A's line for the first time"),
+                                  tr("The same part of the same stage"),
                                   tr("Where B gives the picked pixel to the triangle that it shows in A")};
         for (std::size_t i = 0; i < linkNames.size(); ++i) {
             m_link->setItemText(static_cast<int>(i), linkNames[i]);
@@ -198,8 +209,10 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
         sayTitles(*m_a, 0);
         sayTitles(*m_b, 1);
         const std::array texts{tr("A"), tr("B"), tr("Wipe"), tr("Difference"), tr("Both")};
-        const std::array tips{tr("A (T goes to and fro)"), tr("B (T goes to and fro; hold Shift to see it for a moment)"),
-                              tr("A to the left, B to the right of a handle (W)"), tr("Where they differ, and by how much (D)"), tr("A and B side by side, moved and zoomed together (B)")};
+        const std::array tips{
+            tr("A (T goes to and fro)"), tr("B (T goes to and fro; hold Shift to see it for a moment)"),
+            tr("A to the left, B to the right of a handle (W)"), tr("Where they differ, and by how much (D)"),
+            tr("A and B side by side, moved and zoomed together (B)")};
         for (std::size_t i = 0; i < m_shows.size(); ++i) {
             m_shows[i]->setText(texts[i]);
             m_shows[i]->setToolTip(tips[i]);
@@ -222,7 +235,8 @@ void ComparePanel::showChoices(const Snapshot& shown)
     m_swap->setToolTip(compare.other ? tr("B becomes A, and A becomes B") : tr("There is no B: choose one below"));
     m_body->setVisible(compare.other.has_value());
     m_hint->setVisible(!compare.other);
-    for (std::size_t i = 0; i < m_shows.size(); ++i) m_shows[i]->setChecked(i == static_cast<std::size_t>(compare.seen()));
+    for (std::size_t i = 0; i < m_shows.size(); ++i)
+        m_shows[i]->setChecked(i == static_cast<std::size_t>(compare.seen()));
     m_wipe->setVisible(compare.seen() == CompareShow::Wipe);
     const QSignalBlocker quietWipe(m_wipe), quietTolerance(m_tolerance);
     m_wipe->setValue(static_cast<int>(compare.wipe * kWipeSteps + 0.5));
@@ -253,8 +267,12 @@ void ComparePanel::showResult(const Snapshot& shown)
     const Theme&       theme = themeOf(palette());
     const CompareWords words = wordsOf(*result);
     m_verdict->setText(QStringLiteral("<span style='color:%1'>%2 <b>%3</b></span>")
-                           .arg(words.isWrong ? theme.error.name() : result->figures.isExact() ? theme.entered.name() : theme.text.name(),
-                                words.isWrong ? QStringLiteral("\u2716") : result->figures.isExact() ? QStringLiteral("\u2713") : QStringLiteral("\u2248"),
+                           .arg(words.isWrong               ? theme.error.name()
+                                : result->figures.isExact() ? theme.entered.name()
+                                                            : theme.text.name(),
+                                words.isWrong               ? QStringLiteral("\u2716")
+                                : result->figures.isExact() ? QStringLiteral("\u2713")
+                                                            : QStringLiteral("\u2248"),
                                 words.verdict.toHtmlEscaped()));
     while (m_names.size() < words.figures.size()) {
         const int row = static_cast<int>(m_names.size());
@@ -267,14 +285,19 @@ void ComparePanel::showResult(const Snapshot& shown)
     }
     for (std::size_t i = 0; i < words.figures.size(); ++i) {
         m_names[i]->setText(words.figures[i].name);
-        m_values[i]->setText(words.figures[i].isWrong ? QStringLiteral("<span style='color:%1'><b>%2</b></span>").arg(theme.error.name(), words.figures[i].value)
+        m_values[i]->setText(words.figures[i].isWrong ? QStringLiteral("<span style='color:%1'><b>%2</b></span>")
+                                                            .arg(theme.error.name(), words.figures[i].value)
                                                       : words.figures[i].value);
         m_names[i]->show();
         m_values[i]->show();
     }
     if (shown.frame && compare.frame)
-        m_times->setText(tr("A %1 · B %2, this frame").arg(milliseconds(shown.frame->report.frameMs), milliseconds(compare.frame->report.frameMs)));
-    emit summaryChanged(result->figures.isExact() ? tr("equal") : counted(result->difference.differing(), tr("1 pixel"), tr("%1 pixels")));
+        m_times->setText(
+            tr("A %1 · B %2, this frame")
+                .arg(milliseconds(shown.frame->report.frameMs), milliseconds(compare.frame->report.frameMs)));
+    emit summaryChanged(result->figures.isExact()
+                            ? tr("equal")
+                            : counted(result->difference.differing(), tr("1 pixel"), tr("%1 pixels")));
 }
 
 void ComparePanel::changeEvent(QEvent* event)

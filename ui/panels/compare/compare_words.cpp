@@ -18,30 +18,42 @@ CompareWords wordsOf(const Comparison& result)
 {
     const ErrorFigures& figures    = result.figures;
     const Difference&   difference = result.difference;
-    const auto          count      = [&](PixelDifference kind) { return difference.counts[static_cast<std::size_t>(kind)]; };
+    const auto          count = [&](PixelDifference kind) { return difference.counts[static_cast<std::size_t>(kind)]; };
     CompareWords        words;
-    const bool isFinished = result.a || (result.stepA->isLast() && result.stepB->isLast());
+    const bool          isFinished = result.a || (result.stepA->isLast() && result.stepB->isLast());
     words.isWrong = isFinished && figures.wrongPixels() > 0;  // half done, one has simply come farther than the other
     if (figures.isExact())
-        words.verdict = Words::tr("B is A to the bit: the same triangle and the same depth at all %1 pixels.").arg(grouped(figures.pixels));
+        words.verdict = Words::tr("B is A to the bit: the same triangle and the same depth at all %1 pixels.")
+                            .arg(grouped(figures.pixels));
     else if (difference.differing() == 0)
         words.verdict = Words::tr("Every pixel shows the same triangle; no depth is farther off than the tolerance.");
     else
-        words.verdict = (isFinished ? counted(difference.differing(), Words::tr("1 pixel differs."), Words::tr("%1 pixels differ."))
-                                    : counted(difference.differing(), Words::tr("1 pixel differs at this moment."), Words::tr("%1 pixels differ at this moment."))) + ' ' +
-                        Words::tr("Of all: %1.").arg(decimal(100.0 * static_cast<double>(difference.differing()) / static_cast<double>(figures.pixels), 3) + QStringLiteral("\u00A0%"));
+        words.verdict =
+            (isFinished ? counted(difference.differing(), Words::tr("1 pixel differs."), Words::tr("%1 pixels differ."))
+                        : counted(difference.differing(), Words::tr("1 pixel differs at this moment."),
+                                  Words::tr("%1 pixels differ at this moment.")))
+            + ' '
+            + Words::tr("Of all: %1.")
+                  .arg(decimal(
+                           100.0 * static_cast<double>(difference.differing()) / static_cast<double>(figures.pixels), 3)
+                       + QStringLiteral("\u00A0%"));
 
-    const QString right = result.isAJudged ? QStringLiteral("B") : QStringLiteral("A"), judged = result.isAJudged ? QStringLiteral("A") : QStringLiteral("B");
-    words.figures = {
-        {Words::tr("holes: %1 shows something, %2 does not").arg(right, judged), grouped(figures.holes), isFinished && figures.holes > 0},
-        {Words::tr("spills: %1 shows something, %2 does not").arg(judged, right), grouped(figures.spills), isFinished && figures.spills > 0},
-        {Words::tr("another surface, farther off than a tie"), grouped(figures.realWrongSurface), isFinished && figures.realWrongSurface > 0},
-        {Words::tr("another surface, a near tie"), grouped(figures.nearTies), isFinished && figures.nearTies > 0},
-        {Words::tr("same triangle, B nearer"), grouped(count(PixelDifference::DepthNearer))},
-        {Words::tr("same triangle, B farther"), grouped(count(PixelDifference::DepthFarther))},
-        {Words::tr("most float32 steps on a triangle"), grouped(difference.mostSteps)},
-        {Words::tr("steps at 99 of 100 pixels, at most"), grouped(figures.p99DepthSteps)},
-        {Words::tr("triangles of %1 that %2 shows nowhere").arg(right, judged), grouped(figures.lostTriangles), isFinished && figures.lostTriangles > 0},
+    const QString right  = result.isAJudged ? QStringLiteral("B") : QStringLiteral("A"),
+                  judged = result.isAJudged ? QStringLiteral("A") : QStringLiteral("B");
+    words.figures        = {
+               {Words::tr("holes: %1 shows something, %2 does not").arg(right, judged), grouped(figures.holes),
+                isFinished && figures.holes > 0},
+               {Words::tr("spills: %1 shows something, %2 does not").arg(judged, right), grouped(figures.spills),
+                isFinished && figures.spills > 0},
+               {Words::tr("another surface, farther off than a tie"), grouped(figures.realWrongSurface),
+                isFinished && figures.realWrongSurface > 0},
+               {Words::tr("another surface, a near tie"), grouped(figures.nearTies), isFinished && figures.nearTies > 0},
+               {Words::tr("same triangle, B nearer"), grouped(count(PixelDifference::DepthNearer))},
+               {Words::tr("same triangle, B farther"), grouped(count(PixelDifference::DepthFarther))},
+               {Words::tr("most float32 steps on a triangle"), grouped(difference.mostSteps)},
+               {Words::tr("steps at 99 of 100 pixels, at most"), grouped(figures.p99DepthSteps)},
+               {Words::tr("triangles of %1 that %2 shows nowhere").arg(right, judged), grouped(figures.lostTriangles),
+                isFinished && figures.lostTriangles > 0},
     };
     return words;
 }

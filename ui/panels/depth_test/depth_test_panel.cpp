@@ -20,13 +20,17 @@ struct Words {
 
 void tellPixel(const PixelState& pixel, DepthTestContents& told)
 {
-    if (pixel.discarded) told.verdict = Words::tr("It lies in a hole of its material: there is no fragment to test.");
+    if (pixel.discarded)
+        told.verdict = Words::tr("It lies in a hole of its material: there is no fragment to test.");
     else if (pixel.keep == Keep::DepthOnly)
-        told.verdict = pixel.won ? Words::tr("The nearest so far: the pre-pass keeps its D.") : Words::tr("Not nearer than the D that the pre-pass has kept.");
+        told.verdict = pixel.won ? Words::tr("The nearest so far: the pre-pass keeps its D.")
+                                 : Words::tr("Not nearer than the D that the pre-pass has kept.");
     else if (!pixel.rival && !pixel.won)
-        told.verdict = pixel.keep == Keep::Equal ? Words::tr("Farther than the D that the pre-pass kept: it is hidden.")
-                                                 : Words::tr("It lies beyond the far plane: the pixel stays background.");
-    else if (!pixel.rival) told.verdict = Words::tr("The pixel was background: the first triangle to cover it owns it.");
+        told.verdict = pixel.keep == Keep::Equal
+                           ? Words::tr("Farther than the D that the pre-pass kept: it is hidden.")
+                           : Words::tr("It lies beyond the far plane: the pixel stays background.");
+    else if (!pixel.rival)
+        told.verdict = Words::tr("The pixel was background: the first triangle to cover it owns it.");
     else if (pixel.depth == pixel.rivalDepth)
         told.verdict = pixel.won ? Words::tr("Equal depth, and the lower number wins: the pixel changes hands.")
                                  : Words::tr("Equal depth, and the lower number wins: the pixel stays as it is.");
@@ -37,7 +41,8 @@ void tellPixel(const PixelState& pixel, DepthTestContents& told)
     told.facts.push_back({Words::tr("offered by triangle"), grouped(pixel.triangle.value)});
     told.facts.push_back({Words::tr("its depth D"), depthText(pixel.depth)});
     if (pixel.unmovedDepth) told.facts.push_back({Words::tr("D before its relief"), depthText(*pixel.unmovedDepth)});
-    told.facts.push_back({Words::tr("owner before"), pixel.rival ? grouped(pixel.rival->value) : Words::tr("background")});
+    told.facts.push_back(
+        {Words::tr("owner before"), pixel.rival ? grouped(pixel.rival->value) : Words::tr("background")});
     if (pixel.rival) told.facts.push_back({Words::tr("its depth D"), depthText(pixel.rivalDepth)});
 }
 
@@ -45,7 +50,8 @@ void tellTriangle(const TriangleState& triangle, DepthTestContents& told)
 {
     told.facts.push_back({Words::tr("triangle"), grouped(triangle.triangle.value)});
     for (const auto& corner : triangle.corners)
-        told.facts.push_back({Words::tr("corner"), QString("%1,  %2").arg(decimal(corner[0], 2), decimal(corner[1], 2))});
+        told.facts.push_back(
+            {Words::tr("corner"), QString("%1,  %2").arg(decimal(corner[0], 2), decimal(corner[1], 2))});
     told.facts.push_back({Words::tr("pixels won so far"), grouped(triangle.pixelsWon)});
 }
 
@@ -75,8 +81,9 @@ DepthTestContents depthTestOf(const Snapshot& shown)
     if (step && step->state.triangle) tellTriangle(*step->state.triangle, told);
     if (const auto facts = shown.picked ? factsOf(shown, *shown.picked) : std::nullopt) tellPick(*facts, told);
     if (told.verdict.isEmpty() && told.facts.empty())
-        told.verdict = shown.scene ? Words::tr("Click a pixel of the picture to see who owns it, or step by the grain “pixel” to "
-                                        "watch each depth test.")
+        told.verdict = shown.scene ? Words::tr(
+                           "Click a pixel of the picture to see who owns it, or step by the grain “pixel” to "
+                           "watch each depth test.")
                                    : Words::tr("Open a scene to see its depth tests.");
     return told;
 }
@@ -105,9 +112,7 @@ DepthTestPanel::DepthTestPanel(Session& session, QWidget* parent) : Panel(sessio
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scroll);
     setMinimumHeight(96);
-    spoken(*this, [this] {
-        setAccessibleName(tr("Depth test"));
-    });
+    spoken(*this, [this] { setAccessibleName(tr("Depth test")); });
 }
 
 void DepthTestPanel::present(const Snapshot& shown, Changes what)

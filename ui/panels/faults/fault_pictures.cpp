@@ -21,7 +21,8 @@ QRgb pale(std::uint32_t colour)
 QImage pictureOf(const Grid<std::uint32_t>& colours, const Grid<PixelDifference>& kinds)
 {
     const int factor = std::max(1, (colours.width() + kFaultPictureWidth - 1) / kFaultPictureWidth);
-    QImage    image((colours.width() + factor - 1) / factor, (colours.height() + factor - 1) / factor, QImage::Format_RGB32);
+    QImage    image((colours.width() + factor - 1) / factor, (colours.height() + factor - 1) / factor,
+                    QImage::Format_RGB32);
     for (int y = 0; y < image.height(); ++y) {
         auto* out = reinterpret_cast<QRgb*>(image.scanLine(y));
         for (int x = 0; x < image.width(); ++x) {
@@ -46,7 +47,8 @@ std::optional<Frame> drawn(const DrawRequest& request)
 
 }  // namespace
 
-void drawFaults(const DrawRequest& asked, const std::atomic<bool>& cancel, const std::function<void(FaultPicture)>& made)
+void drawFaults(const DrawRequest& asked, const std::atomic<bool>& cancel,
+                const std::function<void(FaultPicture)>& made)
 {
     DrawRequest request = asked;
     request.cancel      = &cancel;
@@ -59,7 +61,8 @@ void drawFaults(const DrawRequest& asked, const std::atomic<bool>& cancel, const
         one.pipeline.fault = Fault::None;
         Pipeline with      = one.pipeline;
         with.fault         = entry.fault;
-        one.isOfChosen     = asked.pipeline.chooser != Chooser::Measured && entry.canHappen(one.pipeline) && !explainInvalid(with);
+        one.isOfChosen =
+            asked.pipeline.chooser != Chooser::Measured && entry.canHappen(one.pipeline) && !explainInvalid(with);
         if (!one.isOfChosen) one.pipeline = findPreset(entry.preset)->pipeline;
         if (!right || right->first != one.pipeline) {
             request.pipeline = one.pipeline;
@@ -72,9 +75,9 @@ void drawFaults(const DrawRequest& asked, const std::atomic<bool>& cancel, const
         const auto spoilt  = drawn(request);
         if (!spoilt || cancel) continue;
         const Difference difference = differenceOf(right->second.visible, spoilt->visible, 0);
-        one.wrongPixels = difference.differing();
-        one.pixels      = difference.kinds.values().size();
-        one.picture     = pictureOf(spoilt->colour, difference.kinds);
+        one.wrongPixels             = difference.differing();
+        one.pixels                  = difference.kinds.values().size();
+        one.picture                 = pictureOf(spoilt->colour, difference.kinds);
         made(std::move(one));
     }
 }

@@ -39,7 +39,10 @@ const FaultPicture* FaultsModel::pictureOf(int row) const
     return &*m_pictures[static_cast<std::size_t>(row)];
 }
 
-int FaultsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_pictures.size()); }
+int FaultsModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_pictures.size());
+}
 
 int FaultsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
@@ -50,26 +53,31 @@ QVariant FaultsModel::data(const QModelIndex& index, int role) const
     const FaultPicture* picture  = pictureOf(index.row());
     const bool          isChosen = entry.fault == m_chosen;
     switch (role) {
-    case Qt::DisplayRole:
-        if (index.column() == Title) return (isChosen ? QStringLiteral("\u2716 ") : QString()) + said(entry.title);
-        return picture ? grouped(picture->wrongPixels) : QStringLiteral("\u2013");
-    case Qt::ToolTipRole: return said(entry.cause);
-    case Qt::TextAlignmentRole: return QVariant(index.column() == Wrong ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
-    case Qt::FontRole:
-        if (isChosen) {
-            QFont bold;
-            bold.setBold(true);
-            return bold;
-        }
-        return {};
-    default: return {};
+        case Qt::DisplayRole:
+            if (index.column() == Title) return (isChosen ? QStringLiteral("\u2716 ") : QString()) + said(entry.title);
+            return picture ? grouped(picture->wrongPixels) : QStringLiteral("\u2013");
+        case Qt::ToolTipRole:
+            return said(entry.cause);
+        case Qt::TextAlignmentRole:
+            return QVariant(index.column() == Wrong ? Qt::AlignRight | Qt::AlignVCenter
+                                                    : Qt::AlignLeft | Qt::AlignVCenter);
+        case Qt::FontRole:
+            if (isChosen) {
+                QFont bold;
+                bold.setBold(true);
+                return bold;
+            }
+            return {};
+        default:
+            return {};
     }
 }
 
 QVariant FaultsModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation != Qt::Horizontal) return {};
-    if (role == Qt::TextAlignmentRole) return QVariant(section == Wrong ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
+    if (role == Qt::TextAlignmentRole)
+        return QVariant(section == Wrong ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole) return {};
     return section == Title ? tr("fault") : tr("wrong pixels");
 }

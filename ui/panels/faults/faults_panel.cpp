@@ -21,8 +21,8 @@
 namespace zscope::ui {
 
 FaultsPanel::FaultsPanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_model(new FaultsModel(this)), m_table(new QTableView), m_picture(new QLabel), m_words(new QLabel),
-      m_hint(new QLabel), m_switch(new QPushButton), m_worker(std::make_unique<Worker>())
+    : Panel(session, parent), m_model(new FaultsModel(this)), m_table(new QTableView), m_picture(new QLabel),
+      m_words(new QLabel), m_hint(new QLabel), m_switch(new QPushButton), m_worker(std::make_unique<Worker>())
 {
     m_table->setModel(m_model);
     m_table->setItemDelegate(new RowDelegate(m_table));
@@ -34,7 +34,8 @@ FaultsPanel::FaultsPanel(Session& session, QWidget* parent)
     m_table->setMinimumHeight(112);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setMinimumSectionSize(22);
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // names wrap where the panel is narrow
+    // names wrap where the panel is narrow
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(FaultsModel::Title, QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(FaultsModel::Wrong, QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setHighlightSections(false);
@@ -125,9 +126,9 @@ void FaultsPanel::showFault()
     const FaultEntry&   entry   = faults()[static_cast<std::size_t>(row)];
     const FaultPicture* picture = m_model->pictureOf(row);
     if (picture) {
-        const double  ratio = devicePixelRatioF();
-        const QSize   room  = QSize(std::max(80, width() - 4 * kStep), 150) * ratio;
-        QPixmap       image = QPixmap::fromImage(picture->picture.scaled(room, Qt::KeepAspectRatio, Qt::FastTransformation));
+        const double ratio = devicePixelRatioF();
+        const QSize  room  = QSize(std::max(80, width() - 4 * kStep), 150) * ratio;
+        QPixmap image = QPixmap::fromImage(picture->picture.scaled(room, Qt::KeepAspectRatio, Qt::FastTransformation));
         image.setDevicePixelRatio(ratio);
         m_picture->setPixmap(image);
     } else {
@@ -137,11 +138,14 @@ void FaultsPanel::showFault()
     QString words;
     if (picture) {
         const QString where = QString::fromStdString(nameOf(picture->pipeline)).toHtmlEscaped();
-        words = (picture->isOfChosen ? tr("<b>%1 of %2 pixels</b> are wrong with <b>%3</b>.") : tr("<b>%1 of %2 pixels</b> are wrong with <b>%3</b>, in which it can happen."))
-                    .arg(grouped(picture->wrongPixels), grouped(picture->pixels), where);
+        const QString form  = picture->isOfChosen
+                                  ? tr("<b>%1 of %2 pixels</b> are wrong with <b>%3</b>.")
+                                  : tr("<b>%1 of %2 pixels</b> are wrong with <b>%3</b>, in which it can happen.");
+        words               = form.arg(grouped(picture->wrongPixels), grouped(picture->pixels), where);
         words += QStringLiteral("<br>");
     }
-    m_words->setText(words + said(entry.cause).toHtmlEscaped() + QStringLiteral("<br>") + tr("<b>Right:</b> %1").arg(said(entry.cure).toHtmlEscaped()));
+    m_words->setText(words + said(entry.cause).toHtmlEscaped() + QStringLiteral("<br>")
+                     + tr("<b>Right:</b> %1").arg(said(entry.cure).toHtmlEscaped()));
     const bool isOn = session().now().pipeline.fault == entry.fault;
     m_switch->setText(isOn ? tr("Switch it off") : tr("Switch it on"));
     m_switch->setEnabled(isOn || picture);
@@ -165,7 +169,8 @@ void FaultsPanel::showEvent(QShowEvent* event)
 {
     Panel::showEvent(event);
     for (QWidget* at = parentWidget(); at; at = at->parentWidget())
-        if (auto* dock = qobject_cast<QDockWidget*>(at)) connect(dock, &QDockWidget::visibilityChanged, this, &FaultsPanel::setSeen, Qt::UniqueConnection);
+        if (auto* dock = qobject_cast<QDockWidget*>(at))
+            connect(dock, &QDockWidget::visibilityChanged, this, &FaultsPanel::setSeen, Qt::UniqueConnection);
 }
 
 void FaultsPanel::setSeen(bool seen)

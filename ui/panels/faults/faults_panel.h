@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fault gallery: classic mistakes, what each does to the view on show, why, and the rule that is right. Any of them can
-// be switched on in the run.
+// The fault gallery: classic mistakes, what each does to the view on show,
+// why, and the rule that is right. Any of them can be switched on in the run.
 #pragma once
 
 #include <memory>
@@ -47,14 +47,14 @@ private:
     void showFault();
     void toggle();
 
-    FaultsModel*                  m_model;
-    QTableView*                   m_table;
-    QLabel *                      m_picture, *m_words, *m_hint;
-    QPushButton*                  m_switch;
-    QStackedLayout*               m_bodyOrHint;
-    bool                          m_isSeen = false;
-    std::optional<Question>       m_asked;
-    std::unique_ptr<Worker>       m_worker;  // last: stops before anything else goes
+    FaultsModel*            m_model;
+    QTableView*             m_table;
+    QLabel *                m_picture, *m_words, *m_hint;
+    QPushButton*            m_switch;
+    QStackedLayout*         m_bodyOrHint;
+    bool                    m_isSeen = false;
+    std::optional<Question> m_asked;
+    std::unique_ptr<Worker> m_worker;  // last: stops before anything else goes
 };
 
 }  // namespace zscope::ui

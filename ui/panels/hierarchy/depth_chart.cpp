@@ -15,7 +15,10 @@
 namespace zscope::ui {
 namespace {
 
-std::size_t totalOf(const std::array<std::size_t, 6>& counts) { return std::accumulate(counts.begin(), counts.end(), std::size_t{0}); }
+std::size_t totalOf(const std::array<std::size_t, 6>& counts)
+{
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
 
 constexpr int kLabelWidth = 44;
 
@@ -27,9 +30,7 @@ DepthChart::DepthChart(QWidget* parent) : QWidget(parent)
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.85);
     setFont(small);
-    spoken(*this, [this] {
-        setAccessibleName(tr("Nodes per depth"));
-    });
+    spoken(*this, [this] { setAccessibleName(tr("Nodes per depth")); });
 }
 
 void DepthChart::present(const std::vector<std::array<std::size_t, 6>>& counts)
@@ -49,7 +50,8 @@ QString DepthChart::textOf(std::size_t depth) const
 {
     QStringList parts;
     for (const NodeVerdict verdict : kVerdicts)
-        if (const std::size_t n = m_counts[depth][static_cast<std::size_t>(verdict)]; n > 0) parts << grouped(n) + ' ' + nameOf(verdict);
+        if (const std::size_t n = m_counts[depth][static_cast<std::size_t>(verdict)]; n > 0)
+            parts << grouped(n) + ' ' + nameOf(verdict);
     return tr("Depth %1: %2").arg(depth).arg(parts.join(QStringLiteral(", ")));
 }
 
@@ -84,7 +86,8 @@ void DepthChart::paintEvent(QPaintEvent*)
         const QString total = grouped(totalOf(m_counts[depth]));
         if (fontMetrics().horizontalAdvance(total) <= wide - 2) {
             painter.setPen(theme.text);
-            painter.drawText(QRectF(left, std::max(y - line, 0.0), wide, line), Qt::AlignCenter, total);  // slivers of rare verdicts add to the height
+            // slivers of rare verdicts add to the height
+            painter.drawText(QRectF(left, std::max(y - line, 0.0), wide, line), Qt::AlignCenter, total);
         }
         painter.setPen(theme.softText);
         painter.drawText(QRect(left, bottom + 2, wide, line), Qt::AlignCenter, QString::number(depth));
@@ -97,8 +100,10 @@ bool DepthChart::event(QEvent* event)
     const auto* help = static_cast<QHelpEvent*>(event);
     const int   wide = columnWidth();
     const int   at   = wide > 0 && help->pos().x() >= kLabelWidth ? (help->pos().x() - kLabelWidth) / wide : -1;
-    if (at < 0 || at >= static_cast<int>(m_counts.size())) QToolTip::hideText();
-    else QToolTip::showText(help->globalPos(), textOf(static_cast<std::size_t>(at)), this);
+    if (at < 0 || at >= static_cast<int>(m_counts.size()))
+        QToolTip::hideText();
+    else
+        QToolTip::showText(help->globalPos(), textOf(static_cast<std::size_t>(at)), this);
     return true;
 }
 

@@ -13,8 +13,8 @@
 #include "ui/panels/hierarchy/depth_chart.h"
 #include "ui/panels/hierarchy/node_model.h"
 #include "ui/parts/row_delegate.h"
-#include "ui/parts/verdict_bar.h"
 #include "ui/parts/scrolling.h"
+#include "ui/parts/verdict_bar.h"
 #include "ui/predict/predict_bar.h"
 #include "ui/predict/predictions.h"
 #include "ui/text/numbers.h"
@@ -24,9 +24,9 @@
 namespace zscope::ui {
 
 HierarchyPanel::HierarchyPanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_model(new NodeModel(this)), m_filter(new NodeFilter(*m_model, this)), m_tree(new QTreeView),
-      m_text(new QLineEdit), m_verdicts(new VerdictBar(everyVerdict())), m_depths(new DepthChart),
-      m_boxes(new QCheckBox), m_hint(new QLabel)
+    : Panel(session, parent), m_model(new NodeModel(this)), m_filter(new NodeFilter(*m_model, this)),
+      m_tree(new QTreeView), m_text(new QLineEdit), m_verdicts(new VerdictBar(everyVerdict())),
+      m_depths(new DepthChart), m_boxes(new QCheckBox), m_hint(new QLabel)
 {
     m_tree->setModel(m_filter);
     m_tree->setItemDelegate(new RowDelegate(m_tree));
@@ -109,8 +109,10 @@ void HierarchyPanel::present(const Snapshot& now, Changes what)
     const auto      before = session().predictions().before(Topic::Nodes, now);  // while a question is open
     const Snapshot& shown  = before ? *before : now;
     m_boxes->setChecked(shown.layers.boxes);
-    if (what & (Change::Picture | Change::Pipeline | Change::Scene)) showNodes(shown);
-    else if (what & Change::Selection) showSelection(shown);
+    if (what & (Change::Picture | Change::Pipeline | Change::Scene))
+        showNodes(shown);
+    else if (what & Change::Selection)
+        showSelection(shown);
 }
 
 void HierarchyPanel::showNodes(const Snapshot& shown)
@@ -121,9 +123,11 @@ void HierarchyPanel::showNodes(const Snapshot& shown)
     m_filling = false;
     m_treeOrHint->setCurrentIndex(m_model->isEmpty() ? 1 : 0);
     if (m_model->isEmpty()) {
-        m_hint->setText(!shown.scene                 ? tr("Open a scene to see its hierarchy.")
-                        : shown.grain == Grain::Node ? tr("The nodes appear here as the visit comes to know them. Press Right to go on.")
-                                                     : tr("The nodes appear here as the visit comes to know them. Press Right to go on, or choose the grain “node”."));
+        m_hint->setText(!shown.scene ? tr("Open a scene to see its hierarchy.")
+                        : shown.grain == Grain::Node
+                            ? tr("The nodes appear here as the visit comes to know them. Press Right to go on.")
+                            : tr("The nodes appear here as the visit comes to know them. Press Right to go on, or "
+                                 "choose the grain “node”."));
         emit summaryChanged({});
         return;
     }
@@ -163,13 +167,15 @@ void HierarchyPanel::showSelection(const Snapshot& shown)
 {
     if (m_model->isEmpty()) return;
     const HierarchyState& hierarchy = *shown.stepOfPicture()->state.hierarchy;
-    const int selected = shown.selectedNode ? rowOf(hierarchy.nodes, *shown.selectedNode) : -1;
-    const int reveal   = selected >= 0 ? selected : shown.showsStep ? hierarchy.now : -1;
-    m_filling = true;
+    const int             selected  = shown.selectedNode ? rowOf(hierarchy.nodes, *shown.selectedNode) : -1;
+    const int             reveal    = selected >= 0 ? selected : shown.showsStep ? hierarchy.now : -1;
+    m_filling                       = true;
     if (reveal >= 0) unfold(reveal);
     const QModelIndex at = m_filter->mapFromSource(m_model->indexOf(reveal));
-    if (selected >= 0 && at.isValid()) m_tree->setCurrentIndex(at);
-    else m_tree->selectionModel()->clear();
+    if (selected >= 0 && at.isValid())
+        m_tree->setCurrentIndex(at);
+    else
+        m_tree->selectionModel()->clear();
     if (at.isValid() && !m_tree->hasFocus()) m_tree->scrollTo(at, QAbstractItemView::PositionAtCenter);
     m_filling = false;
 }
@@ -177,11 +183,11 @@ void HierarchyPanel::showSelection(const Snapshot& shown)
 void HierarchyPanel::fitColumns()
 {
     const QFontMetrics metrics = m_tree->fontMetrics();
-    const auto wide = [&](const QString& text) { return metrics.horizontalAdvance(text) + 14; };
-    const int verdict = wide(QStringLiteral("\u25A0 ") + tr("too small") + QStringLiteral(" "));
-    const int screen  = std::max(wide(tr("screen px")), wide(tr("around the eye")));
-    const int nearest = std::max(wide(tr("nearest D")), wide(QStringLiteral("0.0000")));
-    const int room    = m_tree->viewport()->width();
+    const auto         wide    = [&](const QString& text) { return metrics.horizontalAdvance(text) + 14; };
+    const int          verdict = wide(QStringLiteral("\u25A0 ") + tr("too small") + QStringLiteral(" "));
+    const int          screen  = std::max(wide(tr("screen px")), wide(tr("around the eye")));
+    const int          nearest = std::max(wide(tr("nearest D")), wide(QStringLiteral("0.0000")));
+    const int          room    = m_tree->viewport()->width();
     m_tree->setColumnWidth(NodeModel::Verdict, verdict);
     m_tree->setColumnWidth(NodeModel::Screen, screen);
     m_tree->setColumnWidth(NodeModel::Nearest, nearest);

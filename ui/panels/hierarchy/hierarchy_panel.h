@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hierarchy as a tree with a filter and the verdicts so far, and how many nodes each depth has. Selecting a row frames its
-// box in the picture; picking a pixel selects the node that holds its triangle.
+// The hierarchy as a tree with a filter and the verdicts so far, and how many
+// nodes each depth has. Selecting a row frames its box in the picture; picking a pixel selects the node that holds its
+// triangle.
 #pragma once
 
 #include <set>
@@ -48,9 +49,9 @@ private:
     QCheckBox*      m_boxes;
     QLabel*         m_hint;
     QStackedLayout* m_treeOrHint;
-    std::set<int>   m_unfolded;          // ids of the nodes of one generation
-    std::uint64_t   m_generation = 0;    // whose ids these are
-    bool            m_filling = false;   // rows are being replaced: what happens to the selection is not the user's
+    std::set<int>   m_unfolded;            // ids of the nodes of one generation
+    std::uint64_t   m_generation = 0;      // whose ids these are
+    bool            m_filling    = false;  // rows are being replaced: what happens to the selection is not the user's
 };
 
 }  // namespace zscope::ui

@@ -24,16 +24,16 @@ void NodeModel::present(const Snapshot& shown)
     beginResetModel();
     const ShownStep* step = shown.stepOfPicture();
     const bool       has  = step && step->state.hierarchy && !step->state.hierarchy->nodes.empty();
-    m_step  = has ? shown.step : nullptr;
-    m_scene = shown.scene;
-    m_nodes = has ? &m_step->state.hierarchy->nodes : nullptr;
-    m_now   = has && shown.showsStep ? m_step->state.hierarchy->now : -1;
+    m_step                = has ? shown.step : nullptr;
+    m_scene               = shown.scene;
+    m_nodes               = has ? &m_step->state.hierarchy->nodes : nullptr;
+    m_now                 = has && shown.showsStep ? m_step->state.hierarchy->now : -1;
     m_children.assign(has ? m_nodes->size() : 0, {});
     m_place.assign(has ? m_nodes->size() : 0, 0);
     m_roots.clear();
     for (int id = 0; id < count(); ++id) {
-        const int         parent   = row(id).parent;
-        std::vector<int>& siblings = parent < 0 ? m_roots : m_children[static_cast<std::size_t>(parent)];
+        const int         parent              = row(id).parent;
+        std::vector<int>& siblings            = parent < 0 ? m_roots : m_children[static_cast<std::size_t>(parent)];
         m_place[static_cast<std::size_t>(id)] = static_cast<int>(siblings.size());
         siblings.push_back(id);
     }
@@ -43,7 +43,9 @@ void NodeModel::present(const Snapshot& shown)
 void NodeModel::setPalette(const QPalette& palette)
 {
     m_palette = palette;
-    if (!isEmpty()) emit dataChanged(indexOf(m_roots.front()), indexOf(m_roots.back(), kColumns - 1), {Qt::ForegroundRole, Qt::BackgroundRole});
+    if (!isEmpty())
+        emit dataChanged(indexOf(m_roots.front()), indexOf(m_roots.back(), kColumns - 1),
+                         {Qt::ForegroundRole, Qt::BackgroundRole});
 }
 
 QModelIndex NodeModel::indexOf(int id, int column) const
@@ -58,7 +60,10 @@ QModelIndex NodeModel::index(int row, int column, const QModelIndex& parent) con
     return createIndex(row, column, static_cast<quintptr>(childrenOf(idOf(parent))[static_cast<std::size_t>(row)]));
 }
 
-QModelIndex NodeModel::parent(const QModelIndex& index) const { return index.isValid() ? indexOf(row(idOf(index)).parent) : QModelIndex(); }
+QModelIndex NodeModel::parent(const QModelIndex& index) const
+{
+    return index.isValid() ? indexOf(row(idOf(index)).parent) : QModelIndex();
+}
 
 int NodeModel::rowCount(const QModelIndex& parent) const
 {
@@ -71,19 +76,22 @@ int NodeModel::columnCount(const QModelIndex&) const { return kColumns; }
 QString NodeModel::text(const NodeRow& node, Column column) const
 {
     switch (column) {
-    case Node: {
-        const QString path = QString::fromStdString(node.path);
-        return node.instance && node.path == "0" ? tr("%1  instance %2").arg(path, grouped(node.instance->value)) : path;
-    }
-    case Verdict: return shapeOf(node.verdict) + QStringLiteral(" ") + nameOf(node.verdict);
-    case Screen:
-    case Nearest: {
-        const NodeOnScreen at = onScreen(node, m_scene->scene(), m_step->camera);
-        if (at.crossesNear) return column == Screen ? tr("around the eye") : QString();
-        if (column == Screen) return grouped(static_cast<std::uint64_t>(at.pixels));
-        return at.pixels > 0 ? decimal(static_cast<double>(at.nearest), 4) : QString();
-    }
-    case kColumns: break;
+        case Node: {
+            const QString path = QString::fromStdString(node.path);
+            return node.instance && node.path == "0" ? tr("%1  instance %2").arg(path, grouped(node.instance->value))
+                                                     : path;
+        }
+        case Verdict:
+            return shapeOf(node.verdict) + QStringLiteral(" ") + nameOf(node.verdict);
+        case Screen:
+        case Nearest: {
+            const NodeOnScreen at = onScreen(node, m_scene->scene(), m_step->camera);
+            if (at.crossesNear) return column == Screen ? tr("around the eye") : QString();
+            if (column == Screen) return grouped(static_cast<std::uint64_t>(at.pixels));
+            return at.pixels > 0 ? decimal(static_cast<double>(at.nearest), 4) : QString();
+        }
+        case kColumns:
+            break;
     }
     return {};
 }
@@ -95,21 +103,31 @@ QVariant NodeModel::data(const QModelIndex& index, int role) const
     const auto     column = static_cast<Column>(index.column());
     const Theme&   theme  = themeOf(m_palette);
     switch (role) {
-    case Qt::DisplayRole: return text(node, column);
-    case Qt::ToolTipRole: {
-        QString told = tr("Node %1, depth %2: %3").arg(QString::fromStdString(node.path)).arg(node.depth).arg(nameOf(node.verdict));
-        if (node.instance) told += tr(", in the tree of instance %1").arg(grouped(node.instance->value));
-        if (m_step->state.hierarchy->tree) {
-            const std::uint64_t below = itemsBelow(node, *m_scene->prepared, *m_step->state.hierarchy->tree);
-            told += '\n' + (node.instance ? tr("%1 triangles below").arg(grouped(below)) : tr("%1 instances below").arg(grouped(below)));
+        case Qt::DisplayRole:
+            return text(node, column);
+        case Qt::ToolTipRole: {
+            QString told = tr("Node %1, depth %2: %3")
+                               .arg(QString::fromStdString(node.path))
+                               .arg(node.depth)
+                               .arg(nameOf(node.verdict));
+            if (node.instance) told += tr(", in the tree of instance %1").arg(grouped(node.instance->value));
+            if (m_step->state.hierarchy->tree) {
+                const std::uint64_t below = itemsBelow(node, *m_scene->prepared, *m_step->state.hierarchy->tree);
+                told += '\n'
+                        + (node.instance ? tr("%1 triangles below").arg(grouped(below))
+                                         : tr("%1 instances below").arg(grouped(below)));
+            }
+            return told;
         }
-        return told;
-    }
-    case Qt::TextAlignmentRole:
-        return QVariant::fromValue(Qt::Alignment((column == Screen || column == Nearest ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-    case Qt::BackgroundRole: return node.id == m_now ? QVariant(theme.nowTint) : QVariant();
-    case Qt::ForegroundRole: return column == Verdict ? colourOf(node.verdict, theme) : column == Node ? theme.text : theme.softText;
-    default: return {};
+        case Qt::TextAlignmentRole:
+            return QVariant::fromValue(Qt::Alignment(
+                (column == Screen || column == Nearest ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+        case Qt::BackgroundRole:
+            return node.id == m_now ? QVariant(theme.nowTint) : QVariant();
+        case Qt::ForegroundRole:
+            return column == Verdict ? colourOf(node.verdict, theme) : column == Node ? theme.text : theme.softText;
+        default:
+            return {};
     }
 }
 
@@ -118,23 +136,34 @@ QVariant NodeModel::headerData(int section, Qt::Orientation orientation, int rol
     if (orientation != Qt::Horizontal) return {};
     const auto column = static_cast<Column>(section);
     if (role == Qt::TextAlignmentRole)
-        return QVariant::fromValue(Qt::Alignment((column == Screen || column == Nearest ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+        return QVariant::fromValue(
+            Qt::Alignment((column == Screen || column == Nearest ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
     if (role == Qt::ToolTipRole) {
         switch (column) {
-        case Node: return tr("The slots taken from the root of its tree; from 8 on they straddle the planes of division");
-        case Verdict: return tr("What became of it so far");
-        case Screen: return tr("Pixels of the rectangle that its box could touch");
-        case Nearest: return tr("No depth inside its box is larger, that is nearer");
-        case kColumns: return {};
+            case Node:
+                return tr("The slots taken from the root of its tree; from 8 on they straddle the planes of division");
+            case Verdict:
+                return tr("What became of it so far");
+            case Screen:
+                return tr("Pixels of the rectangle that its box could touch");
+            case Nearest:
+                return tr("No depth inside its box is larger, that is nearer");
+            case kColumns:
+                return {};
         }
     }
     if (role != Qt::DisplayRole) return {};
     switch (column) {
-    case Node: return tr("node");
-    case Verdict: return tr("verdict");
-    case Screen: return tr("screen px");
-    case Nearest: return tr("nearest D");
-    case kColumns: break;
+        case Node:
+            return tr("node");
+        case Verdict:
+            return tr("verdict");
+        case Screen:
+            return tr("screen px");
+        case Nearest:
+            return tr("nearest D");
+        case kColumns:
+            break;
     }
     return {};
 }
@@ -162,7 +191,8 @@ bool NodeFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
     const NodeRow& node = m_model.row(m_model.idOf(m_model.index(row, 0, parent)));
     if (!m_verdicts[static_cast<std::size_t>(node.verdict)]) return false;
     if (m_text.isEmpty()) return true;
-    return QString::fromStdString(node.path).contains(m_text) || (node.instance && QString::number(node.instance->value) == m_text);
+    return QString::fromStdString(node.path).contains(m_text)
+           || (node.instance && QString::number(node.instance->value) == m_text);
 }
 
 }  // namespace zscope::ui

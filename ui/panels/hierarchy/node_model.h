@@ -28,12 +28,15 @@ public:
     void present(const Snapshot& shown);
     void setPalette(const QPalette& palette);
 
-    bool             isEmpty() const { return m_nodes == nullptr || m_nodes->empty(); }
-    const NodeRow&   row(int id) const { return (*m_nodes)[static_cast<std::size_t>(id)]; }
-    int              idOf(const QModelIndex& index) const { return index.isValid() ? static_cast<int>(index.internalId()) : -1; }
-    QModelIndex      indexOf(int id, int column = 0) const;
-    int              count() const { return m_nodes ? static_cast<int>(m_nodes->size()) : 0; }
-    const std::vector<int>& childrenOf(int id) const { return id < 0 ? m_roots : m_children[static_cast<std::size_t>(id)]; }
+    bool           isEmpty() const { return m_nodes == nullptr || m_nodes->empty(); }
+    const NodeRow& row(int id) const { return (*m_nodes)[static_cast<std::size_t>(id)]; }
+    int idOf(const QModelIndex& index) const { return index.isValid() ? static_cast<int>(index.internalId()) : -1; }
+    QModelIndex             indexOf(int id, int column = 0) const;
+    int                     count() const { return m_nodes ? static_cast<int>(m_nodes->size()) : 0; }
+    const std::vector<int>& childrenOf(int id) const
+    {
+        return id < 0 ? m_roots : m_children[static_cast<std::size_t>(id)];
+    }
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
     QModelIndex parent(const QModelIndex& index) const override;
@@ -45,13 +48,13 @@ public:
 private:
     QString text(const NodeRow& row, Column column) const;
 
-    std::shared_ptr<const ShownStep>    m_step;   // keeps m_nodes
-    std::shared_ptr<const LoadedScene>  m_scene;
-    const std::vector<NodeRow>*         m_nodes = nullptr;
-    std::vector<std::vector<int>>       m_children;
-    std::vector<int>                    m_roots, m_place;  // m_place: which child of its parent a node is
-    int                                 m_now = -1;
-    QPalette                            m_palette;
+    std::shared_ptr<const ShownStep>   m_step;  // keeps m_nodes
+    std::shared_ptr<const LoadedScene> m_scene;
+    const std::vector<NodeRow>*        m_nodes = nullptr;
+    std::vector<std::vector<int>>      m_children;
+    std::vector<int>                   m_roots, m_place;  // m_place: which child of its parent a node is
+    int                                m_now = -1;
+    QPalette                           m_palette;
 };
 
 class NodeFilter final : public QSortFilterProxyModel {

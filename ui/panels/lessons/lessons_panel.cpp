@@ -25,7 +25,10 @@ namespace zscope::ui {
 namespace {
 
 /// Lessons hold both languages; a translation says which of them it is.
-bool speaksChinese() { return LessonsPanel::tr("en", "the language of this translation: zh in Chinese") == QLatin1String("zh"); }
+bool speaksChinese()
+{
+    return LessonsPanel::tr("en", "the language of this translation: zh in Chinese") == QLatin1String("zh");
+}
 QString inLanguage(const LessonText& text) { return QString::fromStdString(text.in(speaksChinese())); }
 
 QLabel* wrapped(Qt::TextFormat format = Qt::PlainText)
@@ -48,8 +51,10 @@ LessonsPanel::LessonsPanel(Session& session, QWidget* parent) : Panel(session, p
     m_listOrPage->addWidget(makePage());
     connect(&session.course(), &Course::changed, this, &LessonsPanel::showAll);
     // After the panel has been raised: what is not seen takes no focus.
-    connect(&session.course(), &Course::opened, this, [this] { QTimer::singleShot(0, m_scroll, qOverload<>(&QWidget::setFocus)); });
-    connect(&session.course(), &Course::listWanted, this, [this] { QTimer::singleShot(0, m_list, qOverload<>(&QWidget::setFocus)); });
+    connect(&session.course(), &Course::opened, this,
+            [this] { QTimer::singleShot(0, m_scroll, qOverload<>(&QWidget::setFocus)); });
+    connect(&session.course(), &Course::listWanted, this,
+            [this] { QTimer::singleShot(0, m_list, qOverload<>(&QWidget::setFocus)); });
     spoken(*this, [this] {
         m_list->setAccessibleName(tr("Lessons"));
         m_contents->setText(tr("All lessons"));
@@ -88,10 +93,12 @@ QWidget* LessonsPanel::makeList()
     layout->addWidget(m_listHint);
     layout->addWidget(m_list, 1);
     layout->addWidget(m_troubles);
-    const auto open = [this](QListWidgetItem* item) { session().course().open(static_cast<std::size_t>(m_list->row(item))); };
+    const auto open = [this](QListWidgetItem* item) {
+        session().course().open(static_cast<std::size_t>(m_list->row(item)));
+    };
     connect(m_list, &QListWidget::itemActivated, this, open);
     connect(m_list, &QListWidget::itemClicked, this, open);
-    
+
     return page;
 }
 
@@ -100,8 +107,8 @@ QWidget* LessonsPanel::makePage()
     auto* page = new QWidget;
     m_title    = wrapped();
     m_title->setObjectName("title");
-    m_text     = wrapped(Qt::MarkdownText);
-    m_where    = new QLabel;
+    m_text  = wrapped(Qt::MarkdownText);
+    m_where = new QLabel;
     m_where->setObjectName("soft");
     m_contents = new QPushButton;
     m_again    = new QPushButton;
@@ -164,10 +171,10 @@ QWidget* LessonsPanel::makeQuestion()
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(m_number, 1);
     row->addWidget(m_unit);
-    m_pixel   = wrapped();
-    m_check   = new QPushButton;
-    m_verdict = wrapped(Qt::RichText);
-    m_why     = wrapped();
+    m_pixel      = wrapped();
+    m_check      = new QPushButton;
+    m_verdict    = wrapped(Qt::RichText);
+    m_why        = wrapped();
     auto* layout = new QVBoxLayout(m_question);
     layout->setContentsMargins(0, kStep, 0, 0);
     layout->setSpacing(kStep);
@@ -193,8 +200,10 @@ void LessonsPanel::present(const Snapshot&, Changes what)
 void LessonsPanel::showAll()
 {
     const Course& course = session().course();
-    if (course.page()) showPage();
-    else showList();
+    if (course.page())
+        showPage();
+    else
+        showList();
     m_listOrPage->setCurrentIndex(course.page() ? 1 : 0);
 }
 
@@ -206,12 +215,14 @@ void LessonsPanel::showList()
     for (std::size_t i = 0; i < course.lessons().size(); ++i) {
         const Lesson& lesson = course.lessons()[i];
         QString       line   = tr("%1  %2").arg(i + 1).arg(inLanguage(lesson.title));
-        if (const Course::Score score = course.scoreOf(i); score.answered > 0) line += tr("  (%1 of %2 right)").arg(score.right).arg(score.questions);
+        if (const Course::Score score = course.scoreOf(i); score.answered > 0)
+            line += tr("  (%1 of %2 right)").arg(score.right).arg(score.questions);
         m_list->addItem(line);
     }
     m_list->setCurrentRow(std::clamp(row, 0, m_list->count() - 1));
-    m_listHint->setText(course.lessons().empty() ? tr("There are no lessons here. Choose a folder of lessons in the menu Lessons.")
-                                                 : tr("Choose a lesson: each brings its own scenes, stops and questions."));
+    m_listHint->setText(course.lessons().empty()
+                            ? tr("There are no lessons here. Choose a folder of lessons in the menu Lessons.")
+                            : tr("Choose a lesson: each brings its own scenes, stops and questions."));
     m_troubles->setVisible(!course.troubles().isEmpty());
     m_troubles->setText(course.troubles().join('\n'));
     emit summaryChanged(counted(course.lessons().size(), tr("1 lesson"), tr("%1 lessons")));
@@ -239,7 +250,7 @@ void LessonsPanel::showPage()
 
 void LessonsPanel::showChoices()
 {
-    using Kind = LessonQuestion::Kind;
+    using Kind                     = LessonQuestion::Kind;
     const LessonQuestion& question = *session().course().page()->question;
     m_ask->setText(inLanguage(question.ask));
     for (const ChoiceRow& row : m_rows) {
@@ -298,16 +309,22 @@ void LessonsPanel::showVerdict()
     m_verdict->setVisible(given != nullptr);
     m_why->setVisible(given != nullptr);
     if (!given) return;
-    const Theme& theme = themeOf(palette());
-    const bool isNumber = question.kind == LessonQuestion::Kind::Number;
-    QString words = given->isRight ? tr("✔ Right.") : isNumber ? tr("✘ %1 is not right.").arg(given->text.toHtmlEscaped()) : tr("✘ Not right.");
+    const Theme& theme    = themeOf(palette());
+    const bool   isNumber = question.kind == LessonQuestion::Kind::Number;
+    QString      words    = given->isRight ? tr("✔ Right.")
+                            : isNumber     ? tr("✘ %1 is not right.").arg(given->text.toHtmlEscaped())
+                                           : tr("✘ Not right.");
     if (!given->isRight && course.right()) {
         const LessonAnswer& right = *course.right();
-        if (right.choice) words += ' ' + tr("It is: %1").arg(inLanguage(question.choices[*right.choice].text).toHtmlEscaped());
-        else if (right.number) words += ' ' + tr("It is %1.").arg(QLocale::c().toString(*right.number, 'g', 7));
-        else words += ' ' + tr("Pixel %1 is none of those that were asked for.").arg(given->text);
+        if (right.choice)
+            words += ' ' + tr("It is: %1").arg(inLanguage(question.choices[*right.choice].text).toHtmlEscaped());
+        else if (right.number)
+            words += ' ' + tr("It is %1.").arg(QLocale::c().toString(*right.number, 'g', 7));
+        else
+            words += ' ' + tr("Pixel %1 is none of those that were asked for.").arg(given->text);
     }
-    m_verdict->setText(QStringLiteral("<b style='color:%1'>%2</b>").arg((given->isRight ? theme.entered : theme.error).name(), words));
+    m_verdict->setText(
+        QStringLiteral("<b style='color:%1'>%2</b>").arg((given->isRight ? theme.entered : theme.error).name(), words));
     m_why->setText(inLanguage(question.why));
     QTimer::singleShot(0, this, [this] { m_scroll->ensureWidgetVisible(m_why); });
 }
@@ -317,16 +334,21 @@ void LessonsPanel::check()
     Course&           course = session().course();
     const LessonPage* page   = course.page();
     if (!page || !page->question || !course.isReady()) return;
-    if (page->question->kind == LessonQuestion::Kind::Choice && m_choices->checkedId() >= 0) course.answerChoice(static_cast<std::size_t>(m_choices->checkedId()));
+    if (page->question->kind == LessonQuestion::Kind::Choice && m_choices->checkedId() >= 0)
+        course.answerChoice(static_cast<std::size_t>(m_choices->checkedId()));
     if (page->question->kind == LessonQuestion::Kind::Number) course.answerNumber(m_number->text());
-    if (page->question->kind == LessonQuestion::Kind::Pixel && session().now().picked) course.answerPixel(*session().now().picked);
-    if (page->question->kind == LessonQuestion::Kind::Number && !m_number->text().trimmed().isEmpty() && (!course.given() || course.given()->text != m_number->text().trimmed())) {
+    if (page->question->kind == LessonQuestion::Kind::Pixel && session().now().picked)
+        course.answerPixel(*session().now().picked);
+    if (page->question->kind == LessonQuestion::Kind::Number && !m_number->text().trimmed().isEmpty()
+        && (!course.given() || course.given()->text != m_number->text().trimmed())) {
         m_verdict->setText(tr("“%1” is no number.").arg(m_number->text().trimmed().toHtmlEscaped()));
         m_verdict->show();
         m_why->hide();
     }
-    if (course.given() && course.given()->isRight) return m_scroll->setFocus();  // the page is read on, and the keys step
-    if (page->question->kind == LessonQuestion::Kind::Number && course.given()) {  // to be answered anew; elsewhere its digits would choose algorithms
+    // the page is read on, and the keys step
+    if (course.given() && course.given()->isRight) return m_scroll->setFocus();
+    // to be answered anew; elsewhere its digits would choose algorithms
+    if (page->question->kind == LessonQuestion::Kind::Number && course.given()) {
         m_number->clear();  // in an empty field Left and Right step
         m_number->setFocus();
     } else if (course.given()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lessons: the list of them, or the page that is being read, with its question. Everything can be done by keyboard: the arrow
-// keys and Enter in the list and among the choices, Ctrl+Shift+PageDown and Ctrl+Shift+PageUp for the pages.
+// Lessons: the list of them, or the page that is being read, with its
+// question. Everything can be done by keyboard: the arrow keys and Enter in the list and among the choices,
+// Ctrl+Shift+PageDown and Ctrl+Shift+PageUp for the pages.
 #pragma once
 
 #include <vector>
@@ -50,7 +51,7 @@ private:
     };
 
     QStackedLayout* m_listOrPage = nullptr;
-    QListWidget*    m_list = nullptr;
+    QListWidget*    m_list       = nullptr;
     QLabel *        m_listHint = nullptr, *m_troubles = nullptr;
     QScrollArea*    m_scroll = nullptr;
     QLabel *        m_title = nullptr, *m_text = nullptr, *m_where = nullptr;
@@ -58,12 +59,12 @@ private:
     QWidget*        m_question = nullptr;
     QLabel *        m_ask = nullptr, *m_unit = nullptr, *m_pixel = nullptr, *m_verdict = nullptr, *m_why = nullptr;
     QVBoxLayout*    m_choicesRoom = nullptr;
-    QButtonGroup*   m_choices = nullptr;
+    QButtonGroup*   m_choices     = nullptr;
     std::vector<ChoiceRow> m_rows;
-    QWidget*        m_numberRow = nullptr;
-    QLineEdit*      m_number = nullptr;
-    QPushButton*    m_check = nullptr;
-    const void*     m_shownPage = nullptr;  // whose question the widgets are filled with
+    QWidget*               m_numberRow = nullptr;
+    QLineEdit*             m_number    = nullptr;
+    QPushButton*           m_check     = nullptr;
+    const void*            m_shownPage = nullptr;  // whose question the widgets are filled with
 };
 
 }  // namespace zscope::ui

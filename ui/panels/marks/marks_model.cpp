@@ -48,7 +48,8 @@ QVariant MarksModel::data(const QModelIndex& index, int role) const
         if (role == Qt::ToolTipRole) return tr("Enter goes there, F2 renames it, Del removes it");
         if (role != Qt::DisplayRole) return {};
         if (index.column() == Name) return QStringLiteral("\u2605 ") + mark.name;
-        return tr("%1, %2 %3").arg(QString::fromStdString(zscope::nameOf(mark.pipeline)), nameOf(mark.grain), grouped(mark.step + 1));
+        return tr("%1, %2 %3")
+            .arg(QString::fromStdString(zscope::nameOf(mark.pipeline)), nameOf(mark.grain), grouped(mark.step + 1));
     }
     if (const auto at = breakpointOf(index.row())) {
         if (role == Qt::ToolTipRole) return tr("F5 runs to where it is met next, Shift+F5 back, Del removes it");

@@ -14,7 +14,8 @@ class MarksModel final : public QAbstractTableModel {
 public:
     enum Column { Name, Where, kColumns };
 
-    explicit MarksModel(Session& session, QObject* parent = nullptr) : QAbstractTableModel(parent), m_session(session) {}
+    explicit MarksModel(Session& session, QObject* parent = nullptr) : QAbstractTableModel(parent), m_session(session)
+    {}
 
     void present(const Marks& marks);
 

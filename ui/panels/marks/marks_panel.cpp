@@ -50,12 +50,14 @@ MarksPanel::MarksPanel(Session& session, QWidget* parent)
     m_break->setMenu(new QMenu(m_break));
     for (std::size_t i = 0; i < m_breaks.size(); ++i)
         m_breaks[i] = m_break->menu()->addAction(QString(), this, [this, i] {
-            if (const auto at = breakpointHere(this->session().now(), static_cast<Breakpoint::On>(i))) this->session().toggleBreakpoint(*at);
+            if (const auto at = breakpointHere(this->session().now(), static_cast<Breakpoint::On>(i)))
+                this->session().toggleBreakpoint(*at);
         });
 
     auto* row = new QHBoxLayout;
     row->setSpacing(kStep);
-    for (QWidget* button : {static_cast<QWidget*>(m_bookmark), static_cast<QWidget*>(m_break), static_cast<QWidget*>(m_remove)}) {
+    for (QWidget* button :
+         {static_cast<QWidget*>(m_bookmark), static_cast<QWidget*>(m_break), static_cast<QWidget*>(m_remove)}) {
         button->setFocusPolicy(Qt::TabFocus);
         row->addWidget(button);
     }
@@ -71,7 +73,8 @@ MarksPanel::MarksPanel(Session& session, QWidget* parent)
         m_bookmark->setAccessibleName(tr("Bookmark"));
         m_remove->setText(tr("Remove"));
         m_table->setAccessibleName(tr("Bookmarks and breakpoints"));
-        m_hint->setText(tr("Ctrl+B marks a step to come back to. F9 sets a breakpoint on what is picked or selected; F5 runs to it."));
+        m_hint->setText(tr(
+            "Ctrl+B marks a step to come back to. F9 sets a breakpoint on what is picked or selected; F5 runs to it."));
         m_bookmark->setToolTip(tr("Marks the step on show, or takes its mark away (Ctrl+B)"));
         m_remove->setToolTip(tr("Removes the selected mark (Del)"));
         m_break->setAccessibleName(tr("Break on"));
@@ -98,8 +101,8 @@ void MarksPanel::present(const Snapshot& shown, Changes what)
 void MarksPanel::showChoices(const Snapshot& shown)
 {
     const std::array kinds{tr("line"), tr("pixel"), tr("node"), tr("triangle")};
-    const std::array missing{tr("The step works on no line, and no pixel is picked"), tr("No pixel is picked"), tr("No node is selected"),
-                             tr("No triangle is selected or picked")};
+    const std::array missing{tr("The step works on no line, and no pixel is picked"), tr("No pixel is picked"),
+                             tr("No node is selected"), tr("No triangle is selected or picked")};
     for (std::size_t i = 0; i < m_breaks.size(); ++i) {
         const auto at = breakpointHere(shown, static_cast<Breakpoint::On>(i));
         m_breaks[i]->setText(at ? textOf(*at) : kinds[i]);
@@ -112,19 +115,24 @@ void MarksPanel::showChoices(const Snapshot& shown)
 
 void MarksPanel::go(int row)
 {
-    if (const auto at = m_model->bookmarkOf(row)) session().goToBookmark(*at);
-    else if (m_model->breakpointOf(row)) session().runTo(Direction::Forward);
+    if (const auto at = m_model->bookmarkOf(row))
+        session().goToBookmark(*at);
+    else if (m_model->breakpointOf(row))
+        session().runTo(Direction::Forward);
 }
 
 void MarksPanel::remove(int row)
 {
-    if (const auto at = m_model->bookmarkOf(row)) session().removeBookmark(*at);
-    else if (const auto on = m_model->breakpointOf(row)) session().removeBreakpoint(*on);
+    if (const auto at = m_model->bookmarkOf(row))
+        session().removeBookmark(*at);
+    else if (const auto on = m_model->breakpointOf(row))
+        session().removeBreakpoint(*on);
 }
 
 bool MarksPanel::eventFilter(QObject* object, QEvent* event)
 {
-    if (object == m_table && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+    if (object == m_table && event->type() == QEvent::KeyPress
+        && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
         remove(m_table->currentIndex().row());
         return true;
     }

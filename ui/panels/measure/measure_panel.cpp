@@ -23,6 +23,7 @@
 #include "core/measure/approximate_switches.h"
 #include "ui/charts/speed_error_chart.h"
 #include "ui/panels/measure/runs_model.h"
+#include "ui/panels/measure/runs_record.h"
 #include "ui/panels/measure/stages_model.h"
 #include "ui/parts/choice_box.h"
 #include "ui/parts/row_delegate.h"
@@ -35,7 +36,7 @@
 namespace zscope::ui {
 namespace {
 
-constexpr int kWideFrom   = 860;   // logical pixels of the panel
+constexpr int kWideFrom   = 860;  // logical pixels of the panel
 constexpr int kRowHeight  = 18;
 constexpr int kMostFrames = 10'000;
 
@@ -79,8 +80,8 @@ QLabel* wordsLabel(const char* style)
 }  // namespace
 
 MeasurePanel::MeasurePanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_runs(new RunsModel(this)), m_sorted(new SortedRuns(*m_runs, this)), m_stages(new StagesModel(this)),
-      m_counters(new CountersModel(this)), m_body(new QWidget)
+    : Panel(session, parent), m_runs(new RunsModel(this)), m_sorted(new SortedRuns(*m_runs, this)),
+      m_stages(new StagesModel(this)), m_counters(new CountersModel(this)), m_body(new QWidget)
 {
     m_hint = wordsLabel("hint");
     m_hint->setAlignment(Qt::AlignCenter);
@@ -174,7 +175,7 @@ QWidget* MeasurePanel::makeRuns()
     m_runTable->setSortingEnabled(true);
     m_runTable->sortByColumn(RunsModel::Median, Qt::AscendingOrder);
     m_runTable->horizontalHeader()->setSortIndicatorShown(false);  // the header's text says it, and covers nothing
-    m_runTable->setProperty("ownsEnter", true);  // it loads
+    m_runTable->setProperty("ownsEnter", true);                    // it loads
     m_runTable->horizontalHeader()->setStretchLastSection(false);
     m_about    = wordsLabel("soft");
     auto* part = new QWidget;
@@ -203,13 +204,13 @@ QWidget* MeasurePanel::makeDetails()
 
 QWidget* MeasurePanel::makeChart()
 {
-    m_chart   = new SpeedErrorChart;
+    m_chart = new SpeedErrorChart;
     m_chart->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     m_measure = new ChoiceBox;
     m_measure->addItem(QString(), static_cast<int>(ErrorMeasure::WrongPixels));
     m_measure->addItem(QString(), static_cast<int>(ErrorMeasure::DepthDistance));
     m_measure->setObjectName("compact");
-    m_said     = wordsLabel("soft");
+    m_said      = wordsLabel("soft");
     QFont small = m_said->font();
     small.setPointSizeF(small.pointSizeF() * 0.88);
     m_said->setFont(small);
@@ -260,20 +261,27 @@ void MeasurePanel::say()
     m_what->setItemText(static_cast<int>(What::This), tr("this algorithm"));
     m_what->setItemText(static_cast<int>(What::Presets), tr("every preset"));
     m_what->setItemText(static_cast<int>(What::Switches), tr("each approximation"));
-    m_what->setItemData(static_cast<int>(What::This), tr("The choices that the window draws with now, faults and approximations too"), Qt::ToolTipRole);
+    m_what->setItemData(static_cast<int>(What::This),
+                        tr("The choices that the window draws with now, faults and approximations too"),
+                        Qt::ToolTipRole);
     m_what->setItemData(static_cast<int>(What::Presets), tr("All algorithms that have a name"), Qt::ToolTipRole);
-    m_what->setItemData(static_cast<int>(What::Switches), tr("This algorithm made exact, then with one exactness given up at a time"), Qt::ToolTipRole);
+    m_what->setItemData(static_cast<int>(What::Switches),
+                        tr("This algorithm made exact, then with one exactness given up at a time"), Qt::ToolTipRole);
     m_frames->setAccessibleName(tr("Timed frames of every run"));
     m_frames->setToolTip(tr("Timed frames of every run, after a few to warm up"));
     m_frames->setSuffix(tr(" frames"));
     m_checks->setText(tr("check"));
-    m_checks->setToolTip(tr("Hold the first picture of every run against the brute-force reference. Without that no error is known, and nothing is in the chart"));
+    m_checks->setToolTip(
+        tr("Hold the first picture of every run against the brute-force reference. Without that no error is known, and "
+           "nothing is in the chart"));
     m_checks->setAccessibleName(tr("Check every picture against the reference"));
     m_start->setText(tr("Measure"));
     m_stop->setText(tr("Stop"));
     m_save->setText(tr("Save…"));
     m_open->setText(tr("Open…"));
-    m_open->setToolTip(tr("Opens a record: what 'zscope-cli bench --experiment' measured, or what was saved here. A click on a point loads its run, scene and camera too"));
+    m_open->setToolTip(
+        tr("Opens a record: what 'zscope-cli bench --experiment' measured, or what was saved here. A click on a point "
+           "loads its run, scene and camera too"));
     m_cases->setAccessibleName(tr("Whose runs are shown"));
     m_cases->setToolTip(tr("The view in the window, or a case of the record that was opened"));
     fillCases();
@@ -310,9 +318,15 @@ void MeasurePanel::start()
     std::vector<BenchAlgorithm> algorithms;
     const Pipeline&             now = session().now().pipeline;
     switch (static_cast<What>(m_what->currentData().toInt())) {
-    case What::This: algorithms = {{zscope::nameOf(now), now, claimOf(now)}}; break;
-    case What::Presets: algorithms = presetsToTime(); break;
-    case What::Switches: algorithms = approximateSwitches(now); break;
+        case What::This:
+            algorithms = {{zscope::nameOf(now), now, claimOf(now)}};
+            break;
+        case What::Presets:
+            algorithms = presetsToTime();
+            break;
+        case What::Switches:
+            algorithms = approximateSwitches(now);
+            break;
     }
     m_measurer.start(session(), std::move(algorithms), m_frames->value(), m_checks->isChecked());
     showProgress();
@@ -321,23 +335,28 @@ void MeasurePanel::start()
 void MeasurePanel::showProgress()
 {
     const bool isRunning = m_measurer.isRunning(), hasScene = session().now().scene != nullptr;
-    for (QWidget* choice : {static_cast<QWidget*>(m_what), static_cast<QWidget*>(m_frames), static_cast<QWidget*>(m_checks)}) choice->setEnabled(!isRunning);
+    for (QWidget* choice :
+         {static_cast<QWidget*>(m_what), static_cast<QWidget*>(m_frames), static_cast<QWidget*>(m_checks)})
+        choice->setEnabled(!isRunning);
     m_start->setEnabled(!isRunning && hasScene);
     m_start->setToolTip(!hasScene   ? tr("Open a scene first")
                         : isRunning ? tr("Runs are being timed already")
-                                    : tr("Checks, times and counts what is chosen, in the background; leave the window alone meanwhile, it takes time from the runs"));
+                                    : tr("Checks, times and counts what is chosen, in the background; leave the window "
+                                         "alone meanwhile, it takes time from the runs"));
     m_stop->setEnabled(isRunning);
     m_stop->setToolTip(isRunning ? tr("Stops; what is finished stays") : tr("Nothing is being timed"));
     m_progress->setVisible(isRunning);
     m_progress->setValue(static_cast<int>(1000 * m_measurer.progress()));
-    m_doing->setText(isRunning ? m_measurer.doing().isEmpty() ? tr("Drawing the reference") : tr("Timing %1").arg(m_measurer.doing()) : m_trouble);
+    m_doing->setText(isRunning ? m_measurer.doing().isEmpty() ? tr("Drawing the reference")
+                                                              : tr("Timing %1").arg(m_measurer.doing())
+                               : m_trouble);
     m_doing->setToolTip(m_doing->text());
 }
 
 void MeasurePanel::showRuns()
 {
-    const std::vector<Run>&    runs = shownRuns();
-    std::optional<Pipeline>    kept;
+    const std::vector<Run>& runs = shownRuns();
+    std::optional<Pipeline> kept;
     if (const auto run = selected()) kept = m_runs->runs()[*run].pipeline;
     m_runs->setPalette(palette());
     m_runs->present(runs);
@@ -345,9 +364,11 @@ void MeasurePanel::showRuns()
     m_body->setVisible(!runs.empty());
     m_hint->setVisible(runs.empty());
     m_hint->setText(!m_view ? tr("Open a scene, then measure how long algorithms take on it.")
-                            : tr("Nothing has been timed on this view yet. Choose what to time, and press Measure: every run is checked first, then timed, then explained by counters."));
+                            : tr("Nothing has been timed on this view yet. Choose what to time, and press Measure: "
+                                 "every run is checked first, then timed, then explained by counters."));
     m_save->setEnabled(!runs.empty());
-    m_save->setToolTip(runs.empty() ? tr("There are no runs to save yet: press Measure") : tr("Saves the runs as a record, which 'zscope --report' reads, or as CSV"));
+    m_save->setToolTip(runs.empty() ? tr("There are no runs to save yet: press Measure")
+                                    : tr("Saves the runs as a record, which 'zscope --report' reads, or as CSV"));
     showChart();
     for (std::size_t i = 0; i < runs.size(); ++i)
         if (runs[i].pipeline == kept) select(i);
@@ -366,8 +387,10 @@ void MeasurePanel::fitColumns()
         m_stageTable->setColumnWidth(StagesModel::Cost, 60);  // and what is left; the tool tip has it all
         m_stageTable->horizontalHeader()->setStretchLastSection(true);
     }
-    const int choices = m_runTable->fontMetrics().horizontalAdvance(QStringLiteral("depth-format=fixed")) + 8;  // the tool tip has it all
-    if (m_isWide && m_runTable->columnWidth(RunsModel::Choices) > choices) m_runTable->setColumnWidth(RunsModel::Choices, choices);
+    // the tool tip has it all
+    const int choices = m_runTable->fontMetrics().horizontalAdvance(QStringLiteral("depth-format=fixed")) + 8;
+    if (m_isWide && m_runTable->columnWidth(RunsModel::Choices) > choices)
+        m_runTable->setColumnWidth(RunsModel::Choices, choices);
 }
 
 std::optional<std::size_t> MeasurePanel::selected() const
@@ -401,7 +424,8 @@ void MeasurePanel::showChart()
         const BenchRow& row = m_runs->runs()[i].row;
         if (!row.figures || !(row.q1Ms > 0)) continue;
         m_runOfPoint.push_back(i);
-        points.push_back({QString::fromStdString(row.algorithm), row.medianMs, row.q1Ms, row.q3Ms, errorOf(row, measure), markOf(row)});
+        points.push_back({QString::fromStdString(row.algorithm), row.medianMs, row.q1Ms, row.q3Ms,
+                          errorOf(row, measure), markOf(row)});
     }
     m_said->setText(sentenceOf(points, measure));
     m_chart->setPoints(std::move(points), measure);
@@ -412,8 +436,9 @@ void MeasurePanel::showChart()
 void MeasurePanel::showLoaded()
 {
     std::optional<std::size_t> loaded;
-    const RecordCase* seen = m_case ? &m_record->cases[*m_case] : nullptr;
-    if (seen && m_view != MeasuredView{seen->sceneDigest, seen->camera, seen->faceCulling}) return m_chart->setLoaded({});
+    const RecordCase*          seen = m_case ? &m_record->cases[*m_case] : nullptr;
+    if (seen && m_view != MeasuredView{seen->sceneDigest, seen->camera, seen->faceCulling})
+        return m_chart->setLoaded({});
     for (std::size_t point = 0; point < m_runOfPoint.size(); ++point)
         if (m_runs->runs()[m_runOfPoint[point]].pipeline == session().now().pipeline) loaded = point;
     m_chart->setLoaded(loaded);
@@ -430,7 +455,8 @@ void MeasurePanel::load(std::size_t run)
 {
     const Run& chosen = m_runs->runs()[run];
     if (!pipelineNamed(chosen.row.algorithm)) {
-        m_trouble = tr("%1 is another program: it cannot be loaded here.").arg(QString::fromStdString(chosen.row.algorithm));
+        m_trouble =
+            tr("%1 is another program: it cannot be loaded here.").arg(QString::fromStdString(chosen.row.algorithm));
         return showProgress();
     }
     session().setPipeline(chosen.pipeline);
@@ -443,35 +469,6 @@ void MeasurePanel::load(std::size_t run)
 
 // Files -------------------------------------------------------------------------------------------------------------
 
-namespace {
-
-/// One case: the view in the window.
-Record recordOf(const Session& session, const MeasuredView& view, const std::vector<BenchRow>& rows)
-{
-    Experiment experiment;
-    experiment.title  = {"Runs of one view", "同一视图的运行"};
-    experiment.digest = digestOfText(view.digest + cameraToJson(view.camera));
-    ExperimentPart part;
-    part.scenes.resize(1);
-    experiment.parts.push_back(part);
-    const LoadedScene& scene = *session.now().scene;
-    Record              record{recordHeadFor(experiment), {}};
-    record.add({.part        = experiment.title,
-                .x           = {},
-                .scene       = scene.title.toStdString(),
-                .sceneDigest = view.digest,
-                .place       = 1,
-                .width       = view.camera.width,
-                .height      = view.camera.height,
-                .word        = scene.word.toStdString(),
-                .camera      = view.camera,
-                .faceCulling = view.faceCulling,
-                .rows        = benchToJson(rows)});
-    return record;
-}
-
-}  // namespace
-
 const std::vector<Run>& MeasurePanel::shownRuns() const { return m_case ? m_recorded : m_measurer.runsOf(m_view); }
 
 std::optional<QString> MeasurePanel::saveTo(const QString& file) const
@@ -480,9 +477,12 @@ std::optional<QString> MeasurePanel::saveTo(const QString& file) const
     for (const Run& run : m_runs->runs()) rows.push_back(run.row);
     const bool  isTable = file.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
     std::string text;
-    if (isTable) text = benchToCsv(rows);
-    else if (m_case) text = recordToJson(*m_record);
-    else if (m_view && session().now().scene) text = recordToJson(recordOf(session(), *m_view, rows));
+    if (isTable)
+        text = benchToCsv(rows);
+    else if (m_case)
+        text = recordToJson(*m_record);
+    else if (m_view && session().now().scene)
+        text = recordToJson(recordOf(session(), *m_view, rows));
     if (const auto done = writeFile(QFile::encodeName(file).toStdString(), text); !done) return said(done.error());
     return {};
 }
@@ -519,8 +519,10 @@ void MeasurePanel::fillCases()
     m_cases->addItem(tr("The view in the window"));
     if (m_record)
         for (const RecordCase& each : m_record->cases) {
-            const std::string& part = tr("en") == QStringLiteral("zh_CN") ? each.part.chinese : each.part.english;  // the language that is spoken
-            m_cases->addItem(QStringLiteral("%1: %2").arg(QString::fromStdString(part), QString::fromStdString(each.scene)));
+            // the language that is spoken
+            const std::string& part = tr("en") == QStringLiteral("zh_CN") ? each.part.chinese : each.part.english;
+            m_cases->addItem(
+                QStringLiteral("%1: %2").arg(QString::fromStdString(part), QString::fromStdString(each.scene)));
         }
     m_cases->setCurrentIndex(at);
     m_cases->setVisible(m_record.has_value());
@@ -543,7 +545,9 @@ void MeasurePanel::chooseCase(int at)
 
 void MeasurePanel::askWhere()
 {
-    const QString file = QFileDialog::getSaveFileName(this, tr("Save the runs of this view"), QStringLiteral("runs.json"), tr("Records (*.json);;CSV, the table (*.csv)"));
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Save the runs of this view"), QStringLiteral("runs.json"),
+                                     tr("Records (*.json);;CSV, the table (*.csv)"));
     if (file.isEmpty()) return;
     m_trouble = saveTo(file).value_or(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
     showProgress();

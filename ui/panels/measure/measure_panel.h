@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work and time, and speed against error: times algorithms on the view that is shown, lists the runs, takes one apart stage by
-// stage, and draws them as a chart whose points load a run.
+// Work and time, and speed against error: times algorithms on the view that
+// is shown, lists the runs, takes one apart stage by stage, and draws them as a chart whose points load a run.
 //
 // Layout     wide: runs, stages and chart side by side; narrow: one below the other, scrolled
-// Runs       belong to the Measurer, view by view; the panel shows those of the view in the window, or of a case of a record that
-//            was opened from a file. To load a run of a record opens its scene from where it was seen
+// Runs       belong to the Measurer, view by view; the panel shows those of the view in the window, or of a case of a
+//            record that was opened from a file. To load a run of a record opens its scene from where it was seen
 #pragma once
 
 #include <optional>
@@ -44,8 +44,9 @@ public:
 
     Measurer& measurer() { return m_measurer; }
     /// Times what the panel's choices say on the view that is shown, as its button does.
-    void      start();
-    /// The runs shown: a record (core/measure/record.h), or CSV if the name ends so. The trouble as a sentence, or nothing.
+    void start();
+    /// The runs shown: a record (core/measure/record.h), or CSV if the name ends so. The trouble as a sentence, or
+    /// nothing.
     std::optional<QString> saveTo(const QString& file) const;
     /// Shows the runs of a record, beginning with its first case. The trouble as a sentence, or nothing.
     std::optional<QString> openRecord(const QString& file);
@@ -64,45 +65,45 @@ private:
     void     say();
     void     fitColumns();
 
-    void askWhere();
-    void fillCases();
-    void chooseCase(int at);
+    void                    askWhere();
+    void                    fillCases();
+    void                    chooseCase(int at);
     const std::vector<Run>& shownRuns() const;
-    void showProgress();
-    void showRuns();     // of the view in the window
-    void showRun();      // the selected one, taken apart
-    void showChart();
-    void showLoaded();   // which run is what the window draws
-    void select(std::size_t run);
-    void load(std::size_t run);
-    void arrange();
+    void                    showProgress();
+    void                    showRuns();  // of the view in the window
+    void                    showRun();   // the selected one, taken apart
+    void                    showChart();
+    void                    showLoaded();  // which run is what the window draws
+    void                    select(std::size_t run);
+    void                    load(std::size_t run);
+    void                    arrange();
 
     std::optional<std::size_t> selected() const;  // of the model's runs
     std::optional<std::size_t> pointOf(std::size_t run) const;
 
     Measurer                    m_measurer;
-    std::optional<Record>       m_record;         // opened from a file
-    std::optional<std::size_t>  m_case;           // of it, that is shown; nothing: the view in the window
-    std::vector<Run>            m_recorded;       // of that case
+    std::optional<Record>       m_record;    // opened from a file
+    std::optional<std::size_t>  m_case;      // of it, that is shown; nothing: the view in the window
+    std::vector<Run>            m_recorded;  // of that case
     std::optional<MeasuredView> m_view;
     std::vector<std::size_t>    m_runOfPoint;
     bool                        m_isWide = false, m_isArranged = false;
 
-    RunsModel*             m_runs;
-    SortedRuns*            m_sorted;
-    StagesModel*           m_stages;
-    CountersModel*         m_counters;
-    SpeedErrorChart*       m_chart;
-    QTableView *           m_runTable, *m_stageTable, *m_counterTable;
-    QComboBox *            m_what, *m_measure, *m_cases;
-    QSpinBox*              m_frames;
-    QCheckBox*             m_checks;
-    QPushButton *          m_start, *m_stop, *m_save, *m_open;
-    QProgressBar*          m_progress;
-    QLabel *               m_doing, *m_hint, *m_about, *m_said;
-    QWidget*               m_body;
-    QBoxLayout *           m_columns, *m_controls;
-    QString                m_trouble;
+    RunsModel*       m_runs;
+    SortedRuns*      m_sorted;
+    StagesModel*     m_stages;
+    CountersModel*   m_counters;
+    SpeedErrorChart* m_chart;
+    QTableView *     m_runTable, *m_stageTable, *m_counterTable;
+    QComboBox *      m_what, *m_measure, *m_cases;
+    QSpinBox*        m_frames;
+    QCheckBox*       m_checks;
+    QPushButton *    m_start, *m_stop, *m_save, *m_open;
+    QProgressBar*    m_progress;
+    QLabel *         m_doing, *m_hint, *m_about, *m_said;
+    QWidget*         m_body;
+    QBoxLayout *     m_columns, *m_controls;
+    QString          m_trouble;
 };
 
 }  // namespace zscope::ui

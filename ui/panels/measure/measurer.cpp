@@ -42,17 +42,20 @@ void Measurer::start(const Session& session, std::vector<BenchAlgorithm> algorit
                          .frames      = frames,
                          .verify      = checks,
                          .memoryLimit = session.settings().memoryLimit};
-    m_worker->post(Worker::Slot::Draw, [this, view = *view, number = ++m_request, request = std::move(request)](const std::atomic<bool>& cancel) mutable {
-        const auto deliver = [this](auto answer) { m_worker->deliver(std::move(answer)); };
-        auto        told   = std::chrono::steady_clock::now() - kProgressEvery;
-        std::size_t done   = 0;
+    m_worker->post(Worker::Slot::Draw, [this, view = *view, number = ++m_request,
+                                        request = std::move(request)](const std::atomic<bool>& cancel) mutable {
+        const auto  deliver     = [this](auto answer) { m_worker->deliver(std::move(answer)); };
+        auto        told        = std::chrono::steady_clock::now() - kProgressEvery;
+        std::size_t done        = 0;
         request.progress.cancel = &cancel;
         request.progress.report = [&](double fraction, std::string_view what) {
-            const bool isTiming = std::ranges::find(request.algorithms, what, &BenchAlgorithm::name) != request.algorithms.end();
-            const auto time     = std::chrono::steady_clock::now();
+            const bool isTiming =
+                std::ranges::find(request.algorithms, what, &BenchAlgorithm::name) != request.algorithms.end();
+            const auto time = std::chrono::steady_clock::now();
             if (time - told < kProgressEvery) return;
             told = time;
-            deliver([this, number, fraction = isTiming ? fraction : 0, doing = isTiming ? std::string(what) : std::string()] {
+            deliver([this, number, fraction = isTiming ? fraction : 0,
+                     doing = isTiming ? std::string(what) : std::string()] {
                 if (number != m_request) return;
                 m_progress = fraction;
                 m_doing    = QString::fromStdString(doing);
@@ -60,9 +63,11 @@ void Measurer::start(const Session& session, std::vector<BenchAlgorithm> algorit
             });
         };
         request.finished = [&](const BenchRow& row) {
-            deliver([this, view, run = Run{request.algorithms[done++].pipeline, row}]() mutable { keep(view, std::move(run)); });
+            deliver([this, view, run = Run{request.algorithms[done++].pipeline, row}]() mutable {
+                keep(view, std::move(run));
+            });
         };
-        const auto rows = bench(request);
+        const auto rows      = bench(request);
         const bool isTrouble = !rows && rows.error().kind != Trouble::Cancelled;
         deliver([this, number, sentence = isTrouble ? rows.error().text() : std::string()] {
             if (!sentence.empty()) emit failed(said(sentence));
@@ -90,9 +95,12 @@ void Measurer::keep(const MeasuredView& view, Run run)
 {
     auto list = std::ranges::find(m_lists, view, &List::view);
     if (list == m_lists.end()) list = m_lists.insert(m_lists.end(), List{view, {}});
-    const auto same = std::ranges::find_if(list->runs, [&](const Run& old) { return old.pipeline == run.pipeline && old.row.threads == run.row.threads; });
-    if (same == list->runs.end()) list->runs.push_back(std::move(run));
-    else *same = std::move(run);
+    const auto same = std::ranges::find_if(
+        list->runs, [&](const Run& old) { return old.pipeline == run.pipeline && old.row.threads == run.row.threads; });
+    if (same == list->runs.end())
+        list->runs.push_back(std::move(run));
+    else
+        *same = std::move(run);
     emit found(view);
 }
 

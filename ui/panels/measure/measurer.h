@@ -4,8 +4,8 @@
 // View       scene by its digest, camera with its size, face culling: runs of another view are another list
 // Newest     a run of the same algorithm and threads takes the place of the one before
 // Stopped    what has been finished is kept
-// Threads    to be used from one thread; bench() runs on a worker of its own. Destroying it in the middle of a run cancels
-//            that and waits for it
+// Threads    to be used from one thread; bench() runs on a worker of its own. Destroying it in the middle of a run
+//            cancels that and waits for it
 #pragma once
 
 #include <memory>

@@ -18,10 +18,14 @@ struct Words {
 double timeOf(const BenchRow& row, RunsModel::Column column)
 {
     switch (column) {
-    case RunsModel::Median: return row.medianMs;
-    case RunsModel::Q1: return row.q1Ms;
-    case RunsModel::Q3: return row.q3Ms;
-    default: return row.bestMs;
+        case RunsModel::Median:
+            return row.medianMs;
+        case RunsModel::Q1:
+            return row.q1Ms;
+        case RunsModel::Q3:
+            return row.q3Ms;
+        default:
+            return row.bestMs;
     }
 }
 
@@ -37,8 +41,12 @@ QString algorithmOf(const Run& run)
 
 QString choicesOf(const Run& run)
 {
-    QString choices = QString::fromStdString(run.row.algorithm).section(QLatin1Char('+'), 1).replace(QLatin1Char('+'), QLatin1Char(' '));
-    if (!run.row.chosen.empty()) choices += (choices.isEmpty() ? QString() : QStringLiteral(" ")) + QStringLiteral("\u2192 ") + QString::fromStdString(run.row.chosen);
+    QString choices = QString::fromStdString(run.row.algorithm)
+                          .section(QLatin1Char('+'), 1)
+                          .replace(QLatin1Char('+'), QLatin1Char(' '));
+    if (!run.row.chosen.empty())
+        choices += (choices.isEmpty() ? QString() : QStringLiteral(" ")) + QStringLiteral("\u2192 ")
+                   + QString::fromStdString(run.row.chosen);
     return choices;
 }
 
@@ -46,19 +54,27 @@ QString sentenceOf(const Run& run)
 {
     const BenchRow& row  = run.row;
     const QString   name = QString::fromStdString(row.algorithm);
-    QString said = row.threads == 1 ? Words::tr("%1, 1 thread, %2.").arg(name, QString::fromUtf8(zscope::wordOf(row.simd).data()))
-                                    : Words::tr("%1, %2 threads, %3.").arg(name).arg(row.threads).arg(QString::fromUtf8(zscope::wordOf(row.simd).data()));
+    const QString   simd = QString::fromUtf8(zscope::wordOf(row.simd).data());
+    QString         said = row.threads == 1 ? Words::tr("%1, 1 thread, %2.").arg(name, simd)
+                                            : Words::tr("%1, %2 threads, %3.").arg(name).arg(row.threads).arg(simd);
     if (!row.chosen.empty()) said += ' ' + Words::tr("It chose %1.").arg(QString::fromStdString(row.chosen));
     if (!row.figures) return said + ' ' + Words::tr("Its picture was not checked.");
     const ErrorFigures& figures = *row.figures;
     if (row.isBroken())
-        said += ' ' + Words::tr("Its picture is WRONG although it promised to be exact: %1. Its time is no result.")
-                          .arg(counted(*row.wrongPixels, Words::tr("1 pixel differs in triangle or depth"), Words::tr("%1 pixels differ in triangle or depth")));
+        said += ' '
+                + Words::tr("Its picture is WRONG although it promised to be exact: %1. Its time is no result.")
+                      .arg(counted(*row.wrongPixels, Words::tr("1 pixel differs in triangle or depth"),
+                                   Words::tr("%1 pixels differ in triangle or depth")));
     else if (*row.wrongPixels == 0)
-        return said + ' ' + (row.claim == Claim::ExactByFace ? Words::tr("Its faces cover exactly what they should.") : Words::tr("Its picture is the reference's, to the bit."));
-    said += ' ' + Words::tr("%1 holes, %2 spills, %3 other surfaces, of them %4 near ties; %5 depths differ, by up to %6 float32 steps.")
-                      .arg(grouped(figures.holes), grouped(figures.spills), grouped(figures.wrongSurface()), grouped(figures.nearTies),
-                           grouped(figures.depthBitsDiffer), grouped(figures.maxDepthSteps));
+        return said + ' '
+               + (row.claim == Claim::ExactByFace ? Words::tr("Its faces cover exactly what they should.")
+                                                  : Words::tr("Its picture is the reference's, to the bit."));
+    said += ' '
+            + Words::tr(
+                  "%1 holes, %2 spills, %3 other surfaces, of them %4 near ties; %5 depths differ, by up to %6 float32 "
+                  "steps.")
+                  .arg(grouped(figures.holes), grouped(figures.spills), grouped(figures.wrongSurface()),
+                       grouped(figures.nearTies), grouped(figures.depthBitsDiffer), grouped(figures.maxDepthSteps));
     return said;
 }
 
@@ -72,7 +88,8 @@ QVariant SortedRuns::headerData(int section, Qt::Orientation orientation, int ro
 {
     const QVariant title = QSortFilterProxyModel::headerData(section, orientation, role);
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole || section != sortColumn()) return title;
-    return title.toString() + (sortOrder() == Qt::AscendingOrder ? QStringLiteral(" \u25B4") : QStringLiteral(" \u25BE"));
+    return title.toString()
+           + (sortOrder() == Qt::AscendingOrder ? QStringLiteral(" \u25B4") : QStringLiteral(" \u25BE"));
 }
 
 void SortedRuns::sort(int column, Qt::SortOrder order)
@@ -94,7 +111,10 @@ void RunsModel::setPalette(const QPalette& palette)
     if (!m_runs.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1), {Qt::ForegroundRole});
 }
 
-int RunsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_runs.size()); }
+int RunsModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_runs.size());
+}
 int RunsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
 QVariant RunsModel::data(const QModelIndex& at, int role) const
@@ -104,58 +124,89 @@ QVariant RunsModel::data(const QModelIndex& at, int role) const
     const BenchRow& row    = run.row;
     const auto      column = static_cast<Column>(at.column());
     switch (role) {
-    case Qt::DisplayRole:
-        switch (column) {
-        case Algorithm: return shapeOf(markOf(row)) + ' ' + algorithmOf(run);
-        case Choices: return choicesOf(run);
-        case Wrong: return row.figures ? grouped(static_cast<std::uint64_t>(errorOf(row, ErrorMeasure::WrongPixels))) : QStringLiteral("\u2013");
-        case Worst: return row.figures ? significant(errorOf(row, ErrorMeasure::DepthDistance), 3) : QStringLiteral("\u2013");
-        default: return decimal(timeOf(row, column), 3);
+        case Qt::DisplayRole:
+            switch (column) {
+                case Algorithm:
+                    return shapeOf(markOf(row)) + ' ' + algorithmOf(run);
+                case Choices:
+                    return choicesOf(run);
+                case Wrong:
+                    return row.figures ? grouped(static_cast<std::uint64_t>(errorOf(row, ErrorMeasure::WrongPixels)))
+                                       : QStringLiteral("\u2013");
+                case Worst:
+                    return row.figures ? significant(errorOf(row, ErrorMeasure::DepthDistance), 3)
+                                       : QStringLiteral("\u2013");
+                default:
+                    return decimal(timeOf(row, column), 3);
+            }
+        case kSortRole:
+            switch (column) {
+                case Algorithm:
+                    return algorithmOf(run) + ' ' + choicesOf(run);
+                case Choices:
+                    return choicesOf(run);
+                case Wrong:
+                    return row.figures ? errorOf(row, ErrorMeasure::WrongPixels) : -1;
+                case Worst:
+                    return row.figures ? errorOf(row, ErrorMeasure::DepthDistance) : -1;
+                default:
+                    return timeOf(row, column);
+            }
+        case Qt::ToolTipRole:
+            return sentenceOf(run);
+        case Qt::AccessibleDescriptionRole:
+            return sentenceOf(run);
+        case Qt::TextAlignmentRole:
+            return QVariant::fromValue(
+                Qt::Alignment((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+        case Qt::ForegroundRole: {
+            const Theme& theme = themeOf(m_palette);
+            if (row.isBroken()) return theme.error;
+            return column == Choices || column == Q1 || column == Q3 ? theme.softText : theme.text;
         }
-    case kSortRole:
-        switch (column) {
-        case Algorithm: return algorithmOf(run) + ' ' + choicesOf(run);
-        case Choices: return choicesOf(run);
-        case Wrong: return row.figures ? errorOf(row, ErrorMeasure::WrongPixels) : -1;
-        case Worst: return row.figures ? errorOf(row, ErrorMeasure::DepthDistance) : -1;
-        default: return timeOf(row, column);
+        case Qt::FontRole: {
+            if (!row.isBroken() || column == Wrong || column == Worst) return {};
+            QFont struck;
+            struck.setStrikeOut(true);
+            return struck;
         }
-    case Qt::ToolTipRole: return sentenceOf(run);
-    case Qt::AccessibleDescriptionRole: return sentenceOf(run);
-    case Qt::TextAlignmentRole: return QVariant::fromValue(Qt::Alignment((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-    case Qt::ForegroundRole: {
-        const Theme& theme = themeOf(m_palette);
-        if (row.isBroken()) return theme.error;
-        return column == Choices || column == Q1 || column == Q3 ? theme.softText : theme.text;
-    }
-    case Qt::FontRole: {
-        if (!row.isBroken() || column == Wrong || column == Worst) return {};
-        QFont struck;
-        struck.setStrikeOut(true);
-        return struck;
-    }
-    default: return {};
+        default:
+            return {};
     }
 }
 
 QVariant RunsModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation != Qt::Horizontal || section < 0 || section >= kColumns) return {};
-    if (role == Qt::TextAlignmentRole) return QVariant::fromValue(Qt::Alignment((isNumber(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-    if (role == Qt::ToolTipRole && section == Wrong) return tr("Pixels that show another triangle than the reference, or one or none where it does not");
-    if (role == Qt::ToolTipRole && section == Worst) return tr("The largest relative error of a view distance, wherever both show a triangle");
-    if (role == Qt::ToolTipRole && (section == Q1 || section == Q3)) return tr("Half of the frames took between the two quartiles");
+    if (role == Qt::TextAlignmentRole)
+        return QVariant::fromValue(
+            Qt::Alignment((isNumber(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+    if (role == Qt::ToolTipRole && section == Wrong)
+        return tr("Pixels that show another triangle than the reference, or one or none where it does not");
+    if (role == Qt::ToolTipRole && section == Worst)
+        return tr("The largest relative error of a view distance, wherever both show a triangle");
+    if (role == Qt::ToolTipRole && (section == Q1 || section == Q3))
+        return tr("Half of the frames took between the two quartiles");
     if (role != Qt::DisplayRole) return {};
     switch (static_cast<Column>(section)) {
-    case Algorithm: return tr("algorithm");
-    case Choices: return tr("choices");
-    case Median: return tr("median, ms");
-    case Q1: return tr("Q1, ms");
-    case Q3: return tr("Q3, ms");
-    case Best: return tr("best, ms");
-    case Wrong: return tr("wrong px");
-    case Worst: return tr("depth error");
-    case kColumns: break;
+        case Algorithm:
+            return tr("algorithm");
+        case Choices:
+            return tr("choices");
+        case Median:
+            return tr("median, ms");
+        case Q1:
+            return tr("Q1, ms");
+        case Q3:
+            return tr("Q3, ms");
+        case Best:
+            return tr("best, ms");
+        case Wrong:
+            return tr("wrong px");
+        case Worst:
+            return tr("depth error");
+        case kColumns:
+            break;
     }
     return {};
 }

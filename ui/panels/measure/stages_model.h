@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run, stage by stage: quartiles, share of the frame, and what a piece of the stage's work cost. The last row is the frame.
+// One run, stage by stage: quartiles, share of the frame, and what a piece of
+// the stage's work cost. The last row is the frame.
 #pragma once
 
 #include <optional>

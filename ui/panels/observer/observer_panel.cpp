@@ -9,8 +9,8 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/observer/observer_view.h"
-#include "ui/parts/verdict_bar.h"
 #include "ui/parts/scrolling.h"
+#include "ui/parts/verdict_bar.h"
 #include "ui/text/numbers.h"
 #include "ui/text/spoken.h"
 #include "ui/theme/theme.h"
@@ -24,8 +24,8 @@ constexpr VerdictSet kBoxesAtFirst{false, true, true, false, true, true};  // by
 }  // namespace
 
 ObserverPanel::ObserverPanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_view(new ObserverView), m_boxes(new VerdictBar(kBoxesAtFirst)),
-      m_freeze(new QCheckBox), m_reset(new QPushButton), m_words(new QLabel), m_hint(new QLabel)
+    : Panel(session, parent), m_view(new ObserverView), m_boxes(new VerdictBar(kBoxesAtFirst)), m_freeze(new QCheckBox),
+      m_reset(new QPushButton), m_words(new QLabel), m_hint(new QLabel)
 {
     m_freeze->setFocusPolicy(Qt::TabFocus);
     m_reset->setFocusPolicy(Qt::TabFocus);
@@ -61,12 +61,13 @@ ObserverPanel::ObserverPanel(Session& session, QWidget* parent)
     connect(m_view, &ObserverView::picked, this, [this](int node) {
         const HierarchyState* hierarchy = m_frozen ? &*m_frozen->state.hierarchy : this->session().now().hierarchy();
         if (!hierarchy || node >= static_cast<int>(hierarchy->nodes.size())) return;
-        this->session().selectNode(node < 0 ? std::nullopt : std::optional(nameOf(hierarchy->nodes[static_cast<std::size_t>(node)])));
+        this->session().selectNode(node < 0 ? std::nullopt
+                                            : std::optional(nameOf(hierarchy->nodes[static_cast<std::size_t>(node)])));
     });
     connect(m_freeze, &QCheckBox::toggled, this, [this](bool on) {
         const Snapshot& now = this->session().now();
-        m_frozen      = on && now.hierarchy() ? now.step : nullptr;
-        m_frozenScene = m_frozen ? now.scene : nullptr;
+        m_frozen            = on && now.hierarchy() ? now.step : nullptr;
+        m_frozenScene       = m_frozen ? now.scene : nullptr;
         showStep(now);
     });
     spoken(*this, [this] {
@@ -75,7 +76,9 @@ ObserverPanel::ObserverPanel(Session& session, QWidget* parent)
         m_reset->setText(tr("Whole scene"));
         m_freeze->setToolTip(tr("Keeps this step's view and verdicts here while the camera of the picture moves on"));
         m_reset->setToolTip(tr("Looks at the whole scene and the frustum again"));
-        m_hint->setText(tr("The boxes appear here as soon as the hierarchy is visited. Press Right to go on, or choose the grain “node”."));
+        m_hint->setText(
+            tr("The boxes appear here as soon as the hierarchy is visited. Press Right to go on, or choose the grain "
+               "“node”."));
         showWords();
     });
 }
@@ -88,8 +91,8 @@ void ObserverPanel::present(const Snapshot& shown, Changes what)
 
 void ObserverPanel::showStep(const Snapshot& shown)
 {
-    const bool  live  = shown.hierarchy() && !shown.hierarchy()->nodes.empty();
-    const auto& step  = m_frozen ? m_frozen : live ? shown.step : nullptr;
+    const bool  live = shown.hierarchy() && !shown.hierarchy()->nodes.empty();
+    const auto& step = m_frozen ? m_frozen : live ? shown.step : nullptr;
     m_viewOrHint->setCurrentIndex(step ? 0 : 1);
     m_freeze->setEnabled(step != nullptr);
     if (!step) {
@@ -111,9 +114,12 @@ void ObserverPanel::showWords()
 {
     const auto& observer = m_view->observer();
     if (!observer) return;
-    QString words = tr("%1 triangles: pale blue where drawn, else in the colour of their node's verdict.").arg(grouped(observer->trianglesShown()));
-    if (observer->trianglesLeftOut() > 0) words += ' ' + tr("%1 more are left out.").arg(grouped(observer->trianglesLeftOut()));
-    if (observer->boxesLeftOut() > 0) words += ' ' + tr("%1 boxes are left out.").arg(grouped(observer->boxesLeftOut()));
+    QString words = tr("%1 triangles: pale blue where drawn, else in the colour of their node's verdict.")
+                        .arg(grouped(observer->trianglesShown()));
+    if (observer->trianglesLeftOut() > 0)
+        words += ' ' + tr("%1 more are left out.").arg(grouped(observer->trianglesLeftOut()));
+    if (observer->boxesLeftOut() > 0)
+        words += ' ' + tr("%1 boxes are left out.").arg(grouped(observer->boxesLeftOut()));
     m_words->setText(words);
 }
 

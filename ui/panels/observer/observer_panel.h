@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The observer camera: the view that culls stays where it is, the user flies outside and sees its frustum, the boxes by verdict,
-// and what was culled.
+// The observer camera: the view that culls stays where it is, the user flies
+// outside and sees its frustum, the boxes by verdict, and what was culled.
 #pragma once
 
 #include "ui/panels/panel.h"
@@ -21,19 +21,19 @@ class ObserverPanel final : public Panel {
 public:
     explicit ObserverPanel(Session& session, QWidget* parent = nullptr);
 
-    void present(const Snapshot& shown, Changes what) override;
+    void          present(const Snapshot& shown, Changes what) override;
     ObserverView& view() const { return *m_view; }
 
 private:
     void showStep(const Snapshot& shown);
     void showWords();
 
-    ObserverView*   m_view;
-    VerdictBar*     m_boxes;
-    QCheckBox*      m_freeze;
-    QPushButton*    m_reset;
-    QLabel *        m_words, *m_hint;
-    QStackedLayout* m_viewOrHint;
+    ObserverView*                      m_view;
+    VerdictBar*                        m_boxes;
+    QCheckBox*                         m_freeze;
+    QPushButton*                       m_reset;
+    QLabel *                           m_words, *m_hint;
+    QStackedLayout*                    m_viewOrHint;
     std::shared_ptr<const ShownStep>   m_frozen;  // while the view is frozen: what it was
     std::shared_ptr<const LoadedScene> m_frozenScene;
 };

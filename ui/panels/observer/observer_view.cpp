@@ -18,8 +18,8 @@ namespace {
 constexpr double kOrbitPerSize = 3.2;   // radians per height of the view
 constexpr double kTurnStep     = 0.12;  // radians per arrow key
 constexpr double kWheelStep    = 1.15;
-constexpr double kClickReach   = 4;     // logical pixels a click may wander
-constexpr int    kThreads      = 1;     // the picture in the middle has the others
+constexpr double kClickReach   = 4;  // logical pixels a click may wander
+constexpr int    kThreads      = 1;  // the picture in the middle has the others
 
 }  // namespace
 
@@ -30,13 +30,15 @@ ObserverView::ObserverView(QWidget* parent) : QWidget(parent), m_worker(std::mak
     setAttribute(Qt::WA_OpaquePaintEvent);
     spoken(*this, [this] {
         setAccessibleName(tr("The hierarchy from outside"));
-        setAccessibleDescription(tr("Drag orbits, the middle button pans, the wheel comes closer, arrow keys turn, a click selects a node"));
+        setAccessibleDescription(
+            tr("Drag orbits, the middle button pans, the wheel comes closer, arrow keys turn, a click selects a node"));
     });
 }
 
 ObserverView::~ObserverView() = default;
 
-void ObserverView::present(std::shared_ptr<const ShownStep> step, std::shared_ptr<const LoadedScene> scene, int selected)
+void ObserverView::present(std::shared_ptr<const ShownStep> step, std::shared_ptr<const LoadedScene> scene,
+                           int selected)
 {
     const bool isSame = step == m_step && selected == m_selected;
     if (scene != m_scene) m_control.reset();
@@ -70,37 +72,39 @@ void ObserverView::request()
     }
     const QSize size = (QSizeF(this->size()) * devicePixelRatioF()).toSize();
     if (size.isEmpty()) return;
-    m_worker->post(Worker::Slot::Draw, [this, step = m_step, scene = m_scene, control = m_control, boxes = m_boxes, selected = m_selected,
-                                        size, known = m_observer, knownStep = m_observer ? m_observedStep : nullptr](const std::atomic<bool>& cancel) {
-        std::shared_ptr<const Observer> observer = known;
-        if (!observer || knownStep != step) {
-            auto made = Observer::make(scene->prepared, step->camera, *step->state.hierarchy);
-            if (!made) return;
-            observer = *made;
-        }
-        Camera from = observer->firstView(size.width(), size.height());
-        if (control) {
-            ViewRequest base;
-            base.verticalFov = 40;
-            base.near        = from.near;
-            base.far         = from.far;
-            base.width       = size.width();
-            base.height      = size.height();
-            const auto moved = makeCamera(control->view(base), observer->bounds());
-            if (!moved) return;
-            from = *moved;
-        }
-        auto picture = observer->draw(from, boxes, selected, kThreads, &cancel);
-        if (!picture || cancel) return;
-        m_worker->deliver([this, observer, step, from, picture = std::move(picture).value()]() mutable {
-            m_observer     = observer;
-            m_observedStep = step;
-            m_camera       = from;
-            m_picture      = std::move(picture);
-            update();
-            emit drawn();
+    m_worker->post(
+        Worker::Slot::Draw,
+        [this, step = m_step, scene = m_scene, control = m_control, boxes = m_boxes, selected = m_selected, size,
+         known = m_observer, knownStep = m_observer ? m_observedStep : nullptr](const std::atomic<bool>& cancel) {
+            std::shared_ptr<const Observer> observer = known;
+            if (!observer || knownStep != step) {
+                auto made = Observer::make(scene->prepared, step->camera, *step->state.hierarchy);
+                if (!made) return;
+                observer = *made;
+            }
+            Camera from = observer->firstView(size.width(), size.height());
+            if (control) {
+                ViewRequest base;
+                base.verticalFov = 40;
+                base.near        = from.near;
+                base.far         = from.far;
+                base.width       = size.width();
+                base.height      = size.height();
+                const auto moved = makeCamera(control->view(base), observer->bounds());
+                if (!moved) return;
+                from = *moved;
+            }
+            auto picture = observer->draw(from, boxes, selected, kThreads, &cancel);
+            if (!picture || cancel) return;
+            m_worker->deliver([this, observer, step, from, picture = std::move(picture).value()]() mutable {
+                m_observer     = observer;
+                m_observedStep = step;
+                m_camera       = from;
+                m_picture      = std::move(picture);
+                update();
+                emit drawn();
+            });
         });
-    });
 }
 
 void ObserverView::move(const std::function<void(CameraControl&)>& how)
@@ -145,7 +149,9 @@ void ObserverView::mouseMoveEvent(QMouseEvent* event)
     if ((m_last - m_pressed).manhattanLength() <= kClickReach) return;
     const double size = std::max(height(), 1);
     if (event->buttons() & Qt::LeftButton)
-        move([&](CameraControl& camera) { camera.orbit(-moved.x() / size * kOrbitPerSize, -moved.y() / size * kOrbitPerSize); });
+        move([&](CameraControl& camera) {
+            camera.orbit(-moved.x() / size * kOrbitPerSize, -moved.y() / size * kOrbitPerSize);
+        });
     else if (event->buttons() & (Qt::MiddleButton | Qt::RightButton))
         move([&](CameraControl& camera) { camera.pan(-moved.x() / size, moved.y() / size, m_camera.focal); });
 }
@@ -167,13 +173,20 @@ void ObserverView::wheelEvent(QWheelEvent* event)
 void ObserverView::keyPressEvent(QKeyEvent* event)
 {
     switch (event->key()) {
-    case Qt::Key_Left: return move([](CameraControl& camera) { camera.orbit(kTurnStep, 0); });
-    case Qt::Key_Right: return move([](CameraControl& camera) { camera.orbit(-kTurnStep, 0); });
-    case Qt::Key_Up: return move([](CameraControl& camera) { camera.orbit(0, -kTurnStep); });
-    case Qt::Key_Down: return move([](CameraControl& camera) { camera.orbit(0, kTurnStep); });
-    case Qt::Key_Plus: return move([](CameraControl& camera) { camera.dolly(1 / kWheelStep); });
-    case Qt::Key_Minus: return move([](CameraControl& camera) { camera.dolly(kWheelStep); });
-    default: QWidget::keyPressEvent(event);
+        case Qt::Key_Left:
+            return move([](CameraControl& camera) { camera.orbit(kTurnStep, 0); });
+        case Qt::Key_Right:
+            return move([](CameraControl& camera) { camera.orbit(-kTurnStep, 0); });
+        case Qt::Key_Up:
+            return move([](CameraControl& camera) { camera.orbit(0, -kTurnStep); });
+        case Qt::Key_Down:
+            return move([](CameraControl& camera) { camera.orbit(0, kTurnStep); });
+        case Qt::Key_Plus:
+            return move([](CameraControl& camera) { camera.dolly(1 / kWheelStep); });
+        case Qt::Key_Minus:
+            return move([](CameraControl& camera) { camera.dolly(kWheelStep); });
+        default:
+            QWidget::keyPressEvent(event);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of the observer: the hierarchy from outside, drawn by our own renderer on a thread of its own. Left drag orbits,
-// middle drag pans, the wheel dollies, arrow keys turn; a click selects the node that is seen there.
+// The picture of the observer: the hierarchy from outside, drawn by our own
+// renderer on a thread of its own. Left drag orbits, middle drag pans, the wheel dollies, arrow keys turn; a click
+// selects the node that is seen there.
 //
 // Requests   the newest wins; nothing is drawn while the view cannot be seen
 #pragma once
@@ -30,7 +31,7 @@ public:
     /// Back to where the whole scene and the culling view are seen.
     void resetView();
 
-    bool isIdle() const { return !m_worker->isBusy(); }
+    bool                                   isIdle() const { return !m_worker->isBusy(); }
     const std::shared_ptr<const Observer>& observer() const { return m_observer; }
     /// The row of the node that is seen at a place of the widget; -1: none.
     int nodeAt(const QPointF& place) const;
@@ -64,10 +65,10 @@ private:
     std::optional<CameraControl>       m_control;   // once the user has moved
     std::shared_ptr<const Observer>    m_observer;  // of the picture on show, made from
     std::shared_ptr<const ShownStep>   m_observedStep;
-    Camera                             m_camera;    // likewise
+    Camera                             m_camera;  // likewise
     ObserverPicture                    m_picture;
     QPointF                            m_pressed, m_last;
-    std::unique_ptr<Worker>            m_worker;    // last: stops before anything else goes
+    std::unique_ptr<Worker>            m_worker;  // last: stops before anything else goes
 };
 
 }  // namespace zscope::ui

@@ -79,7 +79,8 @@ void PipelinePanel::addAxes(QGridLayout& grid)
         combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         combo->setMinimumContentsLength(10);
         combo->setObjectName("compact");
-        for (const ChoiceEntry& choice : axis.choices) combo->addItem(text(choice.word));  // showChoices() adds its title
+        // showChoices() adds its title
+        for (const ChoiceEntry& choice : axis.choices) combo->addItem(text(choice.word));
         name->setBuddy(combo);
         grid.addWidget(name, static_cast<int>(i), 0);
         grid.addWidget(combo, static_cast<int>(i), 1);
@@ -104,9 +105,12 @@ void PipelinePanel::addStages(QGridLayout& grid)
 void PipelinePanel::choose(std::size_t axis, int choice)
 {
     const AxisEntry& entry = axes()[axis];
-    const auto wanted = withChoice(session().now().pipeline, entry.word, entry.choices[static_cast<std::size_t>(choice)].word);
-    if (wanted && !explainInvalid(*wanted)) session().setPipeline(*wanted);
-    else showChoices(session().now());
+    const auto       wanted =
+        withChoice(session().now().pipeline, entry.word, entry.choices[static_cast<std::size_t>(choice)].word);
+    if (wanted && !explainInvalid(*wanted))
+        session().setPipeline(*wanted);
+    else
+        showChoices(session().now());
 }
 
 void PipelinePanel::present(const Snapshot& shown, Changes what)
@@ -126,16 +130,19 @@ void PipelinePanel::showChoices(const Snapshot& shown)
                 m_axes[i]->setCurrentIndex(static_cast<int>(c));
                 m_axes[i]->setToolTip(said(axis.choices[c].title));
             }
-            const auto possible = withChoice(shown.pipeline, axis.word, axis.choices[c].word);
-            const auto why      = possible ? explainInvalid(*possible) : std::nullopt;
-            QStandardItem* item = model->item(static_cast<int>(c));
+            const auto     possible = withChoice(shown.pipeline, axis.word, axis.choices[c].word);
+            const auto     why      = possible ? explainInvalid(*possible) : std::nullopt;
+            QStandardItem* item     = model->item(static_cast<int>(c));
             item->setEnabled(!why);
             item->setToolTip(why ? said(*why) : said(axis.choices[c].title));
         }
     }
     const Preset* preset = findPreset(nameOf(shown.pipeline));
     const bool    byFace = preset && preset->claim == Claim::ExactByFace;
-    emit summaryChanged(!preset ? QString() : preset->isExact() ? tr("exact") : byFace ? tr("exact by face") : tr("approximate"));
+    emit          summaryChanged(!preset             ? QString()
+                                 : preset->isExact() ? tr("exact")
+                                 : byFace            ? tr("exact by face")
+                                                     : tr("approximate"));
 }
 
 void PipelinePanel::showStages(const Snapshot& shown)
@@ -156,8 +163,10 @@ void PipelinePanel::showStages(const Snapshot& shown)
             notRun << why;
         }
     }
-    if (!shown.frame) m_notRun->setText(tr("Nothing yet: open a scene."));
-    else m_notRun->setText(notRun.isEmpty() ? QString() : tr("Not needed: %1").arg(notRun.join("; ")));
+    if (!shown.frame)
+        m_notRun->setText(tr("Nothing yet: open a scene."));
+    else
+        m_notRun->setText(notRun.isEmpty() ? QString() : tr("Not needed: %1").arg(notRun.join("; ")));
 }
 
 }  // namespace zscope::ui

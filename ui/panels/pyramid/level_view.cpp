@@ -18,9 +18,7 @@ LevelView::LevelView(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMouseTracking(true);
-    spoken(*this, [this] {
-        setAccessibleName(tr("One level of the pyramid, large"));
-    });
+    spoken(*this, [this] { setAccessibleName(tr("One level of the pyramid, large")); });
 }
 
 void LevelView::present(const Snapshot& shown)
@@ -34,7 +32,7 @@ void LevelView::present(const Snapshot& shown)
 QRectF LevelView::room() const
 {
     const auto&  finest = m_step->pyramid.levels.front();
-    const QSizeF size   = QSizeF(finest.width(), finest.height()).scaled(QSizeF(width(), height()), Qt::KeepAspectRatio);
+    const QSizeF size = QSizeF(finest.width(), finest.height()).scaled(QSizeF(width(), height()), Qt::KeepAspectRatio);
     return {QPointF((width() - size.width()) / 2, (height() - size.height()) / 2), size};
 }
 
@@ -43,7 +41,7 @@ std::optional<QPoint> LevelView::pixelAt(const QPointF& place) const
     if (!m_step) return {};
     const QRectF at = room();
     if (!at.contains(place)) return {};
-    const auto& finest = m_step->pyramid.levels.front();
+    const auto&  finest = m_step->pyramid.levels.front();
     const QPoint pixel(static_cast<int>((place.x() - at.left()) / at.width() * finest.width()),
                        static_cast<int>((place.y() - at.top()) / at.height() * finest.height()));
     return QPoint(std::min(pixel.x(), finest.width() - 1), std::min(pixel.y(), finest.height() - 1));
@@ -66,11 +64,14 @@ void LevelView::paintEvent(QPaintEvent*)
     painter.setClipRect(at);
     painter.fillRect(at, QColor::fromRgb(kEmptyCell));
     painter.setRenderHint(QPainter::SmoothPixmapTransform, wide < 1);
-    painter.drawImage(placed(0, 0, cells.width() * cells.cellSize(), cells.height() * cells.cellSize()), imageOf(cells.colours));
+    painter.drawImage(placed(0, 0, cells.width() * cells.cellSize(), cells.height() * cells.cellSize()),
+                      imageOf(cells.colours));
     if (wide >= kGridFrom) {
         painter.setPen(QColor(255, 255, 255, 46));
-        for (int x = 1; x < cells.width(); ++x) painter.drawLine(QPointF(at.left() + x * wide, at.top()), QPointF(at.left() + x * wide, at.bottom()));
-        for (int y = 1; y < cells.height(); ++y) painter.drawLine(QPointF(at.left(), at.top() + y * wide), QPointF(at.right(), at.top() + y * wide));
+        for (int x = 1; x < cells.width(); ++x)
+            painter.drawLine(QPointF(at.left() + x * wide, at.top()), QPointF(at.left() + x * wide, at.bottom()));
+        for (int y = 1; y < cells.height(); ++y)
+            painter.drawLine(QPointF(at.left(), at.top() + y * wide), QPointF(at.right(), at.top() + y * wide));
     }
     const bool writes = wide >= kValuesFrom;
     if (writes) {
@@ -85,11 +86,13 @@ void LevelView::paintEvent(QPaintEvent*)
                 const double side = std::min(6.0, wide / 3);
                 painter.setPen(Qt::NoPen);
                 painter.setBrush(QColor(255, 255, 255, 190));
-                painter.drawPolygon(QPolygonF{cell.topRight(), cell.topRight() - QPointF(side, 0), cell.topRight() + QPointF(0, side)});
+                painter.drawPolygon(
+                    QPolygonF{cell.topRight(), cell.topRight() - QPointF(side, 0), cell.topRight() + QPointF(0, side)});
             }
             if (!writes) continue;
             painter.setPen(qGray(cells.colours.at(x, y)) < 120 ? Qt::white : Qt::black);
-            painter.drawText(cell.intersected(at), Qt::AlignCenter, cellText(cells.farthest.at(x, y), m_step->pyramid.empty));
+            painter.drawText(cell.intersected(at), Qt::AlignCenter,
+                             cellText(cells.farthest.at(x, y), m_step->pyramid.empty));
         }
     }
 
@@ -99,24 +102,28 @@ void LevelView::paintEvent(QPaintEvent*)
         const PixelBox& box = hierarchy.query->box;
         if (hierarchy.query->level == m_level) {  // the cells that answered
             const PixelBox asked = cellsUnder(box, m_level);
-            QColor tint = theme.now;
+            QColor         tint  = theme.now;
             tint.setAlpha(70);
-            painter.fillRect(placed(asked.x0 * cells.cellSize(), asked.y0 * cells.cellSize(), (asked.x1 - asked.x0) * cells.cellSize(),
-                                    (asked.y1 - asked.y0) * cells.cellSize()), tint);
+            painter.fillRect(placed(asked.x0 * cells.cellSize(), asked.y0 * cells.cellSize(),
+                                    (asked.x1 - asked.x0) * cells.cellSize(), (asked.y1 - asked.y0) * cells.cellSize()),
+                             tint);
         }
         painter.setPen(QPen(theme.now, 1.5, Qt::DashLine));
         painter.drawRect(placed(box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0));
     }
     if (hierarchy.update && hierarchy.update->level == m_level) {
         painter.setPen(QPen(theme.now, 2));
-        painter.drawRect(placed(hierarchy.update->x * cells.cellSize(), hierarchy.update->y * cells.cellSize(), cells.cellSize(), cells.cellSize()));
+        painter.drawRect(placed(hierarchy.update->x * cells.cellSize(), hierarchy.update->y * cells.cellSize(),
+                                cells.cellSize(), cells.cellSize()));
     }
     if (m_picked && QRect(0, 0, finest.width(), finest.height()).contains(*m_picked)) {
-        const double  size = cells.cellSize();
-        const QRectF  cell = placed(m_picked->x() / cells.cellSize() * size, m_picked->y() / cells.cellSize() * size, size, size);
+        const double size = cells.cellSize();
+        const QRectF cell =
+            placed(m_picked->x() / cells.cellSize() * size, m_picked->y() / cells.cellSize() * size, size, size);
         const QPointF centre = cell.center();
         const double  least  = 8;
-        const QRectF  ring   = cell.width() >= least ? cell : QRectF(centre.x() - least / 2, centre.y() - least / 2, least, least);
+        const QRectF  ring =
+            cell.width() >= least ? cell : QRectF(centre.x() - least / 2, centre.y() - least / 2, least, least);
         painter.setPen(QPen(Qt::white, 3));
         painter.drawRect(ring);
         painter.setPen(QPen(theme.picked, 1.5));
@@ -139,8 +146,13 @@ bool LevelView::event(QEvent* event)
         return true;
     }
     const int x = pixel->x() / level().cellSize(), y = pixel->y() / level().cellSize();
-    QString   text = tr("Cell (%1, %2) of level %3: %4").arg(x).arg(y).arg(m_level).arg(cellDepth(level().farthest.at(x, y), m_step->pyramid.empty));
-    if (level().isStored && level().lags.at(x, y) != 0) text += '\n' + tr("It lags behind its pixels, which are nearer by now.");
+    QString   text = tr("Cell (%1, %2) of level %3: %4")
+                       .arg(x)
+                       .arg(y)
+                       .arg(m_level)
+                       .arg(cellDepth(level().farthest.at(x, y), m_step->pyramid.empty));
+    if (level().isStored && level().lags.at(x, y) != 0)
+        text += '\n' + tr("It lags behind its pixels, which are nearer by now.");
     QToolTip::showText(help->globalPos(), text, this);
     return true;
 }

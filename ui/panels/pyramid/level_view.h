@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One level of the pyramid, large: its cells with their values where they fit, what was asked, what was written, and the cell
-// over the picked pixel. A click picks a pixel of the cell.
+// One level of the pyramid, large: its cells with their values where they
+// fit, what was asked, what was written, and the cell over the picked pixel. A click picks a pixel of the cell.
 #pragma once
 
 #include <QWidget>
@@ -28,8 +28,8 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    const PyramidLevel& level() const { return m_step->pyramid.levels[static_cast<std::size_t>(m_level)]; }
-    QRectF              room() const;  // where the picture lies in the widget
+    const PyramidLevel&   level() const { return m_step->pyramid.levels[static_cast<std::size_t>(m_level)]; }
+    QRectF                room() const;  // where the picture lies in the widget
     std::optional<QPoint> pixelAt(const QPointF& place) const;
 
     std::shared_ptr<const ShownStep> m_step;  // nothing: there is no level to show

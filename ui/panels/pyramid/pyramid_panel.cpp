@@ -22,8 +22,8 @@
 namespace zscope::ui {
 
 PyramidPanel::PyramidPanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_thumbs(new LevelThumbs), m_large(new LevelView), m_question(new QLabel), m_update(new QLabel),
-      m_hint(new QLabel), m_overlay(new QCheckBox), m_follow(new QPushButton)
+    : Panel(session, parent), m_thumbs(new LevelThumbs), m_large(new LevelView), m_question(new QLabel),
+      m_update(new QLabel), m_hint(new QLabel), m_overlay(new QCheckBox), m_follow(new QPushButton)
 {
     m_hint->setObjectName("hint");
     m_hint->setWordWrap(true);
@@ -94,22 +94,25 @@ void PyramidPanel::showWords(const Snapshot& shown)
     const int level = levelOnShow(shown);
     m_levelsOrHint->setCurrentIndex(level < 0 ? 1 : 0);
     if (level < 0) {
-        m_hint->setText(!shown.scene ? tr("Open a scene to see its pyramid of depths.")
-                                     : tr("The pyramid appears when the frame has been cleared. Press Right to go on."));
+        m_hint->setText(!shown.scene
+                            ? tr("Open a scene to see its pyramid of depths.")
+                            : tr("The pyramid appears when the frame has been cleared. Press Right to go on."));
         emit summaryChanged({});
         return;
     }
-    const ShownStep&    step  = *shown.stepOfPicture();
-    const PyramidLevel& large = step.pyramid.levels[static_cast<std::size_t>(level)];
-    QString summary = tr("level %1 · %2 × %3").arg(level).arg(large.width()).arg(large.height());
+    const ShownStep&    step    = *shown.stepOfPicture();
+    const PyramidLevel& large   = step.pyramid.levels[static_cast<std::size_t>(level)];
+    QString             summary = tr("level %1 · %2 × %3").arg(level).arg(large.width()).arg(large.height());
     if (!large.isStored && level > 0) summary += tr(" · not stored");
     if (large.lagging > 0)
-        summary += tr(" · %1").arg(counted(static_cast<std::uint64_t>(large.lagging), tr("1 cell lags"), tr("%1 cells lag")));
+        summary +=
+            tr(" · %1").arg(counted(static_cast<std::uint64_t>(large.lagging), tr("1 cell lags"), tr("%1 cells lag")));
     emit summaryChanged(summary);
     m_follow->setEnabled(shown.selectedLevel.has_value());
 
     const PyramidWords words = wordsOf(*step.state.hierarchy, step.pyramid.empty, themeOf(palette()));
-    m_question->setText(words.question.isEmpty() ? tr("Nothing has been asked yet: step by the grain “query”.") : words.question);
+    m_question->setText(words.question.isEmpty() ? tr("Nothing has been asked yet: step by the grain “query”.")
+                                                 : words.question);
     m_update->setText(words.update);
     m_update->setVisible(!words.update.isEmpty());
 }

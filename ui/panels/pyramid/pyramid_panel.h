@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pyramid of farthest depths at this step: all levels small, one large, what was asked last and what was written last.
+// The pyramid of farthest depths at this step: all levels small, one large,
+// what was asked last and what was written last.
 #pragma once
 
 #include "ui/panels/panel.h"

@@ -95,7 +95,8 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     spoken(*this, [this, section, factNames] {
         m_normalise->setText(tr("Normalise"));
         m_hint->setText(tr("Drop an OBJ file on the window, press Ctrl+O, or choose File ▸ Examples."));
-        m_normalise->setToolTip(tr("Puts the mean of the vertices in the middle and fits the model's cube to the picture"));
+        m_normalise->setToolTip(
+            tr("Puts the mean of the vertices in the middle and fits the model's cube to the picture"));
         m_warnings->setAccessibleName(tr("Warnings"));
         section->setText(tr("Turn the model: y, z, y in degrees"));
         const std::array factTexts{tr("triangles"), tr("polygons"), tr("vertices"), tr("instances"), tr("size")};
@@ -103,7 +104,8 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
         const std::array axisNames{tr("First angle, about y"), tr("Second angle, about z"), tr("Third angle, about y")};
         for (std::size_t i = 0; i < axisNames.size(); ++i) {
             m_angles[i]->setAccessibleName(axisNames[i]);
-            m_angles[i]->setToolTip(tr("%1. The camera goes round the model, so the light turns with it.").arg(axisNames[i]));
+            m_angles[i]->setToolTip(
+                tr("%1. The camera goes round the model, so the light turns with it.").arg(axisNames[i]));
         }
     });
 }
@@ -136,7 +138,7 @@ void ScenePanel::showScene(const Snapshot& shown)
     m_values[4]->setText(QString("%1 × %2 × %3").arg(side(size.x), side(size.y), side(size.z)));
 
     const std::size_t warnings = scene.warnings.size();
-    emit summaryChanged(warnings == 0 ? QString() : counted(warnings, tr("1 warning"), tr("%1 warnings")));
+    emit              summaryChanged(warnings == 0 ? QString() : counted(warnings, tr("1 warning"), tr("%1 warnings")));
     if (warnings == 0) return;
     m_warningsTitle->setText(tr("Left out or mended while reading"));
     m_warningsTitle->setVisible(true);
@@ -146,14 +148,13 @@ void ScenePanel::showScene(const Snapshot& shown)
         m_warnings->addItem(warning.line > 0 ? tr("line %1: %2").arg(warning.line).arg(said(warning.sentence))
                                              : said(warning.sentence));
     }
-    if (warnings > kWarningsShown)
-        m_warnings->addItem(tr("and %1 more").arg(grouped(warnings - kWarningsShown)));
+    if (warnings > kWarningsShown) m_warnings->addItem(tr("and %1 more").arg(grouped(warnings - kWarningsShown)));
 }
 
 void ScenePanel::showAngles()
 {
-    const YzyAngles                       angles = session().control().angles();
-    const std::array                      values{angles.first, angles.second, angles.third};
+    const YzyAngles  angles = session().control().angles();
+    const std::array values{angles.first, angles.second, angles.third};
     for (std::size_t i = 0; i < m_angles.size(); ++i) {
         if (m_angles[i]->hasFocus()) continue;  // not under the hand that types
         const QSignalBlocker quiet(m_angles[i]);

@@ -29,7 +29,8 @@ int TrackScale::positionOf(std::uint64_t step) const
 std::uint64_t TrackScale::stepOf(int position) const
 {
     if (count - 1 <= static_cast<std::uint64_t>(kMost)) return static_cast<std::uint64_t>(position);
-    return std::min(count - 1, static_cast<std::uint64_t>(static_cast<double>(position) / kMost * static_cast<double>(count - 1)));
+    return std::min(count - 1,
+                    static_cast<std::uint64_t>(static_cast<double>(position) / kMost * static_cast<double>(count - 1)));
 }
 
 StepTrack::StepTrack(QWidget* parent) : QAbstractSlider(parent)
@@ -42,9 +43,7 @@ StepTrack::StepTrack(QWidget* parent) : QAbstractSlider(parent)
         update();
         if (!m_presenting) emit stepChosen(m_scale.stepOf(position));
     });
-    spoken(*this, [this] {
-        setAccessibleName(tr("Step"));
-    });
+    spoken(*this, [this] { setAccessibleName(tr("Step")); });
 }
 
 void StepTrack::present(std::uint64_t step, std::uint64_t count)
@@ -135,10 +134,12 @@ void StepTrack::paintStages(QPainter& painter, const QRectF& track) const
         if (to - from < wide) continue;
         // Where the handle would hide it, it makes room on the wider side.
         double       left = from, right = to;
-        const double at   = placeOf(m_scale.stepOf(value()));
+        const double at = placeOf(m_scale.stepOf(value()));
         if (std::abs(at - (from + to) / 2) < wide / 2) {
-            if (at - from > to - at) right = at - kStep / 2;
-            else left = at + kStep / 2;
+            if (at - from > to - at)
+                right = at - kStep / 2;
+            else
+                left = at + kStep / 2;
         }
         if (right - left < wide) continue;
         painter.setPen((left + right) / 2 < at ? theme.idleText : theme.text);
@@ -166,10 +167,10 @@ void StepTrack::wheelEvent(QWheelEvent* event)
 bool StepTrack::event(QEvent* event)
 {
     if (event->type() != QEvent::ToolTip) return QAbstractSlider::event(event);
-    const auto* help = static_cast<QHelpEvent*>(event);
+    const auto*         help = static_cast<QHelpEvent*>(event);
     const std::uint64_t step = m_scale.stepOf(positionAt(help->pos().x()));
     QStringList         lines{tr("step %1").arg(grouped(step + 1))};
-    const auto          after = std::ranges::find_if(m_marks.stages, [&](const auto& stage) { return stage.step > step; });
+    const auto after = std::ranges::find_if(m_marks.stages, [&](const auto& stage) { return stage.step > step; });
     if (after != m_marks.stages.begin()) lines << tr("stage: %1").arg((after - 1)->name);
     for (const TrackMarks::Named& mark : m_marks.bookmarks)
         if (std::abs(placeOf(mark.step) - help->pos().x()) < 6) lines << QStringLiteral("\u2605 ") + mark.name;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The track of the timeline: all steps from left to right in the bands of their stages, what is done filled, a handle at
-// "now", a flag for each bookmark, a tick where the picked pixel changes. A slider for the
-// keyboard and for screen readers; runs longer than its range are scaled.
+// The track of the timeline: all steps from left to right in the bands of
+// their stages, what is done filled, a handle at "now", a flag for each bookmark, a tick where the picked pixel
+// changes. A slider for the keyboard and for screen readers; runs longer than its range are scaled.
 #pragma once
 
 #include <cstdint>
@@ -30,9 +30,9 @@ struct TrackMarks {
 
         friend bool operator==(const Named&, const Named&) = default;
     };
-    std::vector<Named>         stages;     // each with its first step, in order
+    std::vector<Named>         stages;  // each with its first step, in order
     std::vector<Named>         bookmarks;
-    std::vector<std::uint64_t> changes;    // of the picked pixel
+    std::vector<std::uint64_t> changes;  // of the picked pixel
 
     friend bool operator==(const TrackMarks&, const TrackMarks&) = default;
 };
@@ -46,7 +46,7 @@ public:
     /// Does not emit stepChosen().
     void present(std::uint64_t step, std::uint64_t count);
 
-    void showMarks(const TrackMarks& marks);
+    void              showMarks(const TrackMarks& marks);
     const TrackMarks& marks() const { return m_marks; }
     /// Where a step's handle stands, from the left edge.
     double placeOf(std::uint64_t step) const;

@@ -15,8 +15,8 @@
 
 #include "ui/panels/timeline/step_track.h"
 #include "ui/parts/choice_box.h"
-#include "ui/text/grains.h"
 #include "ui/predict/predictions.h"
+#include "ui/text/grains.h"
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
@@ -42,17 +42,22 @@ QString timelineText(const std::optional<Session::Position>& at, const Marks& ma
     QStringList parts;
     if (const QString where = positionText(at); !where.isEmpty()) parts << where;
     if (!marks.bookmarks.empty())
-        parts << QStringLiteral("\u2605 ") + counted(marks.bookmarks.size(), TimelinePanel::tr("1 bookmark"), TimelinePanel::tr("%1 bookmarks"));
-    if (marks.breakpoints.size() == 1) parts << QStringLiteral("\u25CF ") + TimelinePanel::tr("breakpoint on %1").arg(textOf(marks.breakpoints.front()));
+        parts << QStringLiteral("\u2605 ")
+                     + counted(marks.bookmarks.size(), TimelinePanel::tr("1 bookmark"),
+                               TimelinePanel::tr("%1 bookmarks"));
+    if (marks.breakpoints.size() == 1)
+        parts << QStringLiteral("\u25CF ")
+                     + TimelinePanel::tr("breakpoint on %1").arg(textOf(marks.breakpoints.front()));
     else if (!marks.breakpoints.empty())
-        parts << QStringLiteral("\u25CF ") + counted(marks.breakpoints.size(), QString(), TimelinePanel::tr("%1 breakpoints"));
+        parts << QStringLiteral("\u25CF ")
+                     + counted(marks.breakpoints.size(), QString(), TimelinePanel::tr("%1 breakpoints"));
     return parts.join(QStringLiteral("    "));
 }
 
 TimelinePanel::TimelinePanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_first(new QPushButton), m_back(new QPushButton),
-      m_play(new QPushButton), m_forward(new QPushButton), m_last(new QPushButton), m_grain(new ChoiceBox),
-      m_speed(new ChoiceBox), m_bookmark(new QToolButton), m_position(new QLabel), m_track(new StepTrack), m_sentence(new QLabel)
+    : Panel(session, parent), m_first(new QPushButton), m_back(new QPushButton), m_play(new QPushButton),
+      m_forward(new QPushButton), m_last(new QPushButton), m_grain(new ChoiceBox), m_speed(new ChoiceBox),
+      m_bookmark(new QToolButton), m_position(new QLabel), m_track(new StepTrack), m_sentence(new QLabel)
 {
     m_play->setObjectName("strong");
     m_forward->setLayoutDirection(Qt::RightToLeft);  // the arrow after the word
@@ -100,13 +105,13 @@ TimelinePanel::TimelinePanel(Session& session, QWidget* parent)
     connect(m_back, &QPushButton::clicked, this, [this] { this->session().stepBy(-1); });
     connect(m_forward, &QPushButton::clicked, this, [this] { this->session().stepBy(1); });
     connect(m_last, &QPushButton::clicked, this, [this] { this->session().goToEnd(); });
-    connect(m_play, &QPushButton::clicked, this, [this] { this->session().player().setPlaying(!this->session().player().isPlaying()); });
+    connect(m_play, &QPushButton::clicked, this,
+            [this] { this->session().player().setPlaying(!this->session().player().isPlaying()); });
     connect(&session.player(), &Player::playingChanged, this, &TimelinePanel::dressButtons);
     connect(m_track, &StepTrack::stepChosen, this, [this](std::uint64_t step) { this->session().goToStep(step); });
     connect(m_bookmark, &QToolButton::clicked, this, [this] { this->session().toggleBookmark(); });
-    connect(m_grain, &QComboBox::activated, this, [this](int index) {
-        this->session().setGrain(static_cast<Grain>(m_grain->itemData(index).toInt()));
-    });
+    connect(m_grain, &QComboBox::activated, this,
+            [this](int index) { this->session().setGrain(static_cast<Grain>(m_grain->itemData(index).toInt())); });
     connect(m_speed, &QComboBox::activated, this,
             [this](int index) { this->session().player().setSpeed(m_speed->itemData(index).toDouble()); });
     spoken(*this, [this] {
@@ -126,7 +131,8 @@ TimelinePanel::TimelinePanel(Session& session, QWidget* parent)
         m_bookmark->setToolTip(tr("Marks this step, or takes its mark away (Ctrl+B)"));
         m_speed->setToolTip(tr("Steps per second while playing"));
         m_sentence->setAccessibleName(tr("What this step did"));
-        for (int i = 0; i < m_speed->count(); ++i) m_speed->setItemText(i, tr("%1 / s").arg(grouped(m_speed->itemData(i).toUInt())));
+        for (int i = 0; i < m_speed->count(); ++i)
+            m_speed->setItemText(i, tr("%1 / s").arg(grouped(m_speed->itemData(i).toUInt())));
         dressButtons();
     });
 }
@@ -146,7 +152,8 @@ void TimelinePanel::present(const Snapshot& shown, Changes what)
 {
     if (what & Change::Pipeline) showGrains(shown);
     if (what & (Change::Picture | Change::Pipeline | Change::Scene | Change::Busy | Change::Marks)) showStep(shown);
-    if (what & (Change::Picture | Change::Pipeline | Change::Scene | Change::Selection | Change::Marks)) showMarks(shown);
+    if (what & (Change::Picture | Change::Pipeline | Change::Scene | Change::Selection | Change::Marks))
+        showMarks(shown);
 }
 
 void TimelinePanel::showGrains(const Snapshot& shown)
@@ -166,8 +173,9 @@ void TimelinePanel::showStep(const Snapshot& shown)
     m_track->setEnabled(at.has_value());
     m_position->setText(timelineText(at, shown.marks));
     const ShownStep* step = shown.stepOfPicture();
-    m_sentence->setText(session().predictions().isAnyOpen() ? tr("Say what this step brings: the question is above its table.")
-                        : step ? said(step->state.sentence)
+    m_sentence->setText(session().predictions().isAnyOpen()
+                            ? tr("Say what this step brings: the question is above its table.")
+                        : step        ? said(step->state.sentence)
                         : shown.scene ? QString()
                                       : tr("The steps of the algorithm appear here once a scene is open."));
     const bool scene = shown.scene != nullptr;
@@ -176,19 +184,25 @@ void TimelinePanel::showStep(const Snapshot& shown)
 
 void TimelinePanel::showMarks(const Snapshot& shown)
 {
-    const ShownStep* step = shown.step && shown.step->state.grain == shown.grain && shown.step->pipeline == shown.pipeline ? shown.step.get() : nullptr;
-    TrackMarks       marks;
+    const ShownStep* step =
+        shown.step && shown.step->state.grain == shown.grain && shown.step->pipeline == shown.pipeline
+            ? shown.step.get()
+            : nullptr;
+    TrackMarks marks;
     if (step)
         for (const StageMark& stage : step->stages) marks.stages.push_back({nameOf(stage.stage), stage.first});
     for (const Bookmark& mark : shown.marks.bookmarks)
-        if (mark.pipeline == shown.pipeline && mark.grain == shown.grain) marks.bookmarks.push_back({mark.name, mark.step});
+        if (mark.pipeline == shown.pipeline && mark.grain == shown.grain)
+            marks.bookmarks.push_back({mark.name, mark.step});
     const PixelHistory* history = shown.marks.history.get();
-    if (step && history && history->generation == step->generation && history->grain == shown.grain && history->pixel == shown.picked)
+    if (step && history && history->generation == step->generation && history->grain == shown.grain
+        && history->pixel == shown.picked)
         for (const PixelChange& change : history->changes) marks.changes.push_back(change.step.value);
     m_track->showMarks(marks);
 
-    const auto at       = session().position();
-    const bool isMarked = at && std::ranges::any_of(marks.bookmarks, [&](const auto& mark) { return mark.step == at->step; });
+    const auto at = session().position();
+    const bool isMarked =
+        at && std::ranges::any_of(marks.bookmarks, [&](const auto& mark) { return mark.step == at->step; });
     m_bookmark->setChecked(isMarked);
     m_bookmark->setText(isMarked ? QStringLiteral("\u2605") : QStringLiteral("\u2606"));
     m_bookmark->setEnabled(at.has_value());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The timeline: to and fro by steps of a chosen grain, play, stages and marks, and one sentence on what the step did. The keys belong to
-// actions of the window, which the buttons trigger.
+// The timeline: to and fro by steps of a chosen grain, play, stages and
+// marks, and one sentence on what the step did. The keys belong to actions of the window, which the buttons trigger.
 #pragma once
 
 #include "ui/panels/panel.h"
@@ -20,7 +20,7 @@ class TimelinePanel final : public Panel {
 public:
     explicit TimelinePanel(Session& session, QWidget* parent = nullptr);
 
-    void    present(const Snapshot& shown, Changes what) override;
+    void present(const Snapshot& shown, Changes what) override;
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -21,24 +21,42 @@ constexpr quintptr kTop = 0;  // internal id of a top row; of an event: 1 + the 
 QString nameOf(PixelFate fate)
 {
     switch (fate) {
-    case PixelFate::Winner: return Words::tr("seen");
-    case PixelFate::Overwritten: return Words::tr("overwritten");
-    case PixelFate::Farther: return Words::tr("farther");
-    case PixelFate::LostTie: return Words::tr("lost a tie");
-    case PixelFate::IntervalLost: return Words::tr("interval lost");
-    case PixelFate::Hole: return Words::tr("in a hole");
-    case PixelFate::BeyondFar: return Words::tr("beyond far");
-    case PixelFate::TileRejected: return Words::tr("tile rejected");
-    case PixelFate::TriangleHidden: return Words::tr("hidden");
-    case PixelFate::NodeHidden: return Words::tr("node hidden");
-    case PixelFate::NodeOutside: return Words::tr("node outside");
-    case PixelFate::NodeSmall: return Words::tr("node too small");
-    case PixelFate::BatchOutside: return Words::tr("outside");
-    case PixelFate::BackFace: return Words::tr("back face");
-    case PixelFate::NearClip: return Words::tr("before near");
-    case PixelFate::NotFilled: return Words::tr("not filled");
-    case PixelFate::Blended: return Words::tr("blended");
-    case PixelFate::BehindOpaque: return Words::tr("behind opaque");
+        case PixelFate::Winner:
+            return Words::tr("seen");
+        case PixelFate::Overwritten:
+            return Words::tr("overwritten");
+        case PixelFate::Farther:
+            return Words::tr("farther");
+        case PixelFate::LostTie:
+            return Words::tr("lost a tie");
+        case PixelFate::IntervalLost:
+            return Words::tr("interval lost");
+        case PixelFate::Hole:
+            return Words::tr("in a hole");
+        case PixelFate::BeyondFar:
+            return Words::tr("beyond far");
+        case PixelFate::TileRejected:
+            return Words::tr("tile rejected");
+        case PixelFate::TriangleHidden:
+            return Words::tr("hidden");
+        case PixelFate::NodeHidden:
+            return Words::tr("node hidden");
+        case PixelFate::NodeOutside:
+            return Words::tr("node outside");
+        case PixelFate::NodeSmall:
+            return Words::tr("node too small");
+        case PixelFate::BatchOutside:
+            return Words::tr("outside");
+        case PixelFate::BackFace:
+            return Words::tr("back face");
+        case PixelFate::NearClip:
+            return Words::tr("before near");
+        case PixelFate::NotFilled:
+            return Words::tr("not filled");
+        case PixelFate::Blended:
+            return Words::tr("blended");
+        case PixelFate::BehindOpaque:
+            return Words::tr("behind opaque");
     }
     return {};
 }
@@ -46,21 +64,36 @@ QString nameOf(PixelFate fate)
 QString nameOf(Happening happening)
 {
     switch (happening) {
-    case Happening::SetUp: return Words::tr("set up");
-    case Happening::NodeOutside: return Words::tr("its node lies outside");
-    case Happening::NodeHidden: return Words::tr("its node is hidden");
-    case Happening::NodeSmall: return Words::tr("its node is too small");
-    case Happening::NodeEntered: return Words::tr("its node is entered");
-    case Happening::NodeRecalled: return Words::tr("its node is recalled");
-    case Happening::TriangleHidden: return Words::tr("hidden by the pyramid");
-    case Happening::TrianglePassed: return Words::tr("passed the pyramid");
-    case Happening::TileRejected: return Words::tr("rejected with the tile");
-    case Happening::Discarded: return Words::tr("in a hole of its material");
-    case Happening::Won: return Words::tr("won the depth test");
-    case Happening::Lost: return Words::tr("lost the depth test");
-    case Happening::Overtaken: return Words::tr("overtaken");
-    case Happening::IntervalWon: return Words::tr("won the interval");
-    case Happening::IntervalLost: return Words::tr("lost the interval");
+        case Happening::SetUp:
+            return Words::tr("set up");
+        case Happening::NodeOutside:
+            return Words::tr("its node lies outside");
+        case Happening::NodeHidden:
+            return Words::tr("its node is hidden");
+        case Happening::NodeSmall:
+            return Words::tr("its node is too small");
+        case Happening::NodeEntered:
+            return Words::tr("its node is entered");
+        case Happening::NodeRecalled:
+            return Words::tr("its node is recalled");
+        case Happening::TriangleHidden:
+            return Words::tr("hidden by the pyramid");
+        case Happening::TrianglePassed:
+            return Words::tr("passed the pyramid");
+        case Happening::TileRejected:
+            return Words::tr("rejected with the tile");
+        case Happening::Discarded:
+            return Words::tr("in a hole of its material");
+        case Happening::Won:
+            return Words::tr("won the depth test");
+        case Happening::Lost:
+            return Words::tr("lost the depth test");
+        case Happening::Overtaken:
+            return Words::tr("overtaken");
+        case Happening::IntervalWon:
+            return Words::tr("won the interval");
+        case Happening::IntervalLost:
+            return Words::tr("lost the interval");
     }
     return {};
 }
@@ -68,36 +101,48 @@ QString nameOf(Happening happening)
 QString shapeOf(PixelFate fate)
 {
     switch (fate) {
-    case PixelFate::Winner: return QStringLiteral("\u25CF");
-    case PixelFate::Blended: return QStringLiteral("\u25D0");
-    case PixelFate::Overwritten: return QStringLiteral("\u25BC");
-    case PixelFate::TriangleHidden:
-    case PixelFate::NodeHidden:
-    case PixelFate::TileRejected: return QStringLiteral("\u00D7");
-    case PixelFate::NodeOutside:
-    case PixelFate::BatchOutside:
-    case PixelFate::NearClip:
-    case PixelFate::BackFace:
-    case PixelFate::NodeSmall: return QStringLiteral("\u25CB");
-    default: return QStringLiteral("\u25BD");
+        case PixelFate::Winner:
+            return QStringLiteral("\u25CF");
+        case PixelFate::Blended:
+            return QStringLiteral("\u25D0");
+        case PixelFate::Overwritten:
+            return QStringLiteral("\u25BC");
+        case PixelFate::TriangleHidden:
+        case PixelFate::NodeHidden:
+        case PixelFate::TileRejected:
+            return QStringLiteral("\u00D7");
+        case PixelFate::NodeOutside:
+        case PixelFate::BatchOutside:
+        case PixelFate::NearClip:
+        case PixelFate::BackFace:
+        case PixelFate::NodeSmall:
+            return QStringLiteral("\u25CB");
+        default:
+            return QStringLiteral("\u25BD");
     }
 }
 
 const QColor& colourOf(PixelFate fate, const Theme& theme)
 {
     switch (fate) {
-    case PixelFate::Winner: return theme.entered;
-    case PixelFate::Blended: return theme.picked;
-    case PixelFate::TriangleHidden:
-    case PixelFate::NodeHidden:
-    case PixelFate::TileRejected: return theme.hidden;
-    case PixelFate::NodeOutside:
-    case PixelFate::BatchOutside:
-    case PixelFate::NearClip:
-    case PixelFate::BackFace:
-    case PixelFate::NodeSmall: return theme.outside;
-    case PixelFate::NotFilled: return theme.error;
-    default: return theme.left;
+        case PixelFate::Winner:
+            return theme.entered;
+        case PixelFate::Blended:
+            return theme.picked;
+        case PixelFate::TriangleHidden:
+        case PixelFate::NodeHidden:
+        case PixelFate::TileRejected:
+            return theme.hidden;
+        case PixelFate::NodeOutside:
+        case PixelFate::BatchOutside:
+        case PixelFate::NearClip:
+        case PixelFate::BackFace:
+        case PixelFate::NodeSmall:
+            return theme.outside;
+        case PixelFate::NotFilled:
+            return theme.error;
+        default:
+            return theme.left;
     }
 }
 
@@ -134,7 +179,8 @@ void WhyModel::setPalette(const QPalette& palette)
 const PixelCandidate* WhyModel::candidateOf(const QModelIndex& at) const
 {
     if (!m_pixel || !at.isValid()) return nullptr;
-    const auto row = at.internalId() == kTop ? static_cast<std::size_t>(at.row()) : static_cast<std::size_t>(at.internalId() - 1);
+    const auto row =
+        at.internalId() == kTop ? static_cast<std::size_t>(at.row()) : static_cast<std::size_t>(at.internalId() - 1);
     return &m_pixel->candidates[row];
 }
 
@@ -177,7 +223,10 @@ QModelIndex WhyModel::parent(const QModelIndex& at) const
 int WhyModel::rowCount(const QModelIndex& parent) const
 {
     if (parent.column() > 0) return 0;
-    if (!parent.isValid()) return m_pixel ? static_cast<int>(m_pixel->candidates.size()) : m_triangle ? static_cast<int>(m_triangle->events.size()) : 0;
+    if (!parent.isValid())
+        return m_pixel      ? static_cast<int>(m_pixel->candidates.size())
+               : m_triangle ? static_cast<int>(m_triangle->events.size())
+                            : 0;
     if (m_triangle || parent.internalId() != kTop) return 0;
     return static_cast<int>(candidateOf(parent)->events.size());
 }
@@ -187,10 +236,16 @@ int WhyModel::columnCount(const QModelIndex&) const { return kColumns; }
 QString WhyModel::text(const Event& event, Column column) const
 {
     switch (column) {
-    case What: return nameOf(event.happening);
-    case Fate: return event.node ? QString::fromStdString(event.node->path) : event.query ? tr("level %1").arg(event.query->level) : QString();
-    case Depth: return event.depth > 0 ? depthText(event.depth) : QString();
-    case kColumns: break;
+        case What:
+            return nameOf(event.happening);
+        case Fate:
+            return event.node    ? QString::fromStdString(event.node->path)
+                   : event.query ? tr("level %1").arg(event.query->level)
+                                 : QString();
+        case Depth:
+            return event.depth > 0 ? depthText(event.depth) : QString();
+        case kColumns:
+            break;
     }
     return {};
 }
@@ -198,12 +253,16 @@ QString WhyModel::text(const Event& event, Column column) const
 QString WhyModel::text(const PixelCandidate& candidate, Column column) const
 {
     switch (column) {
-    case What:
-        return candidate.drawnAs == candidate.triangle ? grouped(candidate.triangle.value)
-                                                       : tr("%1, face %2").arg(grouped(candidate.triangle.value), grouped(candidate.drawnAs.value));
-    case Fate: return shapeOf(candidate.fate) + ' ' + nameOf(candidate.fate);
-    case Depth: return candidate.depth > 0 ? depthText(candidate.depth) : QString();
-    case kColumns: break;
+        case What:
+            return candidate.drawnAs == candidate.triangle
+                       ? grouped(candidate.triangle.value)
+                       : tr("%1, face %2").arg(grouped(candidate.triangle.value), grouped(candidate.drawnAs.value));
+        case Fate:
+            return shapeOf(candidate.fate) + ' ' + nameOf(candidate.fate);
+        case Depth:
+            return candidate.depth > 0 ? depthText(candidate.depth) : QString();
+        case kColumns:
+            break;
     }
     return {};
 }
@@ -211,23 +270,28 @@ QString WhyModel::text(const PixelCandidate& candidate, Column column) const
 QVariant WhyModel::data(const QModelIndex& at, int role) const
 {
     if (!checkIndex(at, CheckIndexOption::IndexIsValid)) return {};
-    const Theme& theme  = themeOf(m_palette);
-    const auto   column = static_cast<Column>(at.column());
+    const Theme& theme      = themeOf(m_palette);
+    const auto   column     = static_cast<Column>(at.column());
     const bool   isTriangle = m_pixel && at.internalId() == kTop;
     switch (role) {
-    case Qt::DisplayRole: return isTriangle ? text(*candidateOf(at), column) : text(*eventOf(at), column);
-    case Qt::ToolTipRole: return sentenceOf(at);
-    case Qt::TextAlignmentRole: return QVariant::fromValue(Qt::Alignment((column == Depth ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-    case Qt::ForegroundRole:
-        if (isTriangle && column == Fate) return colourOf(candidateOf(at)->fate, theme);
-        return isTriangle ? theme.text : theme.softText;
-    case Qt::FontRole: {
-        if (!isTriangle || candidateOf(at)->fate != PixelFate::Winner) return {};
-        QFont bold;
-        bold.setBold(true);
-        return bold;
-    }
-    default: return {};
+        case Qt::DisplayRole:
+            return isTriangle ? text(*candidateOf(at), column) : text(*eventOf(at), column);
+        case Qt::ToolTipRole:
+            return sentenceOf(at);
+        case Qt::TextAlignmentRole:
+            return QVariant::fromValue(
+                Qt::Alignment((column == Depth ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+        case Qt::ForegroundRole:
+            if (isTriangle && column == Fate) return colourOf(candidateOf(at)->fate, theme);
+            return isTriangle ? theme.text : theme.softText;
+        case Qt::FontRole: {
+            if (!isTriangle || candidateOf(at)->fate != PixelFate::Winner) return {};
+            QFont bold;
+            bold.setBold(true);
+            return bold;
+        }
+        default:
+            return {};
     }
 }
 
@@ -235,13 +299,19 @@ QVariant WhyModel::headerData(int section, Qt::Orientation orientation, int role
 {
     if (orientation != Qt::Horizontal) return {};
     const auto column = static_cast<Column>(section);
-    if (role == Qt::TextAlignmentRole) return QVariant::fromValue(Qt::Alignment((column == Depth ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+    if (role == Qt::TextAlignmentRole)
+        return QVariant::fromValue(
+            Qt::Alignment((column == Depth ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
     if (role != Qt::DisplayRole) return {};
     switch (column) {
-    case What: return m_triangle ? tr("what happened") : tr("triangle");
-    case Fate: return m_triangle ? tr("where") : tr("fate");
-    case Depth: return tr("depth D");
-    case kColumns: break;
+        case What:
+            return m_triangle ? tr("what happened") : tr("triangle");
+        case Fate:
+            return m_triangle ? tr("where") : tr("fate");
+        case Depth:
+            return tr("depth D");
+        case kColumns:
+            break;
     }
     return {};
 }

@@ -38,7 +38,9 @@ QString takenBy(const TriangleExplanation& explanation)
     QStringList takers;
     for (const Taker& taker : std::span(explanation.takers).first(count)) {
         const QString pixels = counted(taker.pixels, WhyPanel::tr("1 pixel"), WhyPanel::tr("%1 pixels"));
-        takers << (taker.id < 0 ? WhyPanel::tr("the background at %1").arg(pixels) : WhyPanel::tr("triangle %1 at %2").arg(grouped(static_cast<std::uint64_t>(taker.id)), pixels));
+        takers << (taker.id < 0
+                       ? WhyPanel::tr("the background at %1").arg(pixels)
+                       : WhyPanel::tr("triangle %1 at %2").arg(grouped(static_cast<std::uint64_t>(taker.id)), pixels));
     }
     const std::uint64_t more = explanation.takers.size() - count + explanation.otherTakers;
     if (more > 0) takers << counted(more, WhyPanel::tr("1 other triangle"), WhyPanel::tr("%1 other triangles"));
@@ -48,8 +50,9 @@ QString takenBy(const TriangleExplanation& explanation)
 }  // namespace
 
 WhyPanel::WhyPanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_model(new WhyModel(this)), m_tree(new QTreeView), m_sentence(new QLabel), m_detail(new QLabel), m_hint(new QLabel),
-      m_trouble(new QLabel), m_jump(new QPushButton), m_triangle(new QLineEdit), m_worker(std::make_unique<Worker>())
+    : Panel(session, parent), m_model(new WhyModel(this)), m_tree(new QTreeView), m_sentence(new QLabel),
+      m_detail(new QLabel), m_hint(new QLabel), m_trouble(new QLabel), m_jump(new QPushButton),
+      m_triangle(new QLineEdit), m_worker(std::make_unique<Worker>())
 {
     m_tree->setModel(m_model);
     m_tree->viewport()->installEventFilter(this);
@@ -105,7 +108,8 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
     outer->addWidget(scrolling(answer));
     complain({});
 
-    connect(m_tree->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& at) { showRow(at); });
+    connect(m_tree->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& at) { showRow(at); });
     connect(m_tree, &QTreeView::activated, this, &WhyPanel::jump);
     connect(m_jump, &QPushButton::clicked, this, [this] { jump(m_tree->currentIndex()); });
     connect(m_triangle, &QLineEdit::returnPressed, this, [this] {
@@ -153,14 +157,18 @@ void WhyPanel::present(const Snapshot& shown, Changes what)
 void WhyPanel::saySentence()
 {
     const bool isOnTheWay = session().now().showsStep && !m_said.isEmpty();
-    m_sentence->setText(isOnTheWay ? m_said + '\n' + tr("That is the finished picture; the step on show may not have come so far.") : m_said);
+    m_sentence->setText(
+        isOnTheWay ? m_said + '\n' + tr("That is the finished picture; the step on show may not have come so far.")
+                   : m_said);
 }
 
 void WhyPanel::tell(const QString& sentence)
 {
     m_hint->setText(sentence);
     m_hint->show();
-    for (QWidget* part : {static_cast<QWidget*>(m_sentence), static_cast<QWidget*>(m_tree), static_cast<QWidget*>(m_detail), static_cast<QWidget*>(m_jump)}) part->hide();
+    for (QWidget* part : {static_cast<QWidget*>(m_sentence), static_cast<QWidget*>(m_tree),
+                          static_cast<QWidget*>(m_detail), static_cast<QWidget*>(m_jump)})
+        part->hide();
     m_answered.reset();
     emit summaryChanged({});
 }
@@ -178,8 +186,8 @@ void WhyPanel::refuse(const Question& question, const QString& trouble)
 {
     if (!question.triangle) return tell(trouble);
     const bool isOther = m_answered && m_answered->triangle != question.triangle;
-    m_about = isOther ? m_answered->triangle : std::nullopt;
-    m_asked = isOther ? m_answered : std::nullopt;
+    m_about            = isOther ? m_answered->triangle : std::nullopt;
+    m_asked            = isOther ? m_answered : std::nullopt;
     ask();  // nothing, if that answer is of this very picture
     complain(trouble);
 }
@@ -200,8 +208,10 @@ void WhyPanel::ask()
         m_pixelAnswer.reset();
         m_model->clear();
         m_worker->cancel();
-        return tell(!now.scene ? tr("Open a scene to ask why a pixel shows what it shows.")
-                               : tr("Click a pixel of the picture: everything that covers it appears here, with what became of it."));
+        return tell(
+            !now.scene
+                ? tr("Open a scene to ask why a pixel shows what it shows.")
+                : tr("Click a pixel of the picture: everything that covers it appears here, with what became of it."));
     }
     const Question question{now.frame->generation, now.picked, m_about};
     if (m_asked == question) return;
@@ -213,7 +223,7 @@ void WhyPanel::ask()
     m_worker->post(Worker::Slot::Draw, [this, question, request](const std::atomic<bool>& cancel) mutable {
         request.cancel = &cancel;
         Progress progress;
-        progress.cancel = &cancel;
+        progress.cancel    = &cancel;
         const auto deliver = [this, &question](auto answer, const QString& trouble) {
             m_worker->deliver([this, question, answer, trouble] {
                 if (m_asked != question) return;
@@ -225,8 +235,11 @@ void WhyPanel::ask()
                 saySentence();
                 if constexpr (std::is_same_v<decltype(answer), std::shared_ptr<const PixelExplanation>>) {
                     m_pixelAnswer = answer;
-                    emit summaryChanged(tr("pixel %1, %2 · %3").arg(answer->pixel.x).arg(answer->pixel.y)
-                                            .arg(counted(answer->candidates.size(), tr("1 triangle"), tr("%1 triangles"))));
+                    emit summaryChanged(
+                        tr("pixel %1, %2 · %3")
+                            .arg(answer->pixel.x)
+                            .arg(answer->pixel.y)
+                            .arg(counted(answer->candidates.size(), tr("1 triangle"), tr("%1 triangles"))));
                 } else {
                     m_pixelAnswer.reset();
                     emit summaryChanged(tr("triangle %1").arg(grouped(answer->triangle.value)));
@@ -238,11 +251,15 @@ void WhyPanel::ask()
         const auto hand = [&](auto made) {
             using Answer = std::remove_cvref_t<decltype(*made)>;
             if (cancel) return;
-            if (made) deliver(std::make_shared<const Answer>(std::move(made).value()), QString());
-            else deliver(std::shared_ptr<const Answer>(), said(made.error()));
+            if (made)
+                deliver(std::make_shared<const Answer>(std::move(made).value()), QString());
+            else
+                deliver(std::shared_ptr<const Answer>(), said(made.error()));
         };
-        if (question.triangle) hand(explainTriangle(request, *question.triangle, progress));
-        else hand(explainPixel(request, {question.pixel->x(), question.pixel->y()}, progress));
+        if (question.triangle)
+            hand(explainTriangle(request, *question.triangle, progress));
+        else
+            hand(explainPixel(request, {question.pixel->x(), question.pixel->y()}, progress));
     });
 }
 
@@ -251,7 +268,8 @@ void WhyPanel::showRow(const QModelIndex& at)
     m_detail->setText(m_model->sentenceOf(at));
     m_detail->setVisible(!m_detail->text().isEmpty());
     m_jump->setEnabled(m_model->eventOf(at) != nullptr);
-    m_jump->setToolTip(m_jump->isEnabled() ? tr("Goes to the step of the run that the chosen row tells of (Enter)") : tr("Choose a row that tells of a step"));
+    m_jump->setToolTip(m_jump->isEnabled() ? tr("Goes to the step of the run that the chosen row tells of (Enter)")
+                                           : tr("Choose a row that tells of a step"));
     if (!at.isValid()) return;
     session().selectTriangle(m_model->triangleOf(at));
     const Event* event = m_model->eventOf(at);
@@ -270,9 +288,9 @@ void WhyPanel::jump(const QModelIndex& at)
 void WhyPanel::fitColumns()
 {
     const QFontMetrics metrics = m_tree->fontMetrics();
-    const int depth = metrics.horizontalAdvance(QStringLiteral("0.000000000")) + 14;
-    const int fate  = metrics.horizontalAdvance(QStringLiteral("\u25BD ") + tr("node too small")) + 18;
-    const int room  = m_tree->viewport()->width();
+    const int          depth   = metrics.horizontalAdvance(QStringLiteral("0.000000000")) + 14;
+    const int          fate    = metrics.horizontalAdvance(QStringLiteral("\u25BD ") + tr("node too small")) + 18;
+    const int          room    = m_tree->viewport()->width();
     m_tree->setColumnWidth(WhyModel::Depth, depth);
     m_tree->setColumnWidth(WhyModel::Fate, fate);
     m_tree->setColumnWidth(WhyModel::What, std::max(76, room - depth - fate));
@@ -294,7 +312,8 @@ void WhyPanel::showEvent(QShowEvent* event)
 void WhyPanel::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange && m_model) m_model->setPalette(palette());
-    if (event->type() == QEvent::LanguageChange && m_triangle) {  // asked again with the next snapshot, or when it is seen
+    // asked again with the next snapshot, or when it is seen
+    if (event->type() == QEvent::LanguageChange && m_triangle) {
         m_asked.reset();
         m_pixelAnswer.reset();
         m_model->clear();

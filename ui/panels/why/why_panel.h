@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why this pixel, and why not this triangle: everything that covers the picked pixel with what became of it, as links into the
-// run. The answer is made on a thread of the panel's own; the newest question wins.
+// Why this pixel, and why not this triangle: everything that covers the
+// picked pixel with what became of it, as links into the run. The answer is made on a thread of the panel's own; the
+// newest question wins.
 #pragma once
 
 #include <memory>
@@ -59,18 +60,18 @@ private:
     void jump(const QModelIndex& index);
     void fitColumns();
 
-    WhyModel*       m_model;
-    QTreeView*      m_tree;
-    QString         m_said;  // of the answer, whatever step is on show
-    QLabel *        m_sentence, *m_detail, *m_hint, *m_trouble;
-    QPushButton*    m_jump;
-    QLineEdit*      m_triangle;
-    std::optional<Question>   m_asked;      // of the answer on show or on its way
-    std::optional<Question>   m_answered;   // of the answer on show
-    std::optional<TriangleId> m_about;      // nothing: about the picked pixel
-    std::optional<QPoint>     m_lastPick;
+    WhyModel*                               m_model;
+    QTreeView*                              m_tree;
+    QString                                 m_said;  // of the answer, whatever step is on show
+    QLabel *                                m_sentence, *m_detail, *m_hint, *m_trouble;
+    QPushButton*                            m_jump;
+    QLineEdit*                              m_triangle;
+    std::optional<Question>                 m_asked;     // of the answer on show or on its way
+    std::optional<Question>                 m_answered;  // of the answer on show
+    std::optional<TriangleId>               m_about;     // nothing: about the picked pixel
+    std::optional<QPoint>                   m_lastPick;
     std::shared_ptr<const PixelExplanation> m_pixelAnswer;
-    std::unique_ptr<Worker>   m_worker;     // last: stops before anything else goes
+    std::unique_ptr<Worker>                 m_worker;  // last: stops before anything else goes
 };
 
 }  // namespace zscope::ui
