@@ -28,6 +28,15 @@ struct Affine {
     }
     /// The identity leaves a point exactly as it is, so callers may skip it.
     bool isIdentity() const { return *this == Affine{}; }
+    /// True if it turns left into right: its determinant is below 0, in the arithmetic of docs/correctness.md. Not so of
+    /// a flat one, nor of one whose determinant is NaN.
+    bool isMirrored() const
+    {
+        const auto& [a, b, c] = rows;
+        const double det      = (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]))
+                           + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        return det < 0;
+    }
 
     friend bool operator==(const Affine&, const Affine&) = default;
 

@@ -48,7 +48,8 @@ private:
         const Mesh&         mesh     = scene.meshOf(instance);
         const std::uint32_t triangle = id.value - scene.firstTriangle[instance.value];
         return {colours.isComplete() ? colours.data()[id.value + 1] : colourOf(scene, instance, triangle),
-                mesh.materialOf(mesh.trianglePolygon[triangle]).opacity, part.front};
+                mesh.materialOf(mesh.trianglePolygon[triangle]).opacity,
+                part.counterClockwise != scene.instances[instance.value].toWorld.isMirrored()};
     }
 };
 

@@ -53,6 +53,7 @@ struct FacePlace {
     std::uint32_t      firstTriangle;  // id of the instance's triangle 0
 
     const Batch& points() const { return mesh.points.batches[batch]; }
+    bool         isMirrored() const { return toWorld && toWorld->isMirrored(); }
 };
 
 /// `Consume` takes (ScreenTriangle) and (ScreenFace, sides).
@@ -61,8 +62,8 @@ class FaceSetUp {
 public:
     FaceSetUp(const FacePlace& place, const Projection& projection, FaceCulling culling, const PixelBox& region,
               FaceScratch& scratch, const Consume& consume, const Rules& rules, const Probe& probe)
-        : m_place(place), m_projection(projection), m_culling(culling), m_region(region), m_scratch(scratch),
-          m_consume(consume), m_rules(rules), m_probe(probe), m_depth(projection, place.toWorld)
+        : m_place(place), m_projection(projection), m_facing{culling, place.isMirrored()}, m_region(region),
+          m_scratch(scratch), m_consume(consume), m_rules(rules), m_probe(probe), m_depth(projection, place.toWorld)
     {}
 
     /// All vertices of the batch are in front of the near plane and inside the guard band.
@@ -115,8 +116,7 @@ private:
         const auto draw = [&](std::uint32_t i) {
             const auto& [a, b, c] = ears[i];
             ScreenTriangle triangle;
-            const SetUp    fate =
-                setUpTriangle(at(a), at(b), at(c), idOf(f), wide, m_culling, m_region, m_rules, triangle);
+            const SetUp fate = setUpTriangle(at(a), at(b), at(c), idOf(f), wide, m_facing, m_region, m_rules, triangle);
             triangle.patterned = m_place.mesh.faces[f].patterned;
             if (fate == SetUp::Drawn) m_consume(triangle);
             m_probe(TriangleSetUp{idOf(f, i), fate, false, wide && fate == SetUp::Drawn});
@@ -140,7 +140,7 @@ private:
         const auto draw = [&](std::uint32_t i) {
             m_scratch.parts.clear();
             const SetUp fate = setUpClipped(viewsOf(ears[i]), idOf(f, i), idOf(f), m_place.mesh.faces[f].patterned,
-                                            m_projection, m_culling, m_region, m_rules, m_scratch.parts, m_probe);
+                                            m_projection, m_facing, m_region, m_rules, m_scratch.parts, m_probe);
             for (std::size_t p = 0; p < m_scratch.parts.count; ++p) m_consume(m_scratch.parts[p]);
             return fate;
         };
@@ -155,7 +155,7 @@ private:
     void asOneOrByEars(std::uint32_t f, const Draw& draw)
     {
         const bool isMended = m_place.mesh.faces[f].isMended;
-        if (m_seen.front && m_seen.back && !isMended) return byEars(f, How::UnlikeTurns, draw);
+        if (m_seen.clockwise && m_seen.counterClockwise && !isMended) return byEars(f, How::UnlikeTurns, draw);
         if (m_seen.hasArea() && m_seen.isThin() && !isMended) return byEars(f, How::Thin, draw);
         const SetUp fate = asOne(f);
         if (fate == SetUp::OutOfRange) return byEars(f, How::Thin, draw);
@@ -187,8 +187,8 @@ private:
         if (m_seen.isDropped) return SetUp::Outside;
         // walked there and back, no side is left
         if (!m_seen.hasArea() || m_scratch.sides.empty()) return SetUp::Degenerate;
-        const bool isBack = face.isMended ? turnsClockwise(m_scratch.sides) : m_seen.back;
-        if (isBack && m_culling == FaceCulling::Back) return SetUp::BackFacing;
+        const bool isClockwise = face.isMended ? turnsClockwise(m_scratch.sides) : m_seen.clockwise;
+        if (m_facing.isCulled(isClockwise ? 1 : -1)) return SetUp::BackFacing;
         if (!hasPixelCentre(m_seen.left, m_seen.top, m_seen.right, m_seen.bottom)) return SetUp::NoPixelCentre;
         DepthPlane depth = m_depth.of(m_place.mesh.planes[face.plane], m_seen.farthest, m_seen.nearest);
         if (!FaceDepth::isUsable(depth)) {
@@ -203,14 +203,14 @@ private:
 
     /// What the triangles and sides of the face at hand come to.
     struct Seen {
-        bool wide = false, front = false, back = false, isDropped = false;
+        bool wide = false, clockwise = false, counterClockwise = false, isDropped = false;
         // twice, unsnapped, of all triangles
         double area = 0;
         double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL;            // of the corners, unsnapped
         double left = HUGE_VAL, right = -HUGE_VAL, top = HUGE_VAL, bottom = -HUGE_VAL;  // snapped
         double farthest = HUGE_VAL, nearest = -HUGE_VAL;                                // depths
 
-        bool hasArea() const { return front || back; }
+        bool hasArea() const { return clockwise || counterClockwise; }
         /// As depthPlane() judges a triangle.
         bool isThin() const { return !(std::abs(area) > std::max(x1 - x0, y1 - y0) * 0x1p-10); }
         void include(const ScreenCorner& p)
@@ -241,10 +241,10 @@ private:
     /// Takes note of how a triangle turns. Drawn if it would be on its own, whichever side it shows.
     SetUp addEar(const std::array<ScreenCorner, 3>& p, bool wide)
     {
-        const int turn   = turnOf(p[0], p[1], p[2], wide);
-        m_seen.front     = m_seen.front || turn < 0;
-        m_seen.back      = m_seen.back || turn > 0;
-        m_seen.isDropped = m_seen.isDropped || m_rules.dropsCrossing(p[0], p[1], p[2]);
+        const int turn          = turnOf(p[0], p[1], p[2], wide);
+        m_seen.clockwise        = m_seen.clockwise || turn > 0;
+        m_seen.counterClockwise = m_seen.counterClockwise || turn < 0;
+        m_seen.isDropped        = m_seen.isDropped || m_rules.dropsCrossing(p[0], p[1], p[2]);
         m_seen.area += (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
         if (turn == 0) return SetUp::Degenerate;
         if constexpr (Probe::listens) {
@@ -338,7 +338,7 @@ private:
 
     const FacePlace&  m_place;
     const Projection& m_projection;
-    FaceCulling       m_culling;
+    Facing            m_facing;
     PixelBox          m_region;
     FaceScratch&      m_scratch;
     const Consume&    m_consume;

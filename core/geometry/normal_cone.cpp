@@ -18,12 +18,12 @@ constexpr double kThinnest = 1e-6;
 /// Cones as wide as this see the front of something from almost anywhere.
 constexpr double kWidest = 0.05;
 
-struct Facing {
-    dvec3  normal{0, 0, 0};  // of length 1, or 0 if the triangle has none
+struct Normal {
+    dvec3  direction{0, 0, 0};  // of length 1, or 0 if the triangle has none
     double altitude = 0;
 };
 
-Facing facingOf(const dvec3& a, const dvec3& b, const dvec3& c)
+Normal normalOf(const dvec3& a, const dvec3& b, const dvec3& c)
 {
     const dvec3  ab = b - a, ac = c - a, bc = c - b;
     const dvec3  across  = glm::cross(ab, ac);
@@ -37,14 +37,14 @@ Facing facingOf(const dvec3& a, const dvec3& b, const dvec3& c)
 
 NormalCone normalConeOf(std::span<const std::array<dvec3, 3>> triangles, const dvec3& centre)
 {
-    std::vector<Facing> facings;
-    facings.reserve(triangles.size());
+    std::vector<Normal> normals;
+    normals.reserve(triangles.size());
     dvec3  sum{0, 0, 0};
     double altitude = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, c] : triangles) {
-        facings.push_back(facingOf(a, b, c));
-        sum      = sum + facings.back().normal;
-        altitude = std::min(altitude, facings.back().altitude);
+        normals.push_back(normalOf(a, b, c));
+        sum      = sum + normals.back().direction;
+        altitude = std::min(altitude, normals.back().altitude);
     }
     const double length = glm::length(sum);
     if (!(length > 0) || !(altitude > 0)) return {};
@@ -52,10 +52,10 @@ NormalCone normalConeOf(std::span<const std::array<dvec3, 3>> triangles, const d
     const dvec3 axis   = sum / length;
     double      cosine = 1, back = 0;  // the apex must lie so far behind the centre
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const double towards = glm::dot(facings[i].normal, axis);
+        const double towards = glm::dot(normals[i].direction, axis);
         if (!(towards - kConeSlack > kWidest)) return {};
         cosine = std::min(cosine, towards - kConeSlack);
-        back   = std::max(back, glm::dot(centre - triangles[i][0], facings[i].normal) / towards);
+        back   = std::max(back, glm::dot(centre - triangles[i][0], normals[i].direction) / towards);
     }
     return {.axis     = axis,
             .apex     = centre - axis * back,
@@ -64,17 +64,18 @@ NormalCone normalConeOf(std::span<const std::array<dvec3, 3>> triangles, const d
             .altitude = altitude};
 }
 
-BackFaces::BackFaces(const PlacedView& view, const Projection& projection)
+BackFaces::BackFaces(const PlacedView& view, const Projection& projection, bool isMirrored)
     : m_near(projection.near), m_focal(projection.focalPixels)
 {
     const auto&      axes = view.axes();
     const glm::dmat3 linear(axes[0], axes[1], axes[2]);
-    // view space is left-handed: negative unless something is mirrored
-    const double volume = glm::determinant(linear);
+    // View space is left-handed: below 0 unless something is mirrored. Where the instance alone is, its fronts are too
+    // (core/geometry/facing.h), so an eye in front of a triangle's plane still sees the front.
+    const double volume = glm::determinant(linear) * (isMirrored ? 1 : -1);
     const double stretch =
         std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
-    if (!(-volume > 1e-3 * stretch * stretch * stretch)) return;
-    m_volume  = -volume;
+    if (!(volume > 1e-3 * stretch * stretch * stretch)) return;
+    m_volume  = volume;
     m_stretch = stretch;
     m_eye     = -(glm::inverse(linear) * view.origin());
 }

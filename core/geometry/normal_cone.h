@@ -10,8 +10,9 @@
 //            holds the snapping and every rounding on the way
 // Promise    of a batch that isBackFacing() every triangle is SetUp::BackFacing, as the exact arithmetic finds one by
 //            one
-// Never      of a batch that reaches before the near plane, of mirrored placements, of a batch with a triangle without
-//            area
+// Mirrored   an instance that turns left into right turns its fronts, too: in the model nothing changes
+// Never      of a batch that reaches before the near plane, of a camera whose axes are mirrored, of a batch with a
+//            triangle without area
 // Source     Shirman, Abi-Ezzi: The Cone of Normals Technique for Fast Processing of Curved Patches, Eurographics 1993;
 //            the margin is ours
 #pragma once
@@ -60,7 +61,8 @@ inline constexpr double kConeSlack = 1e-8;
 /// One placement, as its camera sees it, asked about batches.
 class BackFaces {
 public:
-    BackFaces(const PlacedView& view, const Projection& projection);
+    /// `isMirrored`: the instance that `view` places is (Affine::isMirrored).
+    BackFaces(const PlacedView& view, const Projection& projection, bool isMirrored);
 
     /// False if no question about the cone can be answered with yes, whatever box holds its triangles.
     bool mayHold(const NormalCone& cone) const { return cone.promises() && glm::dot(cone.apex - m_eye, cone.axis) > 0; }
@@ -73,7 +75,7 @@ public:
 
 private:
     dvec3  m_eye{0, 0, 0};  // in model space
-    double m_volume  = 0;   // of a unit cube of the model in view space; 0: mirrored, or too flat to be sure
+    double m_volume  = 0;   // of a unit cube of the model in view space; 0: a mirrored camera, or too flat to be sure
     double m_stretch = 0;   // what is 1 long in the model is at most so long in view space
     double m_near, m_focal;
 };

@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "core/base/ids.h"
+#include "core/geometry/facing.h"
 #include "core/geometry/pixel_box.h"
 #include "core/geometry/projection.h"
 #include "core/geometry/rules.h"
@@ -30,7 +31,7 @@ struct ScreenTriangle {
     TriangleId            id;
     PixelBox              box;                // inside the region it was set up for
     bool                  wide;               // a corner lies beyond the guard band: use exact 128-bit arithmetic
-    bool                  front;              // its snapped corners run counter-clockwise to the viewer
+    bool                  counterClockwise;   // to the viewer, as its snapped corners were given
     bool                  patterned = false;  // it has holes or a relief (core/geometry/pattern_plane.h)
 
     std::uint32_t rank() const { return id.value + 1; }
@@ -71,7 +72,7 @@ enum class SetUp { Drawn, Transparent, Outside, ClippedAway, BackFacing, Degener
     return plane;
 }
 
-/// Twice the snapped area, its sign only: -1 counter-clockwise to the viewer (front), 0 degenerate, 1 clockwise.
+/// Twice the snapped area, its sign only: -1 counter-clockwise to the viewer, 0 degenerate, 1 clockwise.
 /// Exact for corners within kSnapLimit.
 [[gnu::always_inline]] inline int turnOf(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2,
                                          bool wide)
@@ -90,13 +91,14 @@ enum class SetUp { Drawn, Transparent, Outside, ClippedAway, BackFacing, Degener
 /// Always inlined, so that each instruction set gets it in its own instructions.
 template <class Rules>
 [[gnu::always_inline]] inline SetUp setUpTriangle(const ScreenCorner& p0, const ScreenCorner& p1,
-                                                  const ScreenCorner& p2, TriangleId id, bool wide, FaceCulling culling,
-                                                  const PixelBox& region, const Rules& rules, ScreenTriangle& out)
+                                                  const ScreenCorner& p2, TriangleId id, bool wide,
+                                                  const Facing& facing, const PixelBox& region, const Rules& rules,
+                                                  ScreenTriangle& out)
 {
     if (rules.dropsCrossing(p0, p1, p2)) return SetUp::Outside;
     const int turn = turnOf(p0, p1, p2, wide);
     if (turn == 0) return SetUp::Degenerate;
-    if (turn > 0 && culling == FaceCulling::Back) return SetUp::BackFacing;
+    if (facing.isCulled(turn)) return SetUp::BackFacing;
 
     out.box = {std::max(region.x0, rules.firstCentreFrom(std::min({p0.xs, p1.xs, p2.xs}))),
                std::max(region.y0, rules.firstCentreFrom(std::min({p0.ys, p1.ys, p2.ys}))),
@@ -111,7 +113,7 @@ template <class Rules>
     out.depth                  = depthPlane(p0, p1, p2);
     out.id                     = id;
     out.wide                   = wide;
-    out.front                  = turn < 0;
+    out.counterClockwise       = turn < 0;
     out.patterned              = false;
     return SetUp::Drawn;
 }

@@ -57,8 +57,8 @@ public:
     BatchSetUp(const BatchPlace& place, const ScreenVertices& vertices, const Projection& projection,
                FaceCulling culling, const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe,
                const Hidden& hidden = {})
-        : m_place(place), m_vertices(vertices), m_projection(projection), m_culling(culling), m_region(region),
-          m_rules(rules), m_out(out), m_probe(probe), m_hidden(hidden)
+        : m_place(place), m_vertices(vertices), m_projection(projection), m_facing{culling, place.isMirrored()},
+          m_region(region), m_rules(rules), m_out(out), m_probe(probe), m_hidden(hidden)
     {}
 
     LeftOut run()
@@ -168,7 +168,7 @@ private:
         const auto above     = hn::Max(all(m_region.y0), firstCentreFrom(y0)),
                    below     = hn::Min(all(m_region.y1), firstCentreFrom(y1));
         const auto hasCentre = hn::And(left < right, above < below);
-        const auto isTurned  = m_culling == FaceCulling::Back ? area < hn::Zero(D()) : area != hn::Zero(D());
+        const auto isTurned  = isDrawnAs(area);
         // Windows begin where all of them end inside the region.
         const auto lines = hn::And(below - above + all(kWindowSide - 1), all(-kWindowSide));
         const auto top   = hn::Min(above, all(m_region.y1) - lines);
@@ -220,9 +220,9 @@ private:
         const auto  nearly = all(pixelsAndLines(127, 127));  // to the next centre
         const auto  first  = inPixels(plusHalves(leastHalves(leastHalves(p[0], p[1]), p[2]), nearly));
         const auto  size   = minusHalves(inPixels(plusHalves(mostHalves(mostHalves(p[0], p[1]), p[2]), nearly)), first);
-        // Twice the area, above 0 of a front.
+        // Twice the area, but for the sign.
         const auto turned   = growth(minusHalves(p[1], p[0]), acrossEdge(minusHalves(p[2], p[0])));
-        const auto isTurned = m_culling == FaceCulling::Back ? turned > hn::Zero(D()) : turned != hn::Zero(D());
+        const auto isTurned = isDrawnAs(hn::Zero(D()) - turned);
         const auto belowOne =
             hn::And(minusHalves(size, all(pixelsAndLines(1, 1))), all(pixelsAndLines(-0x8000, -0x8000)));
         const auto isThere = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - t));
@@ -236,19 +236,26 @@ private:
         list(t, kept, corner, turned < hn::Zero(D()), start, plusHalves(start, size), hn::Zero(D()));
     }
 
+    /// True where twice the snapped area is not 0, and not of a back that is culled.
+    M isDrawnAs(V area) const
+    {
+        if (m_facing.culling != FaceCulling::Back) return area != hn::Zero(D());
+        return m_facing.isMirrored ? area > hn::Zero(D()) : area < hn::Zero(D());
+    }
+
     /// Subpixels to pixels, half by half, of numbers that are not negative.
     static V inPixels(V subpixels) { return hn::And(hn::ShiftRight<8>(subpixels), all(pixelsAndLines(0xFF, 0xFF))); }
 
     /// Puts the triangles that `kept` names, of those from t on, at the end of the list. `raised`: what of their kind
     /// says where their windows begin.
-    HWY_INLINE void list(std::uint32_t t, M kept, const Three& corner, M isBack, V start, V end, V raised)
+    HWY_INLINE void list(std::uint32_t t, M kept, const Three& corner, M isClockwise, V start, V end, V raised)
     {
         const hn::Rebind<std::uint16_t, D> u16;
         const hn::RebindToUnsigned<D>      u32;
         const auto vertex = [&](std::size_t k) HWY_ATTR { return hn::PromoteTo(D(), hn::LoadU(u16, corners(k, t))); };
         const auto id     = hn::LoadU(u32, m_place.mesh.meshTriangle.data() + t);
-        const auto kind   = hn::Or(raised, hn::IfThenElse(isBack, all(TriangleList::kCompact),
-                                                          all(TriangleList::kCompact | TriangleList::kFront)));
+        const auto kind   = hn::Or(raised, hn::IfThenElse(isClockwise, all(TriangleList::kCompact),
+                                                          all(TriangleList::kCompact | TriangleList::kCounterClockwise)));
         const auto pair   = hn::Or(vertex(0), hn::ShiftLeft<16>(vertex(1))),
                    last   = hn::Or(vertex(2), hn::ShiftLeft<16>(countFrom(
                                                   D(), static_cast<std::int32_t>(t - m_place.batch.firstTriangle))));
@@ -262,8 +269,8 @@ private:
                                reinterpret_cast<std::int32_t*>(column.data()) + count);
         };
         keep(corner[0], out.corner[0]);
-        keep(hn::IfThenElse(isBack, corner[1], corner[2]), out.corner[1]),
-            keep(hn::IfThenElse(isBack, corner[2], corner[1]), out.corner[2]);
+        keep(hn::IfThenElse(isClockwise, corner[1], corner[2]), out.corner[1]),
+            keep(hn::IfThenElse(isClockwise, corner[2], corner[1]), out.corner[2]);
         keep(start, out.start), keep(end, out.end), keep(kind, out.kind);
         const auto own = hn::BitCast(D(), id + hn::Set(u32, m_place.firstTriangle));
         keep(all(-2) - own, out.notRank);  // ~(own + 1)
@@ -277,9 +284,9 @@ private:
     void setUpAlone(std::uint32_t t, bool isPlain)
     {
         if (isPlain)
-            setUpOne(m_place, t, m_vertices, m_culling, m_region, m_rules, m_out, m_probe);
+            setUpOne(m_place, t, m_vertices, m_facing, m_region, m_rules, m_out, m_probe);
         else
-            setUpCarefully(m_place, t, m_projection, m_culling, m_region, m_rules, m_out, m_probe);
+            setUpCarefully(m_place, t, m_projection, m_facing, m_region, m_rules, m_out, m_probe);
     }
 
     /// Those of `drawn` that may be seen.
@@ -402,7 +409,7 @@ private:
     const BatchPlace&            m_place;
     const ScreenVertices&        m_vertices;
     const Projection&            m_projection;
-    FaceCulling                  m_culling;
+    Facing                       m_facing;
     const PixelBox&              m_region;
     const Rules&                 m_rules;
     TriangleList&                m_out;

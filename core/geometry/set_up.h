@@ -21,20 +21,21 @@ struct BatchPlace {
     std::uint32_t      firstTriangle;          // id of the instance's triangle 0
     PatchBits          patches = kAllPatches;  // those that are drawn
 
+    bool       isMirrored() const { return toWorld && toWorld->isMirrored(); }
     TriangleId idOf(std::uint32_t triangle) const { return {firstTriangle + mesh.meshTriangle[triangle]}; }
 };
 
 /// One triangle whose corners are plain.
 template <class Rules, class Probe>
 [[gnu::always_inline]] inline void setUpOne(const BatchPlace& place, std::uint32_t t, const ScreenVertices& vertices,
-                                            FaceCulling culling, const PixelBox& region, const Rules& rules,
+                                            const Facing& facing, const PixelBox& region, const Rules& rules,
                                             TriangleList& out, const Probe& probe)
 {
     const auto&    corners = place.mesh.corners;
     ScreenTriangle made;
     const SetUp    fate =
         setUpTriangle(vertices.corner<Rules>(corners[0][t]), vertices.corner<Rules>(corners[1][t]),
-                      vertices.corner<Rules>(corners[2][t]), place.idOf(t), false, culling, region, rules, made);
+                      vertices.corner<Rules>(corners[2][t]), place.idOf(t), false, facing, region, rules, made);
     if (fate == SetUp::Drawn) {
         made.patterned = place.mesh.isPatterned(t);
         out.add(made);
@@ -57,7 +58,7 @@ inline bool isInRange(const ScreenCorner& corner)
 
 /// One part of a clipped triangle; decides by itself whether it needs the wide path.
 template <class Rules>
-SetUp setUpPart(const std::array<dvec3, 3>& view, TriangleId id, const Projection& projection, FaceCulling culling,
+SetUp setUpPart(const std::array<dvec3, 3>& view, TriangleId id, const Projection& projection, const Facing& facing,
                 const PixelBox& region, const Rules& rules, ScreenTriangle& out)
 {
     std::array<ScreenCorner, 3> corner;
@@ -67,7 +68,7 @@ SetUp setUpPart(const std::array<dvec3, 3>& view, TriangleId id, const Projectio
         if (!isInRange(corner[i])) return SetUp::OutOfRange;
         wide = wide || std::max(std::abs(corner[i].xs), std::abs(corner[i].ys)) > kGuardBand;
     }
-    return setUpTriangle(corner[0], corner[1], corner[2], id, wide, culling, region, rules, out);
+    return setUpTriangle(corner[0], corner[1], corner[2], id, wide, facing, region, rules, out);
 }
 
 /// From the model to view space.
@@ -81,7 +82,7 @@ dvec3 viewOf(const dvec3& model, const Affine* toWorld, const Projection& projec
 /// Sets up what the near plane leaves of one triangle, and tells its fate; the parts are drawn as `drawnAs`.
 template <class Rules, class Probe>
 SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId drawnAs, bool patterned,
-                   const Projection& projection, FaceCulling culling, const PixelBox& region, const Rules& rules,
+                   const Projection& projection, const Facing& facing, const PixelBox& region, const Rules& rules,
                    TriangleList& out, const Probe& probe)
 {
     ClippedTriangle kept = clipNear(view, projection.near);
@@ -90,7 +91,7 @@ SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId d
     bool  wide = false;
     for (std::size_t p = 0; p < kept.parts(); ++p) {
         ScreenTriangle made;
-        const SetUp    partFate = setUpPart(kept.part(p), drawnAs, projection, culling, region, rules, made);
+        const SetUp    partFate = setUpPart(kept.part(p), drawnAs, projection, facing, region, rules, made);
         if (partFate == SetUp::Drawn) {
             wide           = wide || made.wide;
             made.patterned = patterned;
@@ -104,7 +105,7 @@ SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId d
 
 /// One triangle of a batch from its positions, whatever its corners are.
 template <class Rules, class Probe>
-void setUpCarefully(const BatchPlace& place, std::uint32_t t, const Projection& projection, FaceCulling culling,
+void setUpCarefully(const BatchPlace& place, std::uint32_t t, const Projection& projection, const Facing& facing,
                     const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe)
 {
     const MeshBatches&   mesh = place.mesh;
@@ -114,7 +115,7 @@ void setUpCarefully(const BatchPlace& place, std::uint32_t t, const Projection& 
         const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
         view[i] = viewOf(model, place.toWorld, projection, rules);
     }
-    setUpClipped(view, place.idOf(t), place.idOf(t), mesh.isPatterned(t), projection, culling, region, rules, out,
+    setUpClipped(view, place.idOf(t), place.idOf(t), mesh.isPatterned(t), projection, facing, region, rules, out,
                  probe);
 }
 

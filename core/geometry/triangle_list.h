@@ -52,11 +52,11 @@ struct TriangleList {
     static constexpr std::size_t  kCapacity = 2 * kBatchTriangles;
 
     enum Kind : std::int32_t {
-        kFront     = 1,  // as ScreenTriangle::front, wide, patterned
-        kWide      = 2,
-        kPatterned = 4,
-        kHidden    = 8,   // found hidden after set-up: is not to be drawn
-        kCompact   = 16,  // its corners are in `corner`, not in x and y, and its edges are there
+        kCounterClockwise = 1,  // as ScreenTriangle::counterClockwise, wide, patterned
+        kWide             = 2,
+        kPatterned        = 4,
+        kHidden           = 8,   // found hidden after set-up: is not to be drawn
+        kCompact          = 16,  // its corners are in `corner`, not in x and y, and its edges are there
     };
     /// So many bits above the kind of a compact triangle stand the lines, fewer than kWindowSide, by which its first
     /// windows begin above its box.
@@ -114,7 +114,8 @@ struct TriangleList {
         notRank[count]  = ~(t.id.value + 1);
         start[count]    = pixelsAndLines(t.box.x0, t.box.y0);
         end[count]      = pixelsAndLines(t.box.x1, t.box.y1);
-        kind[count]     = (t.front ? kFront : 0) | (t.wide ? kWide : 0) | (t.patterned ? kPatterned : 0);
+        kind[count] =
+            (t.counterClockwise ? kCounterClockwise : 0) | (t.wide ? kWide : 0) | (t.patterned ? kPatterned : 0);
         listAlone(count);
         ++count;
     }
@@ -180,14 +181,14 @@ struct TriangleList {
     ScreenTriangle operator[](std::size_t i) const
     {
         assert(i < count);
-        return {.x         = {cornerX(0, i), cornerX(1, i), cornerX(2, i)},
-                .y         = {cornerY(0, i), cornerY(1, i), cornerY(2, i)},
-                .depth     = {a[i], b[i], c[i], farthest[i], nearest[i]},
-                .id        = id(i),
-                .box       = box(i),
-                .wide      = is(kWide, i),
-                .front     = is(kFront, i),
-                .patterned = is(kPatterned, i)};
+        return {.x                = {cornerX(0, i), cornerX(1, i), cornerX(2, i)},
+                .y                = {cornerY(0, i), cornerY(1, i), cornerY(2, i)},
+                .depth            = {a[i], b[i], c[i], farthest[i], nearest[i]},
+                .id               = id(i),
+                .box              = box(i),
+                .wide             = is(kWide, i),
+                .counterClockwise = is(kCounterClockwise, i),
+                .patterned        = is(kPatterned, i)};
     }
 
 private:

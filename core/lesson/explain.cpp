@@ -190,8 +190,10 @@ PixelExplanation explained(PixelHistories::History& history, PixelPosition p, co
     explanation.depth      = frame.visible.depthAt(p.x, p.y);
     explanation.candidates = inOrderMet(history);
     for (PixelCandidate& c : explanation.candidates) {
+        const Scene& scene = request.scene->scene();
         for (Event& event : c.events) {
-            event.sentence = sentenceOf(event, c.drawnAs, pipeline, background);
+            event.isMirrored = scene.instances[scene.instanceOf(c.triangle).value].toWorld.isMirrored();
+            event.sentence   = sentenceOf(event, c.drawnAs, pipeline, background);
             if (event.node) c.node = event.node;
         }
         decide(c, explanation, background);
@@ -316,8 +318,10 @@ try {
     e.events  = std::move(history.events());
     e.leftOut = history.leftOut();
     findTakers(e, covers, frame.visible);
-    for (Event& event : e.events)
-        event.sentence = sentenceOf(event, e.drawnAs, request.pipeline, frame.visible.empty());
+    for (Event& event : e.events) {
+        event.isMirrored = scene.instances[instance.value].toWorld.isMirrored();
+        event.sentence   = sentenceOf(event, e.drawnAs, request.pipeline, frame.visible.empty());
+    }
     e.fate     = fateOf(e, covers, frame.visible.empty());
     e.sentence = sentenceOf(e, request.pipeline);
     return e;

@@ -65,7 +65,11 @@ std::string setUpOf(const Event& e, const std::string& who)
         case SetUp::ClippedAway:
             return who + " lies wholly before the near plane: nothing of it is left.";
         case SetUp::BackFacing:
-            return who + " turns clockwise on the grid, so it shows its back, and back faces are culled.";
+            return who
+                   + (e.isMirrored
+                          ? " turns counter-clockwise on the grid and its instance is mirrored, so it shows its "
+                            "back, and back faces are culled."
+                          : " turns clockwise on the grid, so it shows its back, and back faces are culled.");
         case SetUp::Degenerate:
             return who + " has no area once its corners are snapped to the grid, so it covers nothing.";
         case SetUp::NoPixelCentre:

@@ -61,12 +61,13 @@ std::string_view wordOf(Happening happening);
 struct Event {
     Happening happening = Happening::SetUp;
     Moment    moment;
-    Grain     grain     = Grain::Pixel;  // of the step that shows it best; always one that the method has
-    SetUp     setUp     = SetUp::Drawn;  // of SetUp
-    bool      isCut     = false;         // likewise: the near plane left a part of it
-    bool      isPrepass = false;         // it belongs to a depth pre-pass
-    int       pass      = 0;             // of two passes: 1, 2
-    float     depth     = 0;             // its own, as the run stored or would have stored it
+    Grain     grain      = Grain::Pixel;  // of the step that shows it best; always one that the method has
+    SetUp     setUp      = SetUp::Drawn;  // of SetUp
+    bool      isCut      = false;         // likewise: the near plane left a part of it
+    bool      isMirrored = false;         // likewise: the triangle's instance is
+    bool      isPrepass  = false;         // it belongs to a depth pre-pass
+    int       pass       = 0;             // of two passes: 1, 2
+    float     depth      = 0;             // its own, as the run stored or would have stored it
     // of a test: where the triangle is, if its material's relief was asked
     std::optional<float>         unmovedDepth;
     std::optional<TriangleId>    rival;           // who held the pixel, or took it

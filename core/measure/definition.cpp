@@ -177,8 +177,8 @@ double Patterns::movedBack(double depth, int i, int j) const
 }
 
 Part::Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera,
-           const std::optional<Patterns>& patterns)
-    : m_corners(corners), m_patterns(patterns)
+           const std::optional<Patterns>& patterns, bool isBack)
+    : m_corners(corners), m_patterns(patterns), m_isBack(isBack)
 {
     const auto& [a, b, c] = m_corners;
     m_box = pixelsWithin(std::min({a.xs, b.xs, c.xs}), std::max({a.xs, b.xs, c.xs}), std::min({a.ys, b.ys, c.ys}),
@@ -253,6 +253,15 @@ float Part::farthestDepth() const
     return std::max(0.0f, std::nextafter(static_cast<float>(m_patterns->movedBackWholly(m_lo)), -1.0f));
 }
 
+bool isMirrored(const Affine& matrix)
+{
+    const auto&  m = matrix.rows;
+    const double det =
+        (m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]))
+        + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    return det < 0;
+}
+
 namespace {
 
 /// partsOf(), whatever the triangle's material.
@@ -265,8 +274,10 @@ Fate geometryOf(const Scene& scene, InstanceId instance, std::uint32_t meshTrian
         const auto& vertices = mesh.triangles[triangle];
         return std::array{mesh.positions[vertices[0]], mesh.positions[vertices[1]], mesh.positions[vertices[2]]};
     };
-    const auto seen = [&](std::array<dvec3, 3> corners) {
-        for (dvec3& q : corners) q = viewSpace(q, scene.instances[instance.value].toWorld, view.camera);
+    const Affine& toWorld   = scene.instances[instance.value].toWorld;
+    const bool    turnsOver = isMirrored(toWorld);
+    const auto    seen      = [&](std::array<dvec3, 3> corners) {
+        for (dvec3& q : corners) q = viewSpace(q, toWorld, view.camera);
         return corners;
     };
     std::optional<Patterns> patterns;
@@ -290,11 +301,14 @@ Fate geometryOf(const Scene& scene, InstanceId instance, std::uint32_t meshTrian
         const Wide doubleArea = doubleAreaOf(part);
         if (doubleArea == 0) {
             fate = std::min(fate, Fate::Degenerate);
-        } else if (doubleArea > 0 && view.faceCulling == FaceCulling::Back) {
+            continue;
+        }
+        const bool isBack = turnsOver ? doubleArea < 0 : doubleArea > 0;
+        if (isBack && view.faceCulling == FaceCulling::Back) {
             fate = std::min(fate, Fate::Culled);
         } else {
             fate = Fate::Drawn;
-            parts.emplace_back(part, doubleArea, view.camera, patterns);
+            parts.emplace_back(part, doubleArea, view.camera, patterns, isBack);
         }
     }
     return fate;

@@ -101,7 +101,9 @@ private:
 class Part {
 public:
     Part(const std::array<Corner, 3>& corners, Wide doubleArea, const Camera& camera,
-         const std::optional<Patterns>& patterns = {});
+         const std::optional<Patterns>& patterns = {}, bool isBack = false);
+
+    bool isBack() const { return m_isBack; }
 
     const std::array<Corner, 3>& corners() const { return m_corners; }  // in the order of the walk
     const std::array<Side, 3>&   sides() const { return m_sides; }
@@ -124,11 +126,15 @@ private:
     std::optional<Patterns> m_patterns;
     double                  m_a = 0, m_b = 0, m_c = 0;  // depth = a x + b y + c at pixel centres
     float                   m_lo = 0, m_hi = 0;         // limits: the nearest and farthest corner
+    bool                    m_isBack;                   // the viewer sees its back
     bool                    m_isFlat = false;           // no plane could be computed: depth is m_hi
 };
 
 /// What became of a triangle. Of two parts the better fate counts: the first in this order.
 enum class Fate { Drawn, Culled, Degenerate, OutOfRange, BehindNear, Transparent };
+
+/// Left and right change places: the determinant is below 0, in the arithmetic of the definition.
+bool isMirrored(const Affine& matrix);
 
 /// Replaces `parts` by the parts of one triangle that may cover pixels: none unless the answer is Drawn.
 Fate partsOf(const Scene& scene, InstanceId instance, std::uint32_t meshTriangle, const View& view,

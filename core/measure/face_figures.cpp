@@ -22,7 +22,7 @@ struct Cover {
     int           layers = 1;  // triangles that do
 };
 
-/// Twice the snapped area as the viewer sees it: below 0 is counter-clockwise, the front.
+/// Twice the snapped area as the viewer sees it: below 0 is counter-clockwise.
 Wide doubleAreaOf(const Part& part)
 {
     const auto& [a, b, c] = part.corners();
@@ -55,7 +55,7 @@ public:
                     const PixelPosition p = points[point];
                     if (!part.covers(p.x, p.y)) return;
                     const std::uint32_t face = m_scene.firstOfFace(TriangleId{id}).value;
-                    if (m_culling == FaceCulling::Back && !isMended(face) && doubleAreaOf(part) > 0) return;
+                    if (m_culling == FaceCulling::Back && !isMended(face) && part.isBack()) return;
                     const float depth = part.depth(p.x, p.y);
 #pragma omp critical(zscope_face_covers)
                     all.push_back({point, face, depth, depth >= m_view.farDepth});
@@ -102,7 +102,8 @@ private:
         if (m_culling != FaceCulling::Back) return false;
         Wide area = 0;
         forEachPart(face, [&](const Part& part) { area += doubleAreaOf(part); });
-        return area > 0;
+        const InstanceId instance = m_scene.instanceOf(TriangleId{face});
+        return isMirrored(m_scene.instances[instance.value].toWorld) ? area < 0 : area > 0;
     }
 
     template <class Visit>

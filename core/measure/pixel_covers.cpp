@@ -22,19 +22,12 @@ bool coversWithHoles(const Part& part, int i, int j)
     return std::ranges::all_of(part.sides(), [&](const Side& side) { return side.at(i, j) >= 0; });
 }
 
-/// Clockwise to the viewer, once snapped.
-bool showsItsBack(const Part& part)
-{
-    const auto& [a, b, c] = part.corners();
-    return (Wide{b.xs} - a.xs) * (Wide{c.ys} - a.ys) - (Wide{b.ys} - a.ys) * (Wide{c.xs} - a.xs) > 0;
-}
-
 /// What one part is to a pixel that lies in its box.
 std::optional<Cover> coverOf(const Part& part, PixelPosition p, float depth, bool isTransparent, const View& view,
                              FaceCulling culling)
 {
     if (!coversWithHoles(part, p.x, p.y)) return std::nullopt;
-    if (culling == FaceCulling::Back && showsItsBack(part)) return Cover::BackFace;
+    if (culling == FaceCulling::Back && part.isBack()) return Cover::BackFace;
     if (part.isHole(p.x, p.y)) return Cover::Hole;
     if (depth < view.farDepth) return Cover::BeyondFar;
     return isTransparent ? Cover::Transparent : Cover::Opaque;

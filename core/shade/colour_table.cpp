@@ -22,10 +22,12 @@ std::uint32_t pack(Rgb colour, double brightness)
 /// Of length 1, whatever the length was (but 0): scaled first, so that no square runs over or vanishes.
 dvec3 unit(const dvec3& v) { return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); }
 
-/// In [0.25, 1]; 0.515 for a triangle without a normal.
-double brightnessOf(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& towardsLight)
+/// In [0.25, 1]; 0.515 for a triangle without a normal. A mirrored instance's corners run the other way round, and its
+/// normals stay on the same side of the surface.
+double brightnessOf(const dvec3& a, const dvec3& b, const dvec3& c, bool isMirrored, const dvec3& towardsLight)
 {
-    const dvec3  normal  = glm::cross(b - a, c - a);
+    const dvec3  across  = glm::cross(b - a, c - a);
+    const dvec3  normal  = isMirrored ? -across : across;
     const double length  = glm::length(normal);
     const double cosine  = length > 0 && std::isfinite(length) ? glm::dot(normal, towardsLight) / length : 0;
     const double towards = 0.5 + 0.5 * cosine;
@@ -34,21 +36,23 @@ double brightnessOf(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3&
 
 dvec3 towardsLightOf(const Scene& scene) { return -unit(scene.light.direction); }
 
-/// `a`, `b` and `c`: the triangle's corners in the world.
-std::uint32_t shaded(const Instance& placed, const Mesh& mesh, std::uint32_t triangle, const dvec3& a, const dvec3& b,
-                     const dvec3& c, const dvec3& towardsLight)
+/// `a`, `b` and `c`: the triangle's corners in the world. `isMirrored`: `placed` is.
+std::uint32_t shaded(const Instance& placed, bool isMirrored, const Mesh& mesh, std::uint32_t triangle, const dvec3& a,
+                     const dvec3& b, const dvec3& c, const dvec3& towardsLight)
 {
     const Rgb colour = placed.colour ? *placed.colour : mesh.materialOf(mesh.trianglePolygon[triangle]).diffuse;
-    return pack(colour, brightnessOf(a, b, c, towardsLight));
+    return pack(colour, brightnessOf(a, b, c, isMirrored, towardsLight));
 }
 
 /// Fills the table of one instance, a run of triangles after another; `world` holds the mesh's corners in the world.
 void shadeTriangles(const Instance& placed, const Mesh& mesh, std::uint32_t from, std::uint32_t end, const dvec3* world,
                     const dvec3& towardsLight, std::uint32_t* colours)
 {
+    const bool isMirrored = placed.toWorld.isMirrored();
     for (std::uint32_t t = from; t < end; ++t) {
         const auto& corners = mesh.triangles[t];
-        colours[t] = shaded(placed, mesh, t, world[corners[0]], world[corners[1]], world[corners[2]], towardsLight);
+        colours[t] =
+            shaded(placed, isMirrored, mesh, t, world[corners[0]], world[corners[1]], world[corners[2]], towardsLight);
     }
 }
 
@@ -64,7 +68,7 @@ std::uint32_t colourOf(const Scene& scene, InstanceId instance, std::uint32_t me
     const Mesh&     mesh    = *scene.meshes[placed.mesh.value];
     const auto&     corners = mesh.triangles[meshTriangle];
     const auto      at      = [&](std::size_t i) { return placed.toWorld(mesh.positions[corners[i]]); };
-    return shaded(placed, mesh, meshTriangle, at(0), at(1), at(2), towardsLightOf(scene));
+    return shaded(placed, placed.toWorld.isMirrored(), mesh, meshTriangle, at(0), at(1), at(2), towardsLightOf(scene));
 }
 
 ColourTable::ColourTable(const Scene& scene)

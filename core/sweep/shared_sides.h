@@ -30,7 +30,7 @@ public:
         }
         for (std::size_t i = 0; i < triangles.count; ++i)
             if (triangles.is(TriangleList::kCompact, i))
-                m_places[isFront(i)][triangles.placeInBatch(i)] = static_cast<std::int32_t>(i);
+                m_places[isCounterClockwise(i)][triangles.placeInBatch(i)] = static_cast<std::int32_t>(i);
     }
 
     /// out[k][lane]: the triangle of the list beyond side k of triangle `at` + lane, or kNone. `count` lanes have
@@ -44,22 +44,21 @@ public:
         for (std::size_t lane = 0; lane < count; ++lane) {
             const std::size_t i = at + lane;
             if (!m_triangles.is(TriangleList::kCompact, i)) continue;
-            const std::size_t t      = m_triangles.batch->firstTriangle + m_triangles.placeInBatch(i);
-            const bool        front  = isFront(i);  // whose corners are turned in the list
-            const auto&       places = m_places[front];
-            out[0][lane]             = places[columns[front ? 2 : 0][t]];
-            out[1][lane]             = places[columns[1][t]];
-            out[2][lane]             = places[columns[front ? 0 : 2][t]];
+            const std::size_t t        = m_triangles.batch->firstTriangle + m_triangles.placeInBatch(i);
+            const bool        isTurned = isCounterClockwise(i);  // the list holds its corners the other way round
+            const auto&       places   = m_places[isTurned];
+            out[0][lane]               = places[columns[isTurned ? 2 : 0][t]];
+            out[1][lane]               = places[columns[1][t]];
+            out[2][lane]               = places[columns[isTurned ? 0 : 2][t]];
         }
     }
 
 private:
-    bool isFront(std::size_t i) const { return m_triangles.is(TriangleList::kFront, i); }
+    bool isCounterClockwise(std::size_t i) const { return m_triangles.is(TriangleList::kCounterClockwise, i); }
 
     const TriangleList& m_triangles;
     bool                m_areKnown;
-    // Where the batch's triangles stand in the list, and nobody: those that show their back, then those that show their
-    // front.
+    // Where the batch's triangles stand in the list, and kNobody: the clockwise ones, then the counter-clockwise ones.
     std::array<std::array<std::int32_t, kBatchTriangles + 1>, 2> m_places;
 };
 

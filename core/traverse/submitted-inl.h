@@ -219,7 +219,7 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
             continue;
         }
         const Affine*   toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
-        const BackFaces backs(placed, stripe.projection);
+        const BackFaces backs(placed, stripe.projection, instance.toWorld.isMirrored());
         for (std::uint32_t b = 0; b < mesh.batches.size(); ++b) {
             if (stripe.progress.cancelled()) return;
             StripeVolume::Planes asked = open;

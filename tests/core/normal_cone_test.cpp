@@ -1,6 +1,7 @@
 // A batch that is called back-facing has no triangle that the exact arithmetic would draw or drop for another reason,
 // however thin its triangles, however they are placed and however near to edge-on they are seen.
 #include "core/geometry/normal_cone.h"
+#include "core/geometry/facing.h"
 
 #include <algorithm>
 #include <array>
@@ -87,9 +88,10 @@ void expectAllBackWhereCalled(const Patch& patch, const Affine& toWorld, const C
 {
     const Projection projection(camera);
     const PlacedView view(projection, toWorld);
-    const bool       called = BackFaces(view, projection).hold(patch.cone, view(patch.bounds));
-    const bool       areBack =
-        std::ranges::all_of(patch.triangles, [&](const Corners& t) { return turnOf(t, toWorld, projection) > 0; });
+    const Facing     facing{FaceCulling::Back, toWorld.isMirrored()};
+    const bool       called  = BackFaces(view, projection, facing.isMirrored).hold(patch.cone, view(patch.bounds));
+    const bool       areBack = std::ranges::all_of(
+              patch.triangles, [&](const Corners& t) { return facing.isCulled(turnOf(t, toWorld, projection)); });
     ASSERT_TRUE(areBack || !called);
     ++tally.asked;
     tally.called += called;
@@ -104,7 +106,7 @@ TEST(NormalCone, ABatchIsCalledBackFacingOnlyIfEveryTriangleIsAfterSnapping)
         const double rough   = random.below(3) == 0 ? 0 : std::pow(10.0, random.between(-6, -0.5));
         const double stretch = random.below(3) == 0 ? std::pow(10.0, random.between(-5, 2)) : 1;
         const Patch  patch   = anyPatch(random, 1 + static_cast<int>(random.below(6)), rough, random.unit(), stretch);
-        const Affine toWorld = anyPlacement(random, false);
+        const Affine toWorld = anyPlacement(random, i % 3 == 0);
         // Behind the sheet, from straight behind to all but edge-on.
         const dvec3  axis   = patch.cone.promises() ? patch.cone.axis : random.rotation()({1, 0, 0});
         const dvec3  middle = toWorld({0, 0, 0}), back = toWorld(-1.0 * axis) - middle;
@@ -128,12 +130,14 @@ TEST(NormalCone, SaysYesOfMostThatAreSeenFromWellBehind)
     for (int i = 0; i < 2'000; ++i) {
         const Patch patch = anyPatch(random, 8, 0.02, 0.3, 1);
         const dvec3 eye   = patch.cone.axis * -10.0 + random.between(dvec3{-4, -4, -4}, dvec3{4, 4, 4});
-        expectAllBackWhereCalled(patch, Affine{}, lookingAt(eye, {0, 0, 0}, random), all);
+        Affine      placement;
+        if (i % 2 == 0) placement.rows[1][1] = -1;
+        expectAllBackWhereCalled(patch, placement, lookingAt(placement(eye), {0, 0, 0}, random), all);
     }
     EXPECT_GT(all.called, 1'800);
 }
 
-TEST(NormalCone, PromisesNothingOfWhatHasNoAreaReachesBeforeTheNearPlaneOrIsMirrored)
+TEST(NormalCone, PromisesNothingOfWhatHasNoAreaReachesBeforeTheNearPlaneOrIsSeenByAMirroredCamera)
 {
     Random       random(13);
     const Patch  flat   = anyPatch(random, 3, 0, 0, 1);
@@ -146,14 +150,15 @@ TEST(NormalCone, PromisesNothingOfWhatHasNoAreaReachesBeforeTheNearPlaneOrIsMirr
     EXPECT_TRUE(normalConeOf(flat.triangles, {0, 0, 0}).promises());
     EXPECT_FALSE(normalConeOf(std::vector{flat.triangles[0], line}, {0, 0, 0}).promises());
 
-    const Projection projection(behind);
-    Affine           mirror;
-    mirror.rows[0][0] = -1;
-    const PlacedView mirrored(projection, mirror);
-    EXPECT_FALSE(BackFaces(mirrored, projection).hold(flat.cone, mirrored(flat.bounds)));
+    Camera mirror = behind;
+    mirror.right  = -behind.right;
+    const Projection through(mirror);
+    const PlacedView mirrored(through, Affine{});
+    EXPECT_FALSE(BackFaces(mirrored, through, false).hold(flat.cone, mirrored(flat.bounds)));
 
+    const Projection projection(behind);
     const PlacedView around(projection, Affine::translation(behind.eye));
-    EXPECT_FALSE(BackFaces(around, projection).hold(flat.cone, around(flat.bounds)));
+    EXPECT_FALSE(BackFaces(around, projection, false).hold(flat.cone, around(flat.bounds)));
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ protected:
             const int         px = std::ranges::min(x) >> 8, py = std::ranges::min(y) >> 8;
             out.start[i]         = pixelsAndLines(px, py);
             out.end[i]           = pixelsAndLines((std::ranges::max(x) >> 8) + 1, (std::ranges::max(y) >> 8) + 1);
-            out.kind[i]          = TriangleList::kCompact | (front ? TriangleList::kFront : 0);
+            out.kind[i]          = TriangleList::kCompact | (front ? TriangleList::kCounterClockwise : 0);
             out.notRank[i]       = ~(mesh.meshTriangle[t] + 1);
             out.thirdAndPlace[i] = t << 16;
             out.a[i] = out.b[i] = out.c[i] = 0, out.farthest[i] = out.nearest[i] = 0;
@@ -247,7 +247,7 @@ TEST_P(SharedEdges, ASideBetweenTwoTrianglesIsEnteredOnce)
         const MeshBatches batches = makeBatches(mesh);
         list(batches, *m_list);
         ASSERT_EQ(m_list->count, 2u);
-        EXPECT_EQ(m_list->is(TriangleList::kFront, 0), !isTurned);
+        EXPECT_EQ(m_list->is(TriangleList::kCounterClockwise, 0), !isTurned);
 
         const EdgeTable once = entered(*m_list, EdgeTable::Sides::OfWide),
                         each = entered(*m_list, EdgeTable::Sides::All);

@@ -46,8 +46,8 @@ bool anyTriangle(Random& random, ScreenTriangle& triangle)
         corner.x = corner.xs / 256, corner.y = corner.ys / 256;
         corner.d = random.between(0.2, 0.8);
     }
-    return setUpTriangle(corners[0], corners[1], corners[2], TriangleId{0}, false, FaceCulling::None, kRegion,
-                         ExactRules{}, triangle)
+    return setUpTriangle(corners[0], corners[1], corners[2], TriangleId{0}, false, Facing{}, kRegion, ExactRules{},
+                         triangle)
            == SetUp::Drawn;
 }
 

@@ -136,8 +136,8 @@ ScreenTriangle triangleIn(const PixelBox& region, Random& random)
             corner.d = random.between(0.2, 0.8);
         }
         ScreenTriangle triangle;
-        if (setUpTriangle(corners[0], corners[1], corners[2], TriangleId{0}, false, FaceCulling::None, region,
-                          ExactRules{}, triangle)
+        if (setUpTriangle(corners[0], corners[1], corners[2], TriangleId{0}, false, Facing{}, region, ExactRules{},
+                          triangle)
             == SetUp::Drawn)
             return triangle;
     }

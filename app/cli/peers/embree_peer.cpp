@@ -38,13 +38,6 @@ void dropBackFaces(const RTCFilterFunctionNArguments* arguments)
     }
 }
 
-bool mirrors(const Affine& m)
-{
-    const auto& [a, b, c] = m.rows;
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
-           < 0;
-}
-
 /// Whether the triangle turns its back to the eye.
 bool facesAway(const Scene& scene, TriangleId id, const dvec3& eye)
 {
@@ -53,9 +46,10 @@ bool facesAway(const Scene& scene, TriangleId id, const dvec3& eye)
     const Affine&    toWorld  = scene.instances[i.value].toWorld;
     const auto&      triangle = mesh.triangles[id.value - scene.firstTriangle[i.value]];
     const dvec3      p = toWorld(mesh.positions[triangle[0]]), e = toWorld(mesh.positions[triangle[1]]) - p,
-                f = toWorld(mesh.positions[triangle[2]]) - p;
-    const dvec3 v = p - eye;
-    return v.x * (e.y * f.z - e.z * f.y) + v.y * (e.z * f.x - e.x * f.z) + v.z * (e.x * f.y - e.y * f.x) > 0;
+                f       = toWorld(mesh.positions[triangle[2]]) - p;
+    const dvec3  v      = p - eye;
+    const double volume = v.x * (e.y * f.z - e.z * f.y) + v.y * (e.z * f.x - e.x * f.z) + v.z * (e.x * f.y - e.y * f.x);
+    return toWorld.isMirrored() ? volume < 0 : volume > 0;
 }
 
 enum class Mode { Packets8, Packets16, Streams };
@@ -138,8 +132,11 @@ private:
             const dvec3 world = toWorld(p);
             for (int k = 0; k < 3; ++k) *positions++ = static_cast<float>(world[k]);
         }
+        // Embree takes the side that a triangle shows from the order of its corners alone.
+        const std::array<std::size_t, 3> order =
+            toWorld.isMirrored() ? std::array<std::size_t, 3>{0, 2, 1} : std::array<std::size_t, 3>{0, 1, 2};
         for (const auto& triangle : mesh.triangles)
-            for (const std::uint32_t corner : triangle) *corners++ = firstVertex + corner;
+            for (const std::size_t k : order) *corners++ = firstVertex + triangle[k];
     }
 
     RtcScene newScene()
@@ -154,7 +151,7 @@ private:
         m_top = newScene();
         m_usesInstances =
             m_scene.triangleCount() > kMostWrittenOut && m_scene.instances.size() > 1
-            && std::ranges::none_of(m_scene.instances, [](const Instance& i) { return mirrors(i.toWorld); });
+            && std::ranges::none_of(m_scene.instances, [](const Instance& i) { return i.toWorld.isMirrored(); });
         m_usesInstances ? buildInstances() : buildOneMesh();
         rtcCommitScene(m_top.get());
     }

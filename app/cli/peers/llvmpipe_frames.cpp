@@ -163,7 +163,6 @@ private:
         gl.glViewport(0, 0, width, height);
         gl.glEnable(GL_DEPTH_TEST);
         if (m_request.faceCulling == FaceCulling::Back) gl.glEnable(GL_CULL_FACE);
-        gl.glCullFace(GL_BACK);
         gl.glShadeModel(GL_FLAT);
         gl.glMatrixMode(GL_PROJECTION);
         gl.glLoadIdentity();
@@ -176,8 +175,10 @@ private:
     void draw()
     {
         gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        const Scene&  scene = m_request.scene;
-        std::uint32_t bound = ~0u;
+        const Scene&  scene       = m_request.scene;
+        std::uint32_t bound       = ~0u;
+        bool          wasMirrored = false;
+        gl.glCullFace(GL_BACK);
         for (std::size_t i = 0; i < scene.instances.size(); ++i) {
             const std::uint32_t mesh    = scene.instances[i].mesh.value;
             const Buffers&      buffers = m_buffers[mesh];
@@ -190,6 +191,10 @@ private:
                 bound = mesh;
             }
             gl.glLoadMatrixd(m_matrices[i].data());
+            if (const bool isMirrored = scene.instances[i].toWorld.isMirrored(); isMirrored != wasMirrored) {
+                gl.glCullFace(isMirrored ? GL_FRONT : GL_BACK);
+                wasMirrored = isMirrored;
+            }
             gl.glDrawElements(GL_TRIANGLES, buffers.count, GL_UNSIGNED_INT, nullptr);
         }
         gl.glFinish();
