@@ -55,10 +55,25 @@ Result<std::vector<Fragment>> transparentFragments(const Scene& scene, const Cam
     return all;
 }
 
-std::uint32_t shaded(const Scene& scene, std::uint32_t id)
+/// The colour of a triangle.
+std::uint32_t paint(const Scene& scene, std::uint32_t id)
 {
     const InstanceId instance = scene.instanceOf(TriangleId{id});
     return colourOf(scene, instance, id - scene.firstTriangle[instance.value]);
+}
+
+/// What the fragment shader makes of it at pixel (x, y): docs/correctness.md, Shading.
+std::uint32_t shaded(std::uint32_t colour, std::uint32_t id, int x, int y, int operations)
+{
+    if (operations == 0) return colour;
+    std::uint32_t chain =
+        (static_cast<std::uint32_t>(x) + (static_cast<std::uint32_t>(y) << 16)) ^ ((id + 1) * 0x9E3779B1u);
+    for (int done = 0; done < operations; done += 5) {
+        chain += chain << 10;
+        chain ^= chain >> 6;
+        chain += 0x7F4A7C15u;
+    }
+    return colour ^ chain >> 31;
 }
 
 float opacityOf(const Scene& scene, std::uint32_t id)
@@ -80,12 +95,16 @@ void lay(std::uint32_t over, float opacity, std::array<float, 3>& channels)
 }  // namespace
 
 Result<Grid<std::uint32_t>> referenceColours(const Scene& scene, const Camera& camera, FaceCulling faceCulling,
-                                             const Picture& opaque, const Progress& progress)
+                                             const Picture& opaque, ShadingCost cost, const Progress& progress)
 try {
     Grid<std::uint32_t> colours(camera.width, camera.height, kBackgroundColour);
-    for (std::size_t i = 0; i < colours.values().size(); ++i)
-        if (const std::int64_t id = opaque.ids.values()[i]; id >= 0)
-            colours.values()[i] = shaded(scene, static_cast<std::uint32_t>(id));
+    for (int y = 0; y < camera.height; ++y) {
+        for (int x = 0; x < camera.width; ++x) {
+            if (opaque.ids.at(x, y) < 0) continue;
+            const auto id    = static_cast<std::uint32_t>(opaque.ids.at(x, y));
+            colours.at(x, y) = shaded(paint(scene, id), id, x, y, operationsOf(cost));
+        }
+    }
 
     const auto fragments = transparentFragments(scene, camera, faceCulling, opaque, progress);
     if (!fragments) return fragments.error();
@@ -94,7 +113,7 @@ try {
         std::array<float, 3> channels{};
         lay(colours.values()[pixel], 1, channels);
         for (; i < fragments->size() && (*fragments)[i].pixel == pixel; ++i)
-            lay(shaded(scene, (*fragments)[i].id), opacityOf(scene, (*fragments)[i].id), channels);
+            lay(paint(scene, (*fragments)[i].id), opacityOf(scene, (*fragments)[i].id), channels);
         std::uint32_t packed = 0xFF;
         for (const float channel : channels) packed = packed << 8 | static_cast<std::uint32_t>(channel + 0.5f);
         colours.values()[pixel] = packed;

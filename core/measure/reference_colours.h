@@ -3,6 +3,8 @@
 //
 // Promise    the colours of docs/correctness.md, Polygons, last point, to the bit; shares with the renderer only the
 //            shaded colour of a triangle (core/shade/colour_table.h)
+// Shading    the fragment shader runs on opaque pixels: its chain leaves one bit in blue, which is written down here
+//            once more. Transparent fragments have the colour of their triangle, whatever shading costs
 // Cost       as referencePicture(), and 12 bytes per transparent fragment
 #pragma once
 
@@ -12,14 +14,17 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/depth/visibility_buffer.h"
+#include "core/frame/pipeline.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
 
 namespace zscope {
 
-/// 0xAARRGGBB over `opaque`, the reference picture of the same scene and camera. Errors: Limit, Cancelled.
+/// 0xAARRGGBB over `opaque`, a picture of the same scene and camera: the reference picture, or what a method of another
+/// claim shows, whose colours are then judged by its own ids and depths. Errors: Limit, Cancelled.
 Result<Grid<std::uint32_t>> referenceColours(const Scene& scene, const Camera& camera, FaceCulling faceCulling,
-                                             const Picture& opaque, const Progress& progress = {});
+                                             const Picture& opaque, ShadingCost cost = ShadingCost::None,
+                                             const Progress& progress = {});
 
 /// How two shaded pictures of one size differ.
 struct ColourFigures {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <random>
 #include <tuple>
@@ -17,10 +18,10 @@ namespace {
 
 /// The truth at all pixels, or at some.
 struct Truth {
-    Picture                            picture;
-    std::vector<PixelPosition>         points;
-    std::vector<SampleTruth>           samples;
-    std::optional<Grid<std::uint32_t>> colours;  // where something is transparent
+    Picture                                    picture;
+    std::vector<PixelPosition>                 points;
+    std::vector<SampleTruth>                   samples;
+    std::map<ShadingCost, Grid<std::uint32_t>> colours = {};  // where something is transparent, as rows need them
 };
 
 Result<Truth> truthOf(const VerifyRequest& request)
@@ -36,14 +37,36 @@ Result<Truth> truthOf(const VerifyRequest& request)
         auto picture = referencePicture(scene, request.camera, request.faceCulling, request.progress);
         if (!picture) return picture.error();
         truth.picture = *std::move(picture);
-        if (!transparentSurfacesOf(*request.scene).isEmpty()) {
-            auto colours =
-                referenceColours(scene, request.camera, request.faceCulling, truth.picture, request.progress);
-            if (!colours) return colours.error();
-            truth.colours = *std::move(colours);
-        }
     }
     return truth;
+}
+
+bool judgesColours(const VerifyRequest& request)
+{
+    return !request.samples && !transparentSurfacesOf(*request.scene).isEmpty();
+}
+
+/// How the colours of a frame differ from those that its pipeline's shading gives: over the reference picture, or of a
+/// method that draws whole faces over its own ids and depths, which figuresOf() judges.
+Result<ColourFigures> coloursOf(Truth& truth, const VerifyRequest& request, const Pipeline& pipeline,
+                                const Picture& shown, const Grid<std::uint32_t>& colours)
+{
+    const auto over = [&](const Picture& opaque) {
+        return referenceColours(request.scene->scene(), request.camera, request.faceCulling, opaque, pipeline.cost,
+                                request.progress);
+    };
+    if (drawsFaces(pipeline)) {
+        const auto own = over(shown);
+        if (!own) return own.error();
+        return compareColours(*own, colours);
+    }
+    auto known = truth.colours.find(pipeline.cost);
+    if (known == truth.colours.end()) {
+        auto right = over(truth.picture);
+        if (!right) return right.error();
+        known = truth.colours.emplace(pipeline.cost, *std::move(right)).first;
+    }
+    return compareColours(known->second, colours);
 }
 
 Result<ErrorFigures> figuresOf(const Truth& truth, const VerifyRequest& request, const Pipeline& pipeline,
@@ -155,7 +178,7 @@ std::vector<PixelPosition> randomPixels(const Camera& camera, std::uint64_t coun
 
 Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
 {
-    const auto truth = truthOf(request);
+    auto truth = truthOf(request);
     if (!truth) return truth.error();
 
     const std::vector<std::int64_t> visible = visibleIds(*truth);
@@ -165,7 +188,7 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                                          .camera      = request.camera,
                                          .faceCulling = request.faceCulling,
                                          .pipeline    = {},
-                                         .shade       = truth->colours.has_value(),
+                                         .shade       = judgesColours(request),
                                          .memoryLimit = request.memoryLimit,
                                          .cancel      = request.progress.cancel};
     const std::size_t               total = request.algorithms.size() * request.threads.size() * request.simd.size();
@@ -181,9 +204,12 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
                 const auto report = renderer.draw(draw, frame);
                 if (!report) return report.error();
                 const Picture                first = pictureOf(frame.visible);
-                std::optional<ColourFigures> colours;  // whole faces have the colour of their first triangle
-                if (truth->colours && !drawsFaces(draw.pipeline))
-                    colours = compareColours(*truth->colours, frame.colour);
+                std::optional<ColourFigures> colours;
+                if (draw.shade) {
+                    const auto judged = coloursOf(*truth, request, draw.pipeline, first, frame.colour);
+                    if (!judged) return judged.error();
+                    colours = *judged;
+                }
                 auto figures = figuresOf(*truth, request, draw.pipeline, first);
                 if (!figures) return figures.error();
                 for (const std::optional<Camera>& before : viewsBefore(draw)) {

@@ -8,7 +8,9 @@
 //            too, and the worst of them is the row's
 // Culling    a stream method that skips more than batches outside the view is audited as well, once: its verdicts
 //            against the triangles that the reference shows (core/measure/cull_audit.h)
-// Colours    of a scene with transparent surfaces are judged too, unless pixels are sampled
+// Colours    of a scene with transparent surfaces are judged too, by the shading cost of each row's pipeline, unless
+//            pixels are sampled. Of a method that draws whole faces they are held against those that follow from its own
+//            ids and depths
 // Cost       one brute-force picture (or its samples), two frames per row, one serial frame per audit
 #pragma once
 
@@ -52,13 +54,14 @@ struct VerifyRow {
     /// Where something is transparent and every pixel is compared: how the shaded picture differs.
     std::optional<ColourFigures> colours = {};
 
-    /// An exact method without any difference, or one that covers exactly what it should by face; an approximate one is
-    /// not judged, it publishes its figures.
+    /// An exact method without any difference, or one that covers exactly what it should by face; both with the right
+    /// colours. An approximate one is not judged, it publishes its figures.
     bool passed() const
     {
-        if (claim == Claim::ExactByFace) return figures.wrongCoverage() == 0;
         if (claim == Claim::Approximate) return true;
-        return figures.isExact() && falseCulls == 0 && (!colours || colours->wrong == 0);
+        if (colours && colours->wrong > 0) return false;
+        if (claim == Claim::ExactByFace) return figures.wrongCoverage() == 0;
+        return figures.isExact() && falseCulls == 0;
     }
 };
 

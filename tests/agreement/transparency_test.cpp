@@ -7,6 +7,7 @@
 #include "core/frame/renderer.h"
 #include "core/measure/reference.h"
 #include "core/measure/reference_colours.h"
+#include "core/measure/verify.h"
 #include "core/scene/load.h"
 #include "core/shade/colour_table.h"
 #include "tests/agreement/agreement_support.h"
@@ -103,6 +104,35 @@ TEST(Transparency, AColourIsMixedByOpacityOverWhatIsBehind)
         EXPECT_NEAR(static_cast<double>(mixed >> shift & 0xFFu), before + 0.25 * (over - before), 0.51) << shift;
     }
     EXPECT_EQ(figuresOf(all, BlendOrder::Sorted), ColourFigures{});
+}
+
+TEST(Transparency, TheColoursOfAnotherShadingCostAreWrongAndARowWithWrongColoursFails)
+{
+    const auto   scene    = std::make_shared<const PreparedScene>(builtin("glass"));
+    const Camera camera   = cameraFor(scene->scene(), 131, 97);
+    const auto   opaque   = referencePicture(scene->scene(), camera, FaceCulling::None);
+    const auto   unshaded = referenceColours(scene->scene(), camera, FaceCulling::None, *opaque);
+    for (const Preset& preset : exactPresets()) {
+        Pipeline pipeline = preset.pipeline;
+        pipeline.cost     = ShadingCost::Ten;
+        const auto rows =
+            verify({.scene = scene, .camera = camera, .algorithms = {{preset.name, {}, pipeline, preset.claim}}});
+        ASSERT_TRUE(rows);
+        VerifyRow row = rows->front();
+        EXPECT_TRUE(row.passed()) << preset.name;
+        ASSERT_EQ(row.colours, ColourFigures{}) << preset.name;
+        row.colours->wrong = 1;
+        EXPECT_FALSE(row.passed()) << preset.name;
+
+        Frame    frame;
+        Renderer renderer;
+        ASSERT_TRUE(renderer.draw({.scene = scene, .camera = camera, .pipeline = pipeline}, frame));
+        const ColourFigures wrong = compareColours(*unshaded, frame.colour);
+        EXPECT_GT(wrong.wrong, 100u) << preset.name;
+        if (preset.isExact()) {
+            EXPECT_EQ(wrong.maxChannel, 1) << preset.name;
+        }
+    }
 }
 
 TEST(Transparency, ALineOfMoreFragmentsThanAreKeptAtOnceIsBlendedInParts)
