@@ -1,6 +1,6 @@
 // zscope-cli info: what a scene holds; nothing is rendered.
-#include <limits>
 #include <set>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -10,12 +10,14 @@
 #include "app/cli/table.h"
 #include "core/base/stopwatch.h"
 #include "core/geometry/prepared_scene.h"
+#include "core/measure/empty_picture.h"
 
 namespace zscope::cli {
 namespace {
 
 struct InfoOptions {
     SceneOption                scene;
+    ViewOptions                view;
     std::optional<std::string> memoryLimit;
     bool                       json = false, times = false;
 };
@@ -61,10 +63,37 @@ Json jsonOf(const Times& times)
             {"prepare_ms", times.prepareMs}};
 }
 
-Json jsonOf(const Scene& scene, const Counts& counts)
+/// What is said of the scene, and of views that show nothing: the one that is asked for, else the default view and all
+/// that the scene names.
+Result<std::vector<Warning>> warningsOf(const Scene& scene, const ViewWords& words, Session& session)
+{
+    std::vector<Warning> warnings = scene.warnings;
+    const bool           isAsked  = !words.given.empty() || words.faceCulling;
+    const auto           judge    = [&](const ViewWords::View& view, const std::string& name, int line) {
+        auto why = whyEmpty(scene, view.camera, view.faceCulling, name, session.progress());
+        if (!why) return;
+        if (line > 0 && why->file.empty()) why->file = scene.name, why->line = line;
+        warnings.push_back(*std::move(why));
+    };
+    if (isAsked || scene.views.empty()) {
+        const auto view = words.of(scene);
+        if (!view && isAsked) return view.error();
+        if (view) judge(*view, {}, 0);  // a scene that cannot be framed has no default view
+    } else {
+        for (const NamedView& named : scene.views) {
+            const auto view = words.of(scene, named.name);
+            if (!view) return view.error();
+            judge(*view, named.name, named.line);
+        }
+    }
+    if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
+    return warnings;
+}
+
+Json jsonOf(const Scene& scene, const std::vector<Warning>& all, const Counts& counts)
 {
     Json warnings = Json::array();
-    for (const Warning& warning : scene.warnings)
+    for (const Warning& warning : all)
         warnings.push_back({{"file", warning.file}, {"line", warning.line}, {"message", warning.sentence}});
     return {{"vertices", counts.vertices},         {"polygons", counts.polygons}, {"triangles", scene.triangleCount()},
             {"instances", scene.instances.size()}, {"groups", counts.groups},     {"materials", counts.materials},
@@ -72,7 +101,7 @@ Json jsonOf(const Scene& scene, const Counts& counts)
             {"warnings", std::move(warnings)},     {"digest", scene.digest}};
 }
 
-std::string tableOf(const Scene& scene, const Counts& counts, const Times* times)
+std::string tableOf(const Scene& scene, std::size_t warnings, const Counts& counts, const Times* times)
 {
     Table      table({{"scene", Table::Align::Left}, {scene.name, Table::Align::Left}});
     const auto row = [&table](const char* name, std::uint64_t value) { table.row({name, grouped(value)}); };
@@ -89,7 +118,7 @@ std::string tableOf(const Scene& scene, const Counts& counts, const Times* times
         table.row({"from", corner(scene.bounds.min)});
         table.row({"to", corner(scene.bounds.max)});
     }
-    table.row({"warnings", grouped(scene.warnings.size())});
+    table.row({"warnings", grouped(warnings)});
     table.row({"digest", scene.digest});
     if (times) {
         const auto ms = [&table](const char* name, double value) {
@@ -111,17 +140,21 @@ Result<Exit> info(const InfoOptions& options, Session& session)
         if (!given) return given.error();
         limit = *given;
     }
-    const std::size_t shown = options.json ? 0 : std::numeric_limits<std::size_t>::max();
-    LoadTimes         load;
-    const auto        scene = cli::loadScene(options.scene.word(), session, limit, shown, &load);
+    const Result<ViewWords> words = options.view.read();
+    if (!words) return words.error();
+    LoadTimes  load;
+    const auto scene = cli::loadScene(options.scene.word(), session, limit, 0, &load);
     if (!scene) return scene.error();
+    const auto warnings = warningsOf(**scene, *words, session);
+    if (!warnings) return warnings.error();
+    if (!options.json) session.warn(*warnings, warnings->size());
     const Counts counts = countsOf(**scene);
     const Times  times  = options.times ? timesOf(load, *scene) : Times{};
     if (!options.json) {
-        session.print(tableOf(**scene, counts, options.times ? &times : nullptr));
+        session.print(tableOf(**scene, warnings->size(), counts, options.times ? &times : nullptr));
         return Exit::Done;
     }
-    Json json = jsonOf(**scene, counts);
+    Json json = jsonOf(**scene, *warnings, counts);
     if (options.times) json["times"] = jsonOf(times);
     session.print(textOf(json));
     return Exit::Done;
@@ -134,6 +167,7 @@ Command addInfo(CLI::App& parent)
     CLI::App* parser  = parent.add_subcommand("info", "Count what a scene holds; nothing is rendered");
     auto      options = std::make_shared<InfoOptions>();
     options->scene.add(*parser);
+    options->view.add(*parser);
     parser->add_flag("--json", options->json, "JSON instead of a table; warnings are part of it");
     parser->add_flag("--times", options->times,
                      "How long reading, parsing, checking and preparing it for drawing took");

@@ -16,6 +16,7 @@
 #include "core/lesson/layers.h"
 #include "core/lesson/replay.h"
 #include "core/measure/cull_audit.h"
+#include "core/measure/empty_picture.h"
 #include "core/measure/over_render.h"
 
 namespace zscope::cli {
@@ -223,6 +224,7 @@ Result<Exit> render(const RenderOptions& options, Session& session)
     Result<FrameReport> report = renderer.draw(request, drawn.frame);
     if (!report) return report.error();
     drawn.report = *std::move(report);
+    if (const auto why = whyEmpty(request, drawn.frame)) session.warn(std::span(&*why, 1), 1);
 
     Grid<std::uint32_t> tests;
     if (layer->needsTests) {  // a run of its own: at full speed nobody counts

@@ -14,6 +14,7 @@
 #include "core/frame/serial_run-inl.h"
 #include "core/lesson/explain_recorders.h"
 #include "core/lesson/explain_sentences.h"
+#include "core/scene/opacity.h"
 
 namespace zscope {
 
@@ -162,14 +163,25 @@ std::vector<PixelCandidate> inOrderMet(PixelHistories::History& history)
     return candidates;
 }
 
+const Material& materialOf(const Scene& scene, InstanceId instance, TriangleId triangle)
+{
+    const Mesh& mesh = scene.meshOf(instance);
+    return mesh.materialOf(mesh.trianglePolygon[triangle.value - scene.firstTriangle[instance.value]]);
+}
+
+/// For a candidate, or a triangle's explanation.
+template <class Explained>
+void stateOpacity(Explained& e, const Scene& scene)
+{
+    const Material& material = materialOf(scene, e.instance, e.triangle);
+    e.opacity                = material.opacity;
+    if (material.opacity < 1) e.opacityText = opacityText(material);
+}
+
 /// A relief's depth is known only after the triangle's own has passed; what a test saw before that is a bound.
 std::string reliefOf(const PixelCandidate& c, const DrawRequest& request)
 {
-    const Scene& scene = request.scene->scene();
-    const Mesh&  mesh  = scene.meshOf(c.instance);
-    if (!mesh.materialOf(mesh.trianglePolygon[c.triangle.value - scene.firstTriangle[c.instance.value]]).relief
-        || !c.decisive)
-        return "";
+    if (!materialOf(request.scene->scene(), c.instance, c.triangle).relief || !c.decisive) return "";
     const Event& event = c.events[*c.decisive];
     if (!isTest(event) || c.fate == PixelFate::Hole) return "";
     if (event.unmovedDepth)
@@ -197,6 +209,7 @@ PixelExplanation explained(PixelHistories::History& history, PixelPosition p, co
             if (event.node) c.node = event.node;
         }
         decide(c, explanation, background);
+        stateOpacity(c, request.scene->scene());
         c.sentence = sentenceOf(c, explanation, pipeline, request.shade);
         c.sentence += reliefOf(c, request);
         if (history.comparedBecause && c.decisive && isTest(c.events[*c.decisive]))
@@ -300,18 +313,16 @@ try {
     TriangleHistory history(scene, triangle, byFace, steps);
     if (const auto done = runWith(request, frame, steps, history); !done) return done.error();
 
-    const InstanceId    instance = scene.instanceOf(triangle);
-    const Mesh&         mesh     = scene.meshOf(instance);
-    const PolygonId     polygon  = mesh.trianglePolygon[triangle.value - scene.firstTriangle[instance.value]];
     TriangleExplanation e;
     e.triangle      = triangle;
     e.drawnAs       = byFace ? scene.firstOfFace(triangle) : triangle;
-    e.instance      = instance;
-    e.mesh          = mesh.name;
-    e.material      = mesh.materialOf(polygon).name;
+    e.instance      = scene.instanceOf(triangle);
+    e.mesh          = scene.meshOf(e.instance).name;
+    e.material      = materialOf(scene, e.instance, triangle).name;
     e.algorithm     = nameOf(request.pipeline);
     e.grains        = grainsOf(request.pipeline);
     e.isTransparent = covers.isTransparent;
+    stateOpacity(e, scene);
     e.tally         = history.tally();
     e.tally.covered = covers.opaque.size();
     e.tally.inHoles = covers.holes, e.tally.beyondFar = covers.beyondFar, e.tally.backFacing = covers.backFacing;

@@ -82,6 +82,7 @@ Json toJson(const PixelCandidate& c, const std::vector<Grain>& grains)
     Json json{{"triangle", c.triangle.value}, {"drawn_as", c.drawnAs.value}, {"instance", c.instance.value}};
     json["cover"]        = c.cover ? Json(wordOf(*c.cover)) : Json(nullptr);
     json["depth"]        = c.depth;
+    json["opacity"]      = c.opacity;
     json["fate"]         = wordOf(c.fate);
     json["rival"]        = toJson(c.rival);
     json["steps_behind"] = c.stepsBehind;
@@ -142,6 +143,7 @@ std::string explanationToJson(const TriangleExplanation& e)
               {"mesh", e.mesh},
               {"material", e.material},
               {"transparent", e.isTransparent},
+              {"opacity", e.opacity},
               {"fate", wordOf(e.fate)},
               {"sentence", e.sentence},
               {"grains", wordsOf(e.grains)}};

@@ -314,15 +314,16 @@ std::string sentenceOf(const PixelCandidate& c, const PixelExplanation& pixel, c
     switch (c.fate) {
         case PixelFate::Blended:
             return fmt::format(
-                "Triangle {} is transparent and, at near/z {:.9g}, nearer than the opaque depth {:.9g}: {}.",
-                grouped(c.triangle.value), c.depth, pixel.depth,
-                isShaded ? "it is blended over the colour, the farthest first"
-                         : "it would be blended over the colour, but no colours were asked for");
+                "Triangle {} has opacity {} and is, at near/z {:.9g}, nearer than the opaque depth {:.9g}: {}.",
+                grouped(c.triangle.value), c.opacityText, c.depth, pixel.depth,
+                c.opacity <= 0 ? "its share of the colour is 0, so nothing of it is seen"
+                : isShaded     ? "it is blended over the colour, the farthest first"
+                               : "it would be blended over the colour, but no colours were asked for");
         case PixelFate::BehindOpaque:
             return fmt::format(
-                "Triangle {} is transparent, but at near/z {:.9g} not nearer than the opaque depth {:.9g}, so nothing "
-                "of it is blended.",
-                grouped(c.triangle.value), c.depth, pixel.depth);
+                "Triangle {} has opacity {}, but is at near/z {:.9g} not nearer than the opaque depth {:.9g}, so "
+                "nothing of it is blended.",
+                grouped(c.triangle.value), c.opacityText, c.depth, pixel.depth);
         case PixelFate::NearClip:
             return fmt::format(
                 "Triangle {} would meet this pixel before the near plane (near/z would be {:.9g}, above 1): that part "
@@ -390,9 +391,10 @@ std::string sentenceOf(const TriangleExplanation& e, const Pipeline& pipeline)
     }
     const std::string covers = fmt::format("{}{} covers {}", who, seen, counted(t.covered, "pixel", "pixels"));
     if (e.isTransparent)
-        return covers
-               + " and is transparent: it is outside ids and depth, and blended where it is nearer than the opaque "
-                 "picture.";
+        return covers + fmt::format(" and has opacity {}: ", e.opacityText)
+               + (e.opacity <= 0 ? "nothing of it is seen."
+                                 : "it is outside ids and depth, and blended where it is nearer than the opaque "
+                                   "picture.");
     if (t.shown == t.covered && e.drawnAs == e.triangle) return covers + " and is seen at all of them.";
     std::string text = covers + fmt::format(" and is seen at {} of them", grouped(t.shown));
     if (!e.takers.empty()) {

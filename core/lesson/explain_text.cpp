@@ -48,8 +48,8 @@ std::string explanationToText(const TriangleExplanation& e)
 {
     const TriangleTally& t    = e.tally;
     std::string          text = e.sentence + "\n";
-    text += fmt::format("  instance {}, mesh '{}', material '{}', {}\n", grouped(e.instance.value), e.mesh, e.material,
-                        wordOf(e.fate));
+    text += fmt::format("  instance {}, mesh '{}', material '{}', opacity {}, {}\n", grouped(e.instance.value), e.mesh,
+                        e.material, e.isTransparent ? e.opacityText : "1", wordOf(e.fate));
     text += fmt::format("  pixels: {} covered, {} shown, {} tested, {} passed at the time\n", grouped(t.covered),
                         grouped(t.shown), grouped(t.tested), grouped(t.passed));
     for (const Taker& taker : e.takers) {

@@ -118,6 +118,8 @@ struct PixelCandidate {
     std::optional<NodeName>    node        = {};  // that held it, if a hierarchy was visited
     std::vector<Event>         events      = {};  // in the order in which they happened
     std::optional<std::size_t> decisive    = {};  // which of them decided; nothing: none did, the sentence says why
+    float                      opacity     = 1;   // of its material
+    std::string                opacityText = {};  // below 1: also what set it, as core/scene/opacity.h says it
     std::string                sentence    = {};  // what it came to, and why
 };
 
@@ -158,6 +160,8 @@ struct TriangleExplanation {
     std::string        algorithm;
     std::vector<Grain> grains;
     bool               isTransparent = false;
+    float              opacity       = 1;   // of its material
+    std::string        opacityText   = {};  // below 1: also what set it, as core/scene/opacity.h says it
     TriangleTally      tally;
     std::vector<Taker> takers;           // of covered pixels it does not show, most first; at most kMostTakers
     std::uint64_t      otherTakers = 0;  // how many more there are

@@ -9,6 +9,7 @@
 #include "core/base/stopwatch.h"
 #include "core/scene/generators/registry.h"
 #include "core/scene/obj/obj_import.h"
+#include "core/scene/opacity.h"
 #include "core/scene/scene_file.h"
 
 namespace zscope {
@@ -47,9 +48,7 @@ Result<Scene> loadObj(const std::string& path, const LoadOptions& options)
     return whole;
 }
 
-}  // namespace
-
-Result<Scene> loadScene(const std::string& word, const LoadOptions& options)
+Result<Scene> readScene(const std::string& word, const LoadOptions& options)
 {
     if (word.starts_with(kBuiltin)) {
         Stopwatch     watch;
@@ -63,6 +62,16 @@ Result<Scene> loadScene(const std::string& word, const LoadOptions& options)
     return Error{
         Trouble::Usage,
         fmt::format("'{}' is no scene: give a path that ends in .obj or .json, or builtin:NAME", word.substr(0, 200))};
+}
+
+}  // namespace
+
+Result<Scene> loadScene(const std::string& word, const LoadOptions& options)
+{
+    Result<Scene> scene = readScene(word, options);
+    if (scene && !options.isPart)
+        for (Warning& warning : invisibleMaterials(*scene)) scene->warnings.push_back(std::move(warning));
+    return scene;
 }
 
 std::span<const SceneEntry> builtinScenes()

@@ -26,6 +26,7 @@ struct LoadOptions {
     std::uint64_t memoryLimit = 0;  // bytes the scene may take; 0: three quarters of the machine's memory
     Progress      progress    = {};
     LoadTimes*    times       = nullptr;  // what it took is added here, if anywhere
+    bool          isPart      = false;    // of a scene file, which may give the materials another opacity
 };
 
 Result<Scene> loadScene(const std::string& word, const LoadOptions& options = {});

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,12 +35,21 @@ struct Rgb {
     friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
+/// A statement of a file, as it was written.
+struct FileStatement {
+    std::string text;  // "Tr 1"
+    std::string file;
+    int         line = 0;  // 1-based
+};
+
 struct Material {
     std::string           name;
     Rgb                   diffuse{0.66f, 0.75f, 0.88f};  // Kd
     float                 opacity = 1;                   // d; below 1 the face is outside ids and depth
     std::optional<Cutout> cutout  = {};                  // holes in the face
     std::optional<Relief> relief  = {};                  // fragments that lie farther than the face
+    // what set an opacity below 1; nullptr: no file did
+    std::shared_ptr<const FileStatement> opacityFrom = {};
 
     /// Its fragments are looked at one by one, because of holes or a relief.
     bool isPatterned() const { return cutout || relief; }

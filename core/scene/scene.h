@@ -34,6 +34,7 @@ struct Light {
 struct NamedView {
     std::string name;
     ViewRequest view;
+    int         line = 0;  // of the scene file; 0: it was not read from one
 };
 
 struct Scene {

@@ -34,6 +34,8 @@ struct FileMaterial {
     std::optional<Relief> relief  = {};
     int                   line    = 0;
     bool                  used    = false;
+
+    std::shared_ptr<const FileStatement> opacityFrom = {};
 };
 
 std::string shown(std::string_view text) { return quotable(text, 60); }
@@ -95,7 +97,6 @@ private:
     // of each mesh: how far its vertices are from 0 at most, along each axis
     std::vector<dvec3>                  m_reach;
     std::map<std::string, FileMaterial> m_materials;
-    std::vector<int>                    m_cameraLines;
 };
 
 Result<const JsonValue::Object*> SceneFileReader::membersOf(const JsonValue& value, std::string_view what,
@@ -134,7 +135,7 @@ Result<Scene> SceneFileReader::read(const JsonValue& document)
         if (!camera)
             return Error{Trouble::Input,
                          fmt::format("the camera '{}': {}", shown(scene->views[i].name), camera.error().sentence),
-                         m_path, m_cameraLines[i]};
+                         m_path, scene->views[i].line};
     }
     return scene;
 }
@@ -157,6 +158,9 @@ Problem SceneFileReader::readMaterials(const JsonValue& document)
             if (!d) return d.error();
             if (!(*d >= 0 && *d <= 1)) return wrong(*opacity, "'opacity' must be from 0 to 1");
             material.opacity = static_cast<float>(*d);
+            if (*d < 1)
+                material.opacityFrom = std::make_shared<FileStatement>(
+                    FileStatement{fmt::format("\"opacity\": {}", *d), m_path, opacity->line});
         }
         if (const JsonValue* cutout = find(description, "cutout")) {
             const Result<Cutout> holes = cutoutOf(*cutout);
@@ -247,8 +251,10 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
     const auto& [kind, source] = (*members)->front();
     if (!source.text()) return wrong(source, fmt::format("'{}' must be a text", kind));
 
-    LoadOptions options{
-        .memoryLimit = m_limit, .progress = {.cancel = m_options.progress.cancel}, .times = m_options.times};
+    LoadOptions options{.memoryLimit = m_limit,
+                        .progress    = {.cancel = m_options.progress.cancel},
+                        .times       = m_options.times,
+                        .isPart      = true};
     std::string word;
     if (kind == "obj") {
         if (!source.text()->ends_with(".obj") && !source.text()->ends_with(".OBJ"))
@@ -283,11 +289,12 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
         auto changed = std::make_shared<Mesh>(*mesh);
         for (Material& material : changed->materials)
             if (const auto own = m_materials.find(material.name); own != m_materials.end()) {
-                material.diffuse = own->second.colour;
-                material.opacity = own->second.opacity;
-                material.cutout  = own->second.cutout;
-                material.relief  = own->second.relief;
-                own->second.used = true;
+                material.diffuse     = own->second.colour;
+                material.opacity     = own->second.opacity;
+                material.opacityFrom = own->second.opacityFrom;
+                material.cutout      = own->second.cutout;
+                material.relief      = own->second.relief;
+                own->second.used     = true;
             }
         mesh = std::move(changed);
     }
@@ -532,8 +539,7 @@ Problem SceneFileReader::readCameras(const JsonValue& document)
     for (const auto& [name, description] : *value->object()) {
         const Result<ViewRequest> view = viewOf(description, m_path);
         if (!view) return view.error();
-        m_scene.views.push_back({name, *view});
-        m_cameraLines.push_back(description.line);
+        m_scene.views.push_back({name, *view, description.line});
     }
     return {};
 }

@@ -36,8 +36,10 @@ std::size_t readFractions(std::string_view rest, std::array<double, 3>& values, 
 }
 
 /// What tinyobjloader's reader gets: the statements that we keep, checked, with numbers it reads without error
-/// (shortest decimals of float32), and the standard colour first in every material.
-std::string plainText(std::string_view bytes, const std::string& file, WarningList& warnings)
+/// (shortest decimals of float32), and the standard colour first in every material. `opacities` gets what sets the
+/// opacity of each material, in their order: `d` goes before `Tr`, and a later one before an earlier one.
+std::string plainText(std::string_view bytes, const std::string& file, WarningList& warnings,
+                      std::vector<FileStatement>& opacities)
 {
     std::string    plain;
     LineReader     lines(bytes);
@@ -62,6 +64,7 @@ std::string plainText(std::string_view bytes, const std::string& file, WarningLi
             }
             plain += fmt::format("newmtl {}\nKd {} {} {}\n", name, standard.diffuse.r, standard.diffuse.g,
                                  standard.diffuse.b);
+            opacities.emplace_back();
         } else if (!inMaterial) {
             continue;
         } else if (word == "Kd") {
@@ -74,8 +77,12 @@ std::string plainText(std::string_view bytes, const std::string& file, WarningLi
         } else if (word == "d" || word == "Tr") {
             std::string_view number = rest;
             if (takeWord(number) != "-halo") number = rest;
-            if (readFractions(number, value, warn) > 0)
+            if (readFractions(number, value, warn) > 0) {
                 plain += fmt::format("{} {}\n", word, static_cast<float>(value[0]));
+                if (word == "d" || !opacities.back().text.starts_with("d "))
+                    opacities.back() = {fmt::format("{} {}", word, quotable(withoutBlanks(rest))), file,
+                                        lines.number()};
+            }
         }
     }
     if (lines.tooLong())
@@ -128,7 +135,8 @@ void MaterialLibrary::readFile(const std::string& path, int line, WarningList& w
             return fmt::format("material library '{}' is left out: {}", quotable(shown), *trouble);
         });
 
-    std::istringstream               stream(plainText(*bytes, path, warnings));
+    std::vector<FileStatement>       opacities;
+    std::istringstream               stream(plainText(*bytes, path, warnings, opacities));
     std::map<std::string, int>       numbers;
     std::vector<tinyobj::material_t> read;
     std::string                      remarks, errors;
@@ -136,7 +144,11 @@ void MaterialLibrary::readFile(const std::string& path, int line, WarningList& w
     for (const auto& [name, number] : numbers) {
         if (name.empty()) continue;  // its entry for a file without materials
         const tinyobj::material_t& from = read[static_cast<std::size_t>(number)];
-        m_materials.emplace(name, Material{name, {from.diffuse[0], from.diffuse[1], from.diffuse[2]}, from.dissolve});
+        Material                   material{name, {from.diffuse[0], from.diffuse[1], from.diffuse[2]}, from.dissolve};
+        if (material.opacity < 1)
+            material.opacityFrom =
+                std::make_shared<FileStatement>(std::move(opacities[static_cast<std::size_t>(number)]));
+        m_materials.emplace(name, std::move(material));
     }
 }
 
