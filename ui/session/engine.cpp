@@ -8,6 +8,8 @@
 
 #include <QFileInfo>
 
+#include "core/measure/empty_picture.h"
+
 namespace zscope::ui {
 namespace {
 
@@ -114,6 +116,9 @@ Result<std::shared_ptr<const DrawnFrame>> Engine::draw(std::uint64_t generation,
     drawn->coveredPixels    = 0;
     drawn->visibleTriangles = 0;
     takeStock(*drawn, request.scene->scene().triangleCount());
+    drawn->whyEmpty.clear();
+    if (drawn->coveredPixels == 0)
+        if (auto why = whyEmpty(request, drawn->frame)) drawn->whyEmpty = std::move(why->sentence);
     m_latest = drawn;
     return std::shared_ptr<const DrawnFrame>(std::move(drawn));
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <QFlags>
 #include <QImage>
@@ -70,6 +71,7 @@ struct DrawnFrame {
     DepthSpread         spread;
     std::uint64_t       coveredPixels    = 0;
     std::uint64_t       visibleTriangles = 0;  // that own at least one pixel
+    std::string         whyEmpty;              // one sentence of core; empty: the picture shows something
 };
 
 /// What is drawn over the picture, of what there is to draw.

@@ -37,6 +37,7 @@
 #include "ui/session/reproduce.h"
 #include "ui/sheet/sheet_maker.h"
 #include "ui/text/numbers.h"
+#include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
@@ -219,6 +220,7 @@ void MainWindow::makeCentre()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kStep);
     m_messages  = new MessageBar(centre);
+    m_emptiness = new MessageBar(centre);
     auto* frame = new QFrame;
     frame->setObjectName("picture");
     auto* inside = new QVBoxLayout(frame);
@@ -234,6 +236,7 @@ void MainWindow::makeCentre()
     m_centre->addWidget(m_view);
     inside->addWidget(m_centre);
     layout->addWidget(m_messages);
+    layout->addWidget(m_emptiness);
     layout->addWidget(frame, 1);
     setCentralWidget(centre);
 }
@@ -305,6 +308,7 @@ void MainWindow::present(Changes what)
     if (what & (Change::Scene | Change::Busy))
         m_centre->setCurrentWidget(shown.scene || !shown.busy.isEmpty() ? static_cast<QWidget*>(m_view) : m_start);
     if (what & Change::Selection) showWhy(shown);
+    if (what & (Change::Scene | Change::Picture)) showEmptiness(shown);
     if ((what & Change::Scene) && shown.scene) {
         if (std::exchange(m_sceneShown, shown.scene) != shown.scene) {
             m_messages->hide();  // something went right
@@ -315,6 +319,17 @@ void MainWindow::present(Changes what)
         setWindowTitle(tr("%1 — ZScope").arg(shown.scene->title));
         menuBar()->setCornerWidget(m_sceneName);  // lays the corner out again for the longer text
     }
+}
+
+/// Once per reason: a bar that was closed stays closed until there is another.
+void MainWindow::showEmptiness(const Snapshot& shown)
+{
+    const std::string why = shown.frame ? shown.frame->whyEmpty : std::string();
+    if (std::exchange(m_whyEmpty, why) == why) return;
+    if (why.empty())
+        m_emptiness->hide();
+    else
+        m_emptiness->tell([why] { return said(why); });
 }
 
 void MainWindow::showWhy(const Snapshot& shown)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <QMainWindow>
@@ -46,6 +47,8 @@ public:
 
     FrameView&  view() const { return *m_view; }
     MessageBar& messages() const { return *m_messages; }
+    /// Why the finished picture is empty, for as long as it is.
+    MessageBar& emptiness() const { return *m_emptiness; }
     PanelDock*  dock(const QString& panelWord) const;
 
     /// One of layoutEntries().
@@ -91,6 +94,7 @@ private:
     void          useOwnLayout(const QString& name);
     void          forgetOwnLayout(const QString& name);
     void          showWhy(const Snapshot& shown);
+    void          showEmptiness(const Snapshot& shown);
     void          saveSession();
     void          restoreLayout();
     void          applyAppearance(Appearance appearance);
@@ -126,6 +130,8 @@ private:
     StartPage*                         m_start     = nullptr;
     FrameView*                         m_view      = nullptr;
     MessageBar*                        m_messages  = nullptr;
+    MessageBar*                        m_emptiness = nullptr;
+    std::string                        m_whyEmpty;  // what m_emptiness was told last, until the picture shows something
     StatusLine*                        m_status    = nullptr;
     Actions*                           m_actions   = nullptr;
     QLabel*                            m_sceneName = nullptr;
