@@ -150,24 +150,30 @@ private:
         const Bounds&   box    = m_boxes[placed.mesh.value];
         if (m_visible[placed.mesh.value] == 0) return reason(Reason::None);  // 0 triangles of it are counted
         if (!reachOf(box, placed.toWorld, m_view).isEmpty()) return kEach;
-        double nearest = HUGE_VAL, farthest = -HUGE_VAL;
+        double        nearest = HUGE_VAL, farthest = -HUGE_VAL;
+        std::size_t   left = 0, right = 0, above = 0, below = 0;  // corners of the box beyond each side of the view
+        const Camera& camera = m_view.camera;
         for (int i = 0; i < 8; ++i) {
-            const double z = distanceOf(instance, {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                                                   i & 4 ? box.max.z : box.min.z});
+            const dvec3 corner{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+                               i & 4 ? box.max.z : box.min.z};
+            const double z = along(camera.forward, instance, corner);
+            const double x = along(camera.right, instance, corner) * camera.focal * camera.height / camera.width;
+            const double y = along(camera.up, instance, corner) * camera.focal;
             nearest        = std::min(nearest, z);
             farthest       = std::max(farthest, z);
+            left += x<-z, right += x> z, above += y > z, below += y < -z;
         }
         if (farthest <= 0) return reason(Reason::BehindEye);
-        if (nearest > 0 && farthest < m_view.camera.near) return reason(Reason::BeforeNear);
-        return nearest >= m_view.camera.near ? reason(Reason::OutsideView) : kEach;
+        if (nearest > 0 && farthest < camera.near) return reason(Reason::BeforeNear);
+        const bool isBeside = left == 8 || right == 8 || above == 8 || below == 8;
+        return isBeside && nearest >= camera.near ? reason(Reason::OutsideView) : kEach;
     }
 
-    /// Along the view.
-    double distanceOf(InstanceId instance, const dvec3& place) const
+    /// From the eye along an axis of the view.
+    double along(const dvec3& axis, InstanceId instance, const dvec3& place) const
     {
-        const dvec3  d       = m_scene.instances[instance.value].toWorld(place) - m_view.camera.eye;
-        const dvec3& forward = m_view.camera.forward;
-        return (forward.x * d.x + forward.y * d.y) + forward.z * d.z;
+        const dvec3 d = m_scene.instances[instance.value].toWorld(place) - m_view.camera.eye;
+        return (axis.x * d.x + axis.y * d.y) + axis.z * d.z;
     }
 
     Reason reasonOf(InstanceId instance, std::uint32_t triangle, Fate fate, const std::vector<Part>& parts) const
@@ -192,7 +198,7 @@ private:
         double      farthest = -HUGE_VAL;
         const Mesh& mesh     = m_scene.meshOf(instance);
         for (const std::uint32_t vertex : mesh.triangles[triangle])
-            farthest = std::max(farthest, distanceOf(instance, mesh.positions[vertex]));
+            farthest = std::max(farthest, along(m_view.camera.forward, instance, mesh.positions[vertex]));
         const bool isBehindNear =
             fate == Fate::BehindNear || (fate == Fate::Transparent && farthest < m_view.camera.near);
         if (isBehindNear) return farthest > 0 ? Reason::BeforeNear : Reason::BehindEye;

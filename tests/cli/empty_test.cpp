@@ -31,8 +31,9 @@ Words with(Words words, const Words& more)
 
 Words messagesOf(const Answer& info)
 {
-    Words messages;
-    for (const json& warning : json::parse(info.out)["warnings"]) messages.push_back(warning["message"]);
+    const json parsed = json::parse(info.out);
+    Words      messages;
+    for (const json& warning : parsed["warnings"]) messages.push_back(warning["message"]);
     return messages;
 }
 
@@ -117,7 +118,7 @@ TEST_F(Cli, AnEmptyPictureNamesTheMaterialsThatAreInvisibleAndWhatSetThem)
 TEST_F(Cli, AMaterialOfOpacity0IsToldOfWhereTheRestIsSeen)
 {
     const std::string scene = write("t.obj", twoTriangles());
-    for (const std::string& statement : {"d 0", "Tr 1", "d -halo 0"}) {
+    for (const std::string statement : {"d 0", "Tr 1", "d -halo 0"}) {
         write("t.mtl", library(statement, "d 1"));
         const std::string sentence = "material 'a' has opacity 0 (" + statement + "): its faces are not drawn";
         const Answer      render   = run({"render", scene});
