@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,6 +27,18 @@ bool isUnknownCommand(std::string_view word, const std::vector<Command>& command
 {
     return !word.starts_with('-')
            && std::ranges::none_of(commands, [&](const Command& c) { return c.parser->get_name() == word; });
+}
+
+/// A file whose name begins with a dash is read as an option: this says how to name it. Empty: there is none.
+std::string hintAtDash(std::span<char* const> words)
+{
+    for (const std::string_view word : words) {
+        std::error_code trouble;
+        const bool      isFile = word.ends_with(".obj") || std::filesystem::is_regular_file(word, trouble);
+        if (word.starts_with('-') && isFile)
+            return fmt::format("'{0}' is read as an option: write the file's name as './{0}'", word);
+    }
+    return {};
 }
 
 Exit usage(Session& session, const std::vector<Command>& commands, std::string sentence)
@@ -59,7 +74,8 @@ Exit run(int argc, char** argv)
         parser.exit(help);
         return session.finish(Exit::Done);
     } catch (const CLI::ParseError& error) {
-        return usage(session, commands, error.what());
+        const std::string hint = hintAtDash({argv, static_cast<std::size_t>(argc)});
+        return usage(session, commands, hint.empty() ? error.what() : hint);
     }
     if (quiet) session.silence();
     const auto asked = std::ranges::find_if(commands, [](const Command& c) { return c.parser->parsed(); });

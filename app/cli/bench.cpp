@@ -254,7 +254,7 @@ Command addBench(CLI::App& parent)
            "A question written down in a file: its scenes, algorithms and rounds (docs/experiments.md)");
     option("--shard", options->shard, "I/N", "Only every N-th case of the experiment, beginning with the I-th");
     option("--algorithms", options->algorithms, "NAME[,NAME...]|all", "Which algorithms (default all, or the suite's)");
-    option("--threads", options->threads, "N[,N...]", "Thread counts (default: one per core, or the suite's)");
+    option("--threads", options->threads, "N[,N...]", "Thread counts; 0: one per core (default 0, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
     option("--seconds", options->seconds, "S",

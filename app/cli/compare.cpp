@@ -24,7 +24,7 @@ struct CompareOptions {
 
 constexpr std::int64_t kMaxFrames = 1'000'000;
 
-bool isPdf(const std::string& path) { return path.ends_with(".pdf") || path.ends_with(".PDF"); }
+bool isPdf(const std::string& path) { return endingOf(path) == ".pdf"; }
 
 /// Everything of the request that does not depend on the scene.
 Result<CompareRequest> requestOf(const CompareOptions& options, Session& session)
@@ -109,7 +109,8 @@ Result<Done> writeSheet(const std::string& path, const Comparison& comparison, c
     }
     const Grid<std::uint32_t> sheet = composeSheet(comparison, scene, words, text ? &*text : nullptr);
     if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
-    return writePng(path, sheet.view(), reproducingTexts(session.reproducingCommand(), scene.digest));
+    return writePng(path, sheet.view(), reproducingTexts(session.reproducingCommand(), scene.digest),
+                    {.cancel = session.cancel()});
 }
 
 Result<Exit> compareOnSheet(const CompareOptions& options, Session& session)
@@ -118,7 +119,7 @@ Result<Exit> compareOnSheet(const CompareOptions& options, Session& session)
     if (!words) return words.error();
     Result<CompareRequest> request = requestOf(options, session);
     if (!request) return request.error();
-    const std::vector<Output> outputs{{"-o", options.sheet}};
+    const std::vector<Output> outputs{{"-o", options.sheet, {".png", ".pdf"}}};
     if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked)
         return checked.error();
     const Result<LoadedScene> scene = options.scene.prepare(session, request->memoryLimit);
@@ -153,14 +154,16 @@ Command addCompare(CLI::App& parent)
     };
     option("--algorithms", options->algorithms, "A,B[,C...]|all",
            "Which algorithms; the others are held against the first");
-    option("--threads", options->threads, "N", "How many threads (default: one per core)");
+    option("--threads", options->threads, "N", "How many threads; 0: one per core (default 0)");
     option("--simd", options->simd, "WORD", "Vector instructions, see 'list simd' (default auto)");
     option("--frames", options->frames, "N", "Timed frames of each (default 9)");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
     parser->add_flag("--require-equal", options->requireEqual,
                      "Exit with 1 unless all pictures are the same, ids, depth bits and colours; by face where whole "
                      "faces are drawn");
-    parser->add_option("-o,--output", options->sheet, "The sheet: PNG, or PDF if the name ends so")
+    parser
+        ->add_option("-o,--output", options->sheet,
+                     "The sheet: a PDF if its name ends in .pdf, a PNG if it ends in .png or has no ending")
         ->type_name("FILE.png|FILE.pdf")
         ->group("Output");
     return {parser, [options](Session& session) {

@@ -110,7 +110,7 @@ void HowOptions::add(CLI::App& parser, Algorithms algorithms)
     parser.add_option("--fault", m_fault, "Make one mistake on purpose, see 'list faults'")
         ->type_name("NAME")
         ->group("How");
-    parser.add_option("--threads", m_threads, "Threads to draw with (default: one per core)")
+    parser.add_option("--threads", m_threads, "Threads to draw with; 0: one per core (default 0)")
         ->type_name("N")
         ->group("How");
     parser.add_option("--simd", m_simd, "Vector instructions: auto, scalar, sse4, avx2 or avx512 (default auto)")
@@ -155,7 +155,7 @@ Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words)
 
 Result<int> threadsOf(std::string_view word)
 {
-    const auto threads = wholeNumber(word, "--threads", 1, kMaxThreads);
+    const auto threads = wholeNumber(word, "--threads", 0, kMaxThreads);
     if (!threads) return threads.error();
     return static_cast<int>(*threads);
 }

@@ -134,13 +134,14 @@ std::string cellOf(const Json& value)
     return words;
 }
 
-/// The same list for people: a column per key, the title last.
+/// The same list for people: a column per key, the title last, and whole sentences after it.
 std::string tableOf(const Json& list)
 {
     if (list.empty()) return "";
+    const auto               isSentence = [](const std::string& key) { return key == "cause" || key == "cure"; };
     std::vector<std::string> keys;
     for (const auto& member : list.front().items())
-        if (member.key() != "title") keys.push_back(member.key());
+        if (member.key() != "title" && !isSentence(member.key())) keys.push_back(member.key());
     keys.emplace_back("title");
     std::vector<Table::Column> columns;
     for (const std::string& key : keys) columns.push_back({key, Table::Align::Left});
@@ -148,9 +149,12 @@ std::string tableOf(const Json& list)
     for (const Json& entry : list) {
         std::vector<std::string> cells;
         for (const std::string& key : keys) cells.push_back(cellOf(entry.at(key)));
+        for (const auto& member : entry.items())
+            if (isSentence(member.key()))
+                cells.back() += (member.key() == "cause" ? ". " : " ") + cellOf(member.value());
         table.row(std::move(cells));
     }
-    return table.text();
+    return table.text(outputWidth());
 }
 
 struct ListOptions {

@@ -104,8 +104,9 @@ private:
 
 /// "zbuffer,scanline" or "all".
 Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words);
-Result<int>                        threadsOf(std::string_view word);
-Result<Simd>                       simdOf(std::string_view word);
-Result<std::uint64_t>              memoryLimitOf(std::string_view word);
+/// 0: one per core.
+Result<int>           threadsOf(std::string_view word);
+Result<Simd>          simdOf(std::string_view word);
+Result<std::uint64_t> memoryLimitOf(std::string_view word);
 
 }  // namespace zscope::cli

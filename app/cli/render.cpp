@@ -163,18 +163,36 @@ Result<Done> write(const RenderOptions& options, const Layer& layer, const Grid<
     if (const auto wanted = stillWanted(options.picture); !wanted) {
         return wanted.error();
     } else if (*wanted) {
-        const Grid<std::uint32_t> painted = layer.paint({.frame = drawn.frame, .tests = &tests, .range = {}});
-        const auto                texts   = reproducingTexts(session.reproducingCommand(), scene.digest);
-        if (const auto done = writePng(*options.picture, painted.view(), texts); !done) return done;
+        // The frame's own colours are not copied: a large picture takes as much memory again.
+        Grid<std::uint32_t> painted;
+        const bool          isShaded = layer.word == layers().front().word;
+        if (!isShaded) painted = layer.paint({.frame = drawn.frame, .tests = &tests, .range = {}});
+        const auto texts = reproducingTexts(session.reproducingCommand(), scene.digest);
+        const auto done =
+            writePng(*options.picture, isShaded ? drawn.frame.colour.view() : std::as_const(painted).view(), texts,
+                     {.threads = drawn.report.threads, .cancel = session.cancel()});
+        if (!done) return done;
     }
-    if (options.ids || options.depth) {
-        const Picture picture = pictureOf(drawn.frame.visible);
-        if (const auto wanted = stillWanted(options.ids); !wanted) return wanted.error();
-        if (options.ids)
-            if (const auto done = writeNpy(*options.ids, picture.ids.view()); !done) return done;
-        if (const auto wanted = stillWanted(options.depth); !wanted) return wanted.error();
-        if (options.depth)
-            if (const auto done = writeNpy(*options.depth, picture.depth.view()); !done) return done;
+    const VisibilityBuffer& visible = drawn.frame.visible;
+    if (const auto wanted = stillWanted(options.ids); !wanted) {
+        return wanted.error();
+    } else if (*wanted) {
+        const auto fill = [&visible](int y, std::span<std::int64_t> row) {
+            for (int x = 0; x < visible.width(); ++x) row[static_cast<std::size_t>(x)] = visible.idAt(x, y);
+        };
+        const auto done =
+            writeNpy(*options.ids, visible.width(), visible.height(), NpyRow<std::int64_t>(fill), session.cancel());
+        if (!done) return done;
+    }
+    if (const auto wanted = stillWanted(options.depth); !wanted) {
+        return wanted.error();
+    } else if (*wanted) {
+        const auto fill = [&visible](int y, std::span<float> row) {
+            for (int x = 0; x < visible.width(); ++x) row[static_cast<std::size_t>(x)] = visible.depthAt(x, y);
+        };
+        const auto done =
+            writeNpy(*options.depth, visible.width(), visible.height(), NpyRow<float>(fill), session.cancel());
+        if (!done) return done;
     }
     if (const auto wanted = stillWanted(options.stats); !wanted) return wanted.error();
     if (options.stats) return writeFile(*options.stats, stats);
@@ -187,8 +205,10 @@ Result<Exit> render(const RenderOptions& options, Session& session)
     if (!words) return words.error();
     const Result<How> how = options.how.read();
     if (!how) return how.error();
-    const std::vector<Output> outputs{
-        {"-o", options.picture}, {"--ids", options.ids}, {"--depth", options.depth}, {"--stats", options.stats}};
+    const std::vector<Output> outputs{{"-o", options.picture, {".png"}},
+                                      {"--ids", options.ids},
+                                      {"--depth", options.depth},
+                                      {"--stats", options.stats}};
     if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked)
         return checked.error();
     if (options.layer && !options.picture)
@@ -257,7 +277,9 @@ Command addRender(CLI::App& parent)
     options->scene.add(*parser);
     options->view.add(*parser);
     options->how.add(*parser, HowOptions::Algorithms::One);
-    parser->add_option("-o,--output", options->picture, "The picture, PNG")->type_name("FILE")->group("Output");
+    parser->add_option("-o,--output", options->picture, "The picture, a PNG: its name ends in .png or has no ending")
+        ->type_name("FILE")
+        ->group("Output");
     parser->add_option("--ids", options->ids, "Triangle ids: int64 (H, W), -1 is background")
         ->type_name("FILE.npy")
         ->group("Output");

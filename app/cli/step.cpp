@@ -60,7 +60,7 @@ Result<Exit> step(const StepOptions& options, Session& session)
     if (!words) return words.error();
     const Result<How> how = options.how.read();
     if (!how) return how.error();
-    const std::vector<Output> outputs{{"--state", options.state}, {"-o", options.picture}};
+    const std::vector<Output> outputs{{"--state", options.state}, {"-o", options.picture, {".png"}}};
     if (const auto checked = checkOutputs(outputs, {options.scene.word(), options.view.cameraFile()}); !checked)
         return checked.error();
     const Result<LoadedScene> scene = options.scene.prepare(session, how->memoryLimit);
@@ -87,7 +87,10 @@ Result<Exit> step(const StepOptions& options, Session& session)
     if (session.interrupted()) return Error{Trouble::Cancelled, "interrupted"};
     if (options.picture) {
         const auto texts = reproducingTexts(session.reproducingCommand(), scene->scene->digest);
-        if (const auto done = writePng(*options.picture, state->frame.colour.view(), texts); !done) return done.error();
+        if (const auto done = writePng(*options.picture, state->frame.colour.view(), texts,
+                                       {.threads = how->threads, .cancel = session.cancel()});
+            !done)
+            return done.error();
     }
     session.print(
         fmt::format("{} {} of {}: {}\n", wordOf(state->grain), state->step.value, state->count, state->sentence));
@@ -111,7 +114,9 @@ Command addStep(CLI::App& parent)
         ->group("Output");
     parser->add_flag("--levels", options->levels, "Put the values of the pyramid's levels into the state")
         ->group("Output");
-    parser->add_option("-o,--output", options->picture, "The picture at that step, PNG")
+    parser
+        ->add_option("-o,--output", options->picture,
+                     "The picture at that step, a PNG: its name ends in .png or has no ending")
         ->type_name("FILE")
         ->group("Output");
     return {parser, [options](Session& session) {

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/large_pages.h"
+
 namespace zscope {
 
 /// Borrows width x height values; `stride` values lie between the starts of two rows.
@@ -27,7 +29,8 @@ struct GridView {
     operator GridView<const T>() const { return {data, width, height, stride}; }
 };
 
-/// Owns width x height values without padding.
+/// Owns width x height values without padding. A large grid lies in large pages: entering small ones into the page
+/// table takes longer than filling them.
 template <class T>
 class Grid {
 public:
@@ -57,9 +60,9 @@ public:
 private:
     std::size_t count() const { return static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height); }
 
-    int            m_width  = 0;
-    int            m_height = 0;
-    std::vector<T> m_values;  // m_width * m_height of them, and room
+    int                           m_width  = 0;
+    int                           m_height = 0;
+    std::vector<T, LargePages<T>> m_values;  // m_width * m_height of them, and room
 };
 
 }  // namespace zscope

@@ -172,8 +172,10 @@ private:
         return {left, top, std::min(left + kTileWidth, m_width), std::min(top + kTileLines, m_height)};
     }
 
-    /// A cache line: rows begin on one, so that no aligned vector crosses a border.
+    /// A cache line: rows begin on one, so that no aligned vector crosses a border. Its keys have no values at first:
+    /// the thread that empties a tile is the first to touch its memory.
     struct alignas(64) CacheLine {
+        CacheLine() {}  // "= default" would let a vector fill it with zeros
         PixelKey keys[64 / sizeof(PixelKey)];
     };
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <climits>
-#include <cstdlib>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -15,17 +14,11 @@ namespace zscope {
 namespace {
 
 constexpr int kTemporaryNames = 100;  // tries before "the folder is full of our leftovers" is believed
+constexpr int kMaxLinks       = 40;   // as many as Linux follows
 
 Error outputError(const std::string& path, const char* action, int reason)
 {
     return {Trouble::Output, std::string(action) + ": " + std::generic_category().message(reason), path};
-}
-
-/// What `path` names once symbolic links are followed, or `path` itself if it does not exist yet.
-std::string resolvedTarget(const std::string& path)
-{
-    char resolved[PATH_MAX];
-    return ::realpath(path.c_str(), resolved) ? std::string(resolved) : path;
 }
 
 std::string temporaryName(const std::string& target, int attempt)
@@ -38,6 +31,20 @@ std::string temporaryName(const std::string& target, int attempt)
 
 }  // namespace
 
+Result<std::string> linkTarget(const std::string& path)
+{
+    namespace fs = std::filesystem;
+    std::error_code trouble;
+    fs::path        target = path;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(target, trouble)); ++links) {
+        if (links == kMaxLinks) return outputError(path, "cannot be created", ELOOP);
+        const fs::path next = fs::read_symlink(target, trouble);
+        if (trouble) return outputError(path, "cannot be created", trouble.value());
+        target = target.parent_path() / next;  // an absolute `next` replaces the folder
+    }
+    return target.string();
+}
+
 Result<FileWriter> FileWriter::create(const std::string& path)
 {
     FileWriter writer;
@@ -46,6 +53,8 @@ Result<FileWriter> FileWriter::create(const std::string& path)
 
     struct stat existing {};
     const bool  exists = ::stat(path.c_str(), &existing) == 0;
+    // A name that is too long is refused here: the temporary file's name is short and would not show it.
+    if (!exists && errno != ENOENT) return outputError(path, "cannot be created", errno);
     if (exists && S_ISDIR(existing.st_mode)) return outputError(path, "cannot be written", EISDIR);
 
     if (exists && !S_ISREG(existing.st_mode)) {
@@ -56,7 +65,9 @@ Result<FileWriter> FileWriter::create(const std::string& path)
     // Renaming would replace even a file that its owner has protected.
     if (exists && ::access(path.c_str(), W_OK) != 0) return outputError(path, "cannot be written", errno);
 
-    writer.m_target = resolvedTarget(path);
+    Result<std::string> target = linkTarget(path);
+    if (!target) return target.error();
+    writer.m_target = *std::move(target);
     for (int attempt = 0; attempt < kTemporaryNames && writer.m_file < 0; ++attempt) {
         writer.m_temporary = temporaryName(writer.m_target, attempt);
         writer.m_file      = ::open(writer.m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

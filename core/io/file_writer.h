@@ -1,7 +1,8 @@
 // Writes a file that is either complete or absent: nothing appears under the final name before commit().
 //
 // How        the bytes go to a new file in the same folder, which is flushed to disk and then renamed over the
-//            target; without commit() it is removed. A symbolic link keeps pointing: what it points to is replaced
+//            target; without commit() it is removed
+// Links      a symbolic link stays as it is: the file that it names is replaced, or created if it does not exist yet
 // Devices    a target that exists and is no regular file (/dev/stdout, /dev/full, a pipe) is written directly: it
 //            cannot be replaced and has no earlier contents to protect
 // Memory     one buffer of kWriteBuffer bytes, whatever the size of the file
@@ -47,6 +48,9 @@ private:
     std::vector<char>    m_buffer;
     std::optional<Error> m_error;
 };
+
+/// The file that `path` names once all links are followed, whether or not it exists. Errors: Output.
+Result<std::string> linkTarget(const std::string& path);
 
 /// The whole file at once.
 Result<Done> writeFile(const std::string& path, std::string_view contents);

@@ -3,6 +3,7 @@
 #include <bit>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace zscope {
 namespace {
@@ -29,13 +30,20 @@ std::string_view bytesOf(std::span<T> values)
 }
 
 template <class T>
-Result<Done> writeGrid(const std::string& path, NpyType type, GridView<const T> values)
+Result<Done> writeRows(const std::string& path, NpyType type, int width, int height, const NpyRow<T>& fill,
+                       const std::atomic<bool>* cancel)
 {
     Result<FileWriter> file = FileWriter::create(path);
     if (!file) return file.error();
-    const std::uint64_t shape[]{static_cast<std::uint64_t>(values.height), static_cast<std::uint64_t>(values.width)};
+    const std::uint64_t shape[]{static_cast<std::uint64_t>(height), static_cast<std::uint64_t>(width)};
     file->write(npyHeader(type, shape));
-    for (int y = 0; y < values.height && !file->failed(); ++y) file->write(bytesOf(values.row(y)));
+    std::vector<T> row(static_cast<std::size_t>(width));
+    for (int y = 0; y < height && !file->failed(); ++y) {
+        if (cancel && cancel->load(std::memory_order_relaxed))
+            return Error{Trouble::Cancelled, "writing was cancelled"};
+        fill(y, row);
+        file->write(bytesOf(std::span<const T>(row)));
+    }
     return file->commit();
 }
 
@@ -62,14 +70,16 @@ std::string npyHeader(NpyType type, std::span<const std::uint64_t> shape)
     return header + dictionary;
 }
 
-Result<Done> writeNpy(const std::string& path, GridView<const std::int64_t> values)
+Result<Done> writeNpy(const std::string& path, int width, int height, const NpyRow<std::int64_t>& fill,
+                      const std::atomic<bool>* cancel)
 {
-    return writeGrid(path, NpyType::Int64, values);
+    return writeRows(path, NpyType::Int64, width, height, fill, cancel);
 }
 
-Result<Done> writeNpy(const std::string& path, GridView<const float> values)
+Result<Done> writeNpy(const std::string& path, int width, int height, const NpyRow<float>& fill,
+                      const std::atomic<bool>* cancel)
 {
-    return writeGrid(path, NpyType::Float32, values);
+    return writeRows(path, NpyType::Float32, width, height, fill, cancel);
 }
 
 Result<NpyTriangleWriter> NpyTriangleWriter::create(const std::string& path, std::uint64_t triangles)

@@ -4,11 +4,12 @@
 // Source     numpy.lib.format, "Format Version 1.0"
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
-#include "core/base/grid.h"
 #include "core/base/result.h"
 #include "core/io/file_writer.h"
 
@@ -19,9 +20,16 @@ enum class NpyType { Int64, Float32, Float64 };
 /// The bytes in front of the data.
 std::string npyHeader(NpyType type, std::span<const std::uint64_t> shape);
 
-/// Shape (height, width), row 0 is the top line.
-Result<Done> writeNpy(const std::string& path, GridView<const std::int64_t> values);
-Result<Done> writeNpy(const std::string& path, GridView<const float> values);
+/// Fills one row, the y-th from the top.
+template <class T>
+using NpyRow = std::function<void(int y, std::span<T> row)>;
+
+/// Shape (height, width), row 0 is the top line. One row is held at a time. `cancel` set to true: the file is left out,
+/// and the error is Cancelled.
+Result<Done> writeNpy(const std::string& path, int width, int height, const NpyRow<std::int64_t>& fill,
+                      const std::atomic<bool>* cancel = nullptr);
+Result<Done> writeNpy(const std::string& path, int width, int height, const NpyRow<float>& fill,
+                      const std::atomic<bool>* cancel = nullptr);
 
 /// float64, shape (triangles, 3, 3): corners of one triangle after another, so that no array of all is ever held.
 class NpyTriangleWriter {

@@ -1,6 +1,8 @@
 // What core/io promises: complete or absent files, arrays NumPy can read, pictures with their command line inside.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -77,14 +79,45 @@ TEST_F(Io, ReplacingKeepsTheModeAndFollowsASymbolicLink)
     ASSERT_TRUE(writeFile(path("link.txt"), "new"));
     EXPECT_TRUE(fs::is_symlink(path("link.txt")));
     EXPECT_EQ(contentsOf(path("real.txt")), "new");
+    EXPECT_EQ(filesInFolder(), 2u);
     EXPECT_EQ(fs::status(path("real.txt")).permissions(), fs::perms(0640));
 }
 
-TEST_F(Io, ANameAsLongAsTheSystemAllowsCanBeWritten)
+TEST_F(Io, ALinkToAFileThatDoesNotExistCreatesThatFileInItsOwnFolder)
+{
+    fs::create_directory(path("folder"));
+    fs::create_directory(path("links"));
+    ASSERT_EQ(::symlink("../folder/new.txt", path("links/inner").c_str()), 0);
+    ASSERT_EQ(::symlink("links/inner", path("outer").c_str()), 0);
+    ASSERT_TRUE(writeFile(path("outer"), "new"));
+    EXPECT_TRUE(fs::is_symlink(path("outer")));
+    EXPECT_TRUE(fs::is_symlink(path("links/inner")));
+    EXPECT_FALSE(fs::is_symlink(path("folder/new.txt")));
+    EXPECT_EQ(contentsOf(path("folder/new.txt")), "new");
+
+    ASSERT_EQ(::symlink("nowhere/new.txt", path("lost").c_str()), 0);
+    ASSERT_EQ(::symlink("round", path("round").c_str()), 0);
+    for (const char* name : {"lost", "round"}) {
+        const Result<Done> done = writeFile(path(name), "x");
+        ASSERT_FALSE(done) << name;
+        EXPECT_EQ(done.error().kind, Trouble::Output) << name;
+        EXPECT_TRUE(fs::is_symlink(path(name))) << name;
+    }
+}
+
+TEST_F(Io, ANameAsLongAsTheSystemAllowsCanBeWrittenAndALongerOneIsRefusedAtOnce)
 {
     const std::string name(255, 'n');
     ASSERT_TRUE(writeFile(path(name), "x"));
     EXPECT_EQ(contentsOf(path(name)), "x");
+    std::string deep;
+    while (deep.size() <= 4095) deep += "./";
+    for (const std::string& tooLong : {name + "n", deep + "x"}) {
+        const Result<FileWriter> file = FileWriter::create(path(tooLong));
+        ASSERT_FALSE(file);
+        EXPECT_EQ(file.error().kind, Trouble::Output);
+        EXPECT_EQ(file.error().sentence, "cannot be created: File name too long");
+    }
 }
 
 TEST_F(Io, WhatCannotBeWrittenIsAnOutputErrorInOneSentence)
@@ -134,9 +167,12 @@ TEST_F(Io, NpyHeaderIsVersionOneAndAligned)
 TEST_F(Io, NpyGridsHoldTheTopRowFirst)
 {
     Grid<std::int64_t> ids(3, 2, -1);
-    ids.at(2, 0) = 41;
-    ids.at(0, 1) = 42;
-    ASSERT_TRUE(writeNpy(path("ids.npy"), std::as_const(ids).view()));
+    ids.at(2, 0)                    = 41;
+    ids.at(0, 1)                    = 42;
+    const NpyRow<std::int64_t> fill = [&ids](int y, std::span<std::int64_t> row) {
+        std::ranges::copy(ids.view().row(y), row.begin());
+    };
+    ASSERT_TRUE(writeNpy(path("ids.npy"), ids.width(), ids.height(), fill));
     const std::string   file    = contentsOf(path("ids.npy"));
     const std::uint64_t shape[] = {2, 3};
     const std::string   header  = npyHeader(NpyType::Int64, shape);
@@ -162,6 +198,16 @@ TEST_F(Io, TriangleArraysHoldOneRowPerTriangle)
     double last = 0;
     std::memcpy(&last, contents.data() + contents.size() - sizeof last, sizeof last);
     EXPECT_EQ(last, 0.1);
+}
+
+TEST_F(Io, AnArrayThatIsCancelledIsAbsent)
+{
+    std::atomic<bool>   cancel = false;
+    const NpyRow<float> fill   = [&cancel](int y, std::span<float>) { cancel = y == 5; };
+    const Result<Done>  done   = writeNpy(path("d.npy"), 4, 9, fill, &cancel);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().kind, Trouble::Cancelled);
+    EXPECT_EQ(filesInFolder(), 0u);
 }
 
 struct ReadPicture {
@@ -211,6 +257,58 @@ TEST_F(Io, PngCarriesTheTextsAndIsTheSameTwice)
         EXPECT_NE(file.find("iTXt" + text.keyword), std::string::npos) << text.keyword;
         EXPECT_NE(file.find(text.text), std::string::npos) << text.text;
     }
+}
+
+/// Flat areas, lines and noise, so that all of zlib's ways are met.
+Grid<std::uint32_t> patchwork(int width, int height, std::uint32_t leastAlpha)
+{
+    std::mt19937        random(7);
+    Grid<std::uint32_t> picture(width, height, 0xFFF3F5F8u);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if ((x / 64 + y / 16) % 3 != 0)
+                picture.at(x, y) =
+                    (static_cast<std::uint32_t>(x / 64 % 2 == 0 ? random() : random() % 2) | leastAlpha << 24);
+    return picture;
+}
+
+TEST_F(Io, PngIsTheSameByAnyNumberOfThreadsAndComesBackFromManyStrips)
+{
+    // A row longer than a strip, rows of which some or many make one, rows that are filtered and rows that are not, a
+    // last strip of one row, one column of many rows.
+    const int longRow = static_cast<int>(kPngStripBytes) / 3 + 1;
+    for (const auto& [width, height] : {std::pair{longRow, 3}, std::pair{5001, 241}, std::pair{1280, 720},
+                                        std::pair{333, 263 * 3 + 1}, std::pair{1, 300'001}, std::pair{70'001, 1}}) {
+        for (const std::uint32_t leastAlpha : {0xFFu, 0x01u}) {
+            SCOPED_TRACE(testing::Message() << width << 'x' << height << ' ' << leastAlpha);
+            const Grid<std::uint32_t> picture = patchwork(width, height, leastAlpha);
+            ASSERT_TRUE(writePng(path("1.png"), picture.view(), {}, {.threads = 1}));
+            EXPECT_EQ(readPng(path("1.png")).argb, picture);
+            for (const int threads : {2, 3, 8, 0}) {
+                ASSERT_TRUE(writePng(path("n.png"), picture.view(), {}, {.threads = threads}));
+                EXPECT_EQ(contentsOf(path("n.png")), contentsOf(path("1.png"))) << threads;
+            }
+        }
+    }
+}
+
+TEST_F(Io, AFlatPictureTakesLittleHoweverManyStripsItHas)
+{
+    for (const int width : {1280, 5000}) {
+        const Grid<std::uint32_t> picture(width, 3000, 0xFF336699u);
+        ASSERT_TRUE(writePng(path("flat.png"), picture.view(), {}));
+        EXPECT_LT(fs::file_size(path("flat.png")) * 500, picture.values().size_bytes()) << width;
+    }
+}
+
+TEST_F(Io, PngThatIsCancelledIsAbsent)
+{
+    const Grid<std::uint32_t> picture(640, 480, 0xFF336699u);
+    const std::atomic<bool>   cancel = true;
+    const Result<Done>        done   = writePng(path("p.png"), picture.view(), {}, {.cancel = &cancel});
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().kind, Trouble::Cancelled);
+    EXPECT_EQ(filesInFolder(), 0u);
 }
 
 TEST_F(Io, PngThatCannotBeWrittenSaysSo)
