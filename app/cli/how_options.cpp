@@ -5,6 +5,7 @@
 
 #include "app/cli/options.h"
 #include "app/cli/words.h"
+#include "core/base/quotable.h"
 #include "core/base/thread_count.h"
 #include "core/frame/faults.h"
 
@@ -116,6 +117,9 @@ void HowOptions::add(CLI::App& parser, Algorithms algorithms)
     parser.add_option("--simd", m_simd, "Vector instructions: auto, scalar, sse4, avx2 or avx512 (default auto)")
         ->type_name("WORD")
         ->group("How");
+    parser.add_option("--shortcuts", m_shortcuts, "Faster parts that change no bit: all or none (default all)")
+        ->type_name("WORD")
+        ->group("How");
     parser
         .add_option("--memory-limit", m_memoryLimit,
                     "Most memory that may be taken (default: three quarters of the machine's)")
@@ -158,6 +162,13 @@ Result<int> threadsOf(std::string_view word)
     const auto threads = wholeNumber(word, "--threads", 0, kMaxThreads);
     if (!threads) return threads.error();
     return static_cast<int>(*threads);
+}
+
+Result<Shortcuts> shortcutsOf(std::string_view word)
+{
+    if (word == "all") return Shortcuts::All;
+    if (word == "none") return Shortcuts::None;
+    return Error{Trouble::Usage, fmt::format("--shortcuts takes 'all' or 'none', not '{}'", quotable(word))};
 }
 
 Result<Simd> simdOf(std::string_view word)
@@ -226,6 +237,11 @@ Result<How> HowOptions::read() const
         if (!simd) return simd.error();
         how.simd = *simd;
     }
+    if (m_shortcuts) {
+        const Result<Shortcuts> shortcuts = shortcutsOf(*m_shortcuts);
+        if (!shortcuts) return shortcuts.error();
+        how.shortcuts = *shortcuts;
+    }
     if (m_memoryLimit) {
         const Result<std::uint64_t> limit = memoryLimitOf(*m_memoryLimit);
         if (!limit) return limit.error();
@@ -242,6 +258,7 @@ DrawRequest How::request(const LoadedScene& scene, const ViewWords::View& view, 
             .pipeline    = algorithm().pipeline,
             .threads     = threads,
             .simd        = simd,
+            .shortcuts   = shortcuts,
             .shade       = true,
             .memoryLimit = memoryLimit,
             .cancel      = session.cancel()};

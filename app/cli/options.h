@@ -83,6 +83,7 @@ struct How {
     std::vector<NamedPipeline> algorithms;       // one, unless the subcommand takes several
     int                        threads     = 0;  // 0: one per core
     Simd                       simd        = Simd::Auto;
+    Shortcuts                  shortcuts   = Shortcuts::All;
     std::uint64_t              memoryLimit = 0;  // bytes; 0: the default
 
     const NamedPipeline& algorithm() const { return algorithms.front(); }
@@ -98,7 +99,7 @@ public:
 
 private:
     Algorithms                 m_algorithms = Algorithms::One;
-    std::optional<std::string> m_algorithm, m_fault, m_threads, m_simd, m_memoryLimit;
+    std::optional<std::string> m_algorithm, m_fault, m_threads, m_simd, m_shortcuts, m_memoryLimit;
     std::vector<std::string>   m_set;
 };
 
@@ -107,6 +108,7 @@ Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words);
 /// 0: one per core.
 Result<int>           threadsOf(std::string_view word);
 Result<Simd>          simdOf(std::string_view word);
+Result<Shortcuts>     shortcutsOf(std::string_view word);
 Result<std::uint64_t> memoryLimitOf(std::string_view word);
 
 }  // namespace zscope::cli

@@ -127,6 +127,7 @@ Result<Exit> verifyScene(const VerifyOptions& options, Session& session)
                           .algorithms  = {},
                           .threads     = {how->threads},
                           .simd        = {how->simd},
+                          .shortcuts   = how->shortcuts,
                           .samples     = samples,
                           .memoryLimit = how->memoryLimit,
                           .progress    = session.progress()};

@@ -229,15 +229,19 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
 bool drawsPatchedBatches(const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
-    if (pipeline.order != Order::Submitted || !pipeline.usesExactRules() || request.faceCulling != FaceCulling::Back)
+    if (isPlain(request) || pipeline.order != Order::Submitted || !pipeline.usesExactRules()
+        || request.faceCulling != FaceCulling::Back)
         return false;
     return !drawsFaces(pipeline) || facesOf(*request.scene).someAreTriangles();
 }
+
+bool isPlain(const DrawRequest& request) { return request.shortcuts == Shortcuts::None; }
 
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible)
 {
     const Camera&       camera = request.camera;
     const DepthEncoding plain(request.pipeline.approximation.format, camera.near, camera.far);
+    if (isPlain(request)) return plain;
     // Faces and reliefs know depths of one scale only, a pyramid that is kept for the next frame holds those of this
     // one, what is blended is compared with what memory holds, and a fragment that is shaded where it wins must not win
     // over less than the background.

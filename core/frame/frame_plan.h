@@ -33,6 +33,9 @@ StageReason reasonFor(Stage stage, const DrawRequest& request);
 /// Whether the frame, at full speed, draws batches that stand patch by patch (PatchedBatches).
 bool drawsPatchedBatches(const DrawRequest& request);
 
+/// Whether the frame is drawn by the plain text of core/method and core/plain.
+bool isPlain(const DrawRequest& request);
+
 /// How the frame's depths are stored at full speed: where nothing but the triangles' own depths is compared, above the
 /// last picture of `visible`, so that what that left need not be emptied (core/base/depth_format.h).
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible);

@@ -14,8 +14,10 @@
 #include "core/frame/blend.h"
 #include "core/frame/frame_plan.h"
 #include "core/frame/kernels.h"
+#include "core/frame/plain_stripe.h"
 #include "core/frame/stripes.h"
 #include "core/geometry/face_batches.h"
+#include "core/plain/shading.h"
 
 namespace zscope {
 
@@ -56,9 +58,10 @@ struct Measured {
 }  // namespace
 
 struct Renderer::Workspace {
-    std::vector<StripeScratch> scratch;  // one per thread
-    StripeBorders              borders;
-    Measured                   measured;
+    std::vector<StripeScratch>  scratch;  // one per thread
+    std::vector<plain::Scratch> plain;    // likewise, of plain text
+    StripeBorders               borders;
+    Measured                    measured;
 };
 
 Renderer::Renderer() : m_workspace(std::make_unique<Workspace>()) {}
@@ -167,6 +170,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     const Camera&              camera  = request.camera;
     const Kernels&             kernels = kernelsOf(plan->simd);
     const bool                 exact   = request.pipeline.usesExactRules();
+    const bool                 isPlain = zscope::isPlain(request);
     const ChosenRules          rules(request.pipeline.approximation, request.pipeline.fault, camera);
     std::vector<StageMs>       stageMs(static_cast<std::size_t>(plan->threads));
     std::vector<double>        stripeMs(static_cast<std::size_t>(plan->threads));
@@ -194,7 +198,8 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
             frame.painted.reset(frame.visible.tileColumns(), frame.visible.tileRows(), 1);
         }
         // Who shades early or blends colours pixels whatever tile they lie in.
-        if (!shadesByTiles) std::ranges::fill(frame.painted.values(), std::uint8_t{1});
+        if (!shadesByTiles || isPlain) std::ranges::fill(frame.painted.values(), std::uint8_t{1});
+        if (isPlain) m_workspace->plain.resize(std::max(m_workspace->plain.size(), stageMs.size()));
         m_workspace->scratch.resize(std::max(m_workspace->scratch.size(), stageMs.size()));
         for (StripeScratch& scratch : m_workspace->scratch) scratch.memory.allowWholeNodes();
     } catch (const std::bad_alloc&) {
@@ -229,14 +234,24 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
                             shadesFragments(request.pipeline.depth) && painter ? &*painter : nullptr,
                             effectiveMemoryLimit(request.memoryLimit) / static_cast<std::uint64_t>(plan->threads)};
         try {
-            if (exact)
+            if (isPlain) {
+                plain::Work work{stripe, rules, m_workspace->plain[index], clock};
+                drawPlainly(request.pipeline, work);
+            } else if (exact)
                 kernels.drawStripe(request.pipeline, stripe, m_workspace->scratch[index], clock);
             else
                 drawStripeByRulesOf(plan->simd)(request.pipeline, rules, stripe, m_workspace->scratch[index], clock);
-            if (needsPixels) kernels.storePlanes(frame.visible, first, end);
+            if (needsPixels && !isPlain) kernels.storePlanes(frame.visible, first, end);
             clock.lap(Stage::Raster);
-            if (defers) kernels.shadeRows(*painter, frame.visible, first, end);
-            if (transparent) {
+            if (defers && isPlain)
+                plain::shadeLines(*painter, frame.visible, first, end);
+            else if (defers)
+                kernels.shadeRows(*painter, frame.visible, first, end);
+            if (transparent && isPlain) {
+                clock.lap(defers ? Stage::Shade : Stage::Other);
+                plain::Work work{stripe, blendRules, m_workspace->plain[index], clock};
+                blendPlainly(*transparent, *colours, request.pipeline.transparency, work, frame.colour.view());
+            } else if (transparent) {
                 clock.lap(defers ? Stage::Shade : Stage::Other);
                 blendStripe(*transparent, *colours, request.pipeline.transparency, blendRules, stripe,
                             m_workspace->scratch[index], clock, frame.colour.view());

@@ -41,6 +41,10 @@ std::span<const SimdEntry> simdTargets();
 Simd             resolved(Simd simd);
 std::string_view wordOf(Simd simd);
 
+/// Which faster parts replace the plain ones of core/method and core/plain: all that apply, or none. No choice changes
+/// a bit of the picture.
+enum class Shortcuts { All, None };
+
 /// What to draw and how. A value: it may be copied to another thread; the scene is shared.
 struct DrawRequest {
     std::shared_ptr<const PreparedScene> scene;
@@ -49,6 +53,7 @@ struct DrawRequest {
     Pipeline                             pipeline;
     int                                  threads     = 0;  // 0: one per core
     Simd                                 simd        = Simd::Auto;
+    Shortcuts                            shortcuts   = Shortcuts::All;
     bool                                 shade       = true;
     std::uint64_t                        memoryLimit = 0;  // bytes; 0: three quarters of the machine's memory
     const std::atomic<bool>*             cancel      = nullptr;

@@ -198,7 +198,8 @@ Result<std::vector<VerifyRow>> verify(const VerifyRequest& request)
         for (const int threads : request.threads) {
             draw.threads = threads;
             for (const Simd simd : request.simd) {
-                draw.simd = simd;
+                draw.simd      = simd;
+                draw.shortcuts = request.shortcuts;
                 request.progress.at(static_cast<double>(rows.size()) / static_cast<double>(total), algorithm.name);
                 Renderer   renderer;
                 const auto report = renderer.draw(draw, frame);

@@ -7,6 +7,7 @@
 #include "core/probe/grain.h"
 #include "core/sweep/active_edge.h"
 #include "core/sweep/active_polygons.h"
+#include "core/sweep/interval_reason.h"
 
 namespace zscope {
 
@@ -32,18 +33,6 @@ struct ScanlineReady {
     static constexpr Grain      grain = Grain::Span;
     int                         y;       // 0 is the top line
     std::span<const ActiveEdge> active;  // sorted by x; valid only during the call
-};
-
-/// Why an interval went to one polygon as a whole, or could not.
-enum class IntervalReason {
-    Alone,         // to the only polygon that is open
-    Leads,         // to the one that leads all others at both ends by more than the rounding can hide
-    TestedOnce,    // to the nearest at the left end (a fault)
-    BeyondFar,     // to nobody as a whole: part of the nearest lies beyond far
-    DepthLimited,  // the depth of one is limited to its corners', so it is not affine
-    HasPattern,    // the nearest at the left end has holes or a relief, so it covers nothing whole
-    NoClearLead,   // nobody leads at both ends: they cross, touch or are equally near
-    NotByEnds,     // depths as they are stored are not affine (an approximation)
 };
 
 /// The pixels [x0, x1) between two neighbouring active edges of line y are decided; never empty.

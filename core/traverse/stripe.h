@@ -1,11 +1,10 @@
-// A stripe: whole lines of the picture that one thread draws from start to finish, with memory of its own.
+// The scratch memory of the thread that draws a stripe.
 #pragma once
 
 #include <atomic>
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.h"
 #include "core/base/stage_clock.h"
 #include "core/depth/hidden_squares.h"
 #include "core/depth/pyramid.h"
@@ -16,6 +15,7 @@
 #include "core/geometry/stripe_volume.h"
 #include "core/geometry/triangle_list.h"
 #include "core/hierarchy/tree.h"
+#include "core/plain/stripe.h"
 #include "core/scan/window_list.h"
 #include "core/sweep/active_edges.h"
 #include "core/sweep/active_polygons.h"
@@ -24,23 +24,6 @@
 #include "core/traverse/node_memory.h"
 
 namespace zscope {
-
-struct Painter;  // core/shade/painter.h
-
-/// What to draw: the lines [firstRow, endRow) of `visible`. Borrows everything.
-struct Stripe {
-    const PreparedScene& scene;
-    const Projection&    projection;
-    FaceCulling          culling;
-    VisibilityBuffer&    visible;
-    int                  firstRow;
-    int                  endRow;
-    Progress             progress;                     // only its cancel flag is read
-    const Painter*       painter = nullptr;            // of fragments that are shaded as they come; nullptr: none are
-    std::uint64_t        memory  = ~std::uint64_t{0};  // bytes that its edge table may take
-
-    PixelBox region() const { return {0, firstRow, visible.width(), endRow}; }
-};
 
 /// An instance of a node that is being visited, waiting for its turn.
 struct WaitingInstance {

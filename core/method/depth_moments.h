@@ -1,0 +1,29 @@
+// When depth is tested, and with it when fragments are shaded.
+//
+// Deferred   the picture is shaded when it is finished: each pixel once
+// Late       every covered fragment is shaded, then tested
+// Early      depth first: a fragment that passes is shaded
+// Tiles      as early; before that a whole tile of the pyramid is compared with the triangle (z-culling)
+// Pre-pass   depth alone first, for every triangle; then the scene again, and fragments of equal depth are shaded
+// Source     docs/correctness.md, Depth and the winner: with a pre-pass the lowest id of the winning depth wins
+#pragma once
+
+#include "core/plain/parts.h"
+
+namespace zscope::plain {
+
+/// The two passes of a pre-pass, each by `draw`. The pyramid, if there is one, is built between them.
+template <class Draw>
+void drawAfterPrepass(Work& work, const Pass& pass, bool hasPyramid, const Draw& draw)
+{
+    Pass depth       = {};
+    depth.keep       = Keep::DepthOnly;
+    depth.walksEdges = pass.walksEdges;
+    draw(depth);
+    if (hasPyramid) work.scratch.pyramid.allTouched();
+    Pass colour = pass;
+    colour.keep = Keep::Equal;
+    draw(colour);
+}
+
+}  // namespace zscope::plain

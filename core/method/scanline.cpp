@@ -1,0 +1,62 @@
+#include "core/method/scanline.h"
+
+#include "core/geometry/face_batches.h"
+#include "core/plain/batches_in_view.h"
+#include "core/plain/depth_test.h"
+#include "core/plain/enter_faces.h"
+#include "core/plain/lines.h"
+
+namespace zscope::plain {
+
+void scanline(Work& work, const Parts& parts)
+{
+    EdgeTable&   edges  = work.scratch.edges;
+    ActiveEdges& active = work.scratch.active;
+    active.begin(edges);
+    for (const int y : LinesOf(work)) {
+        active.retireBefore(y, work);
+        active.admit(edges.startingAt(y), work);
+        active.sortByX(work);
+        work.tell(LineReady{y, active.edges()});
+        parts.resolveLine(work, y);
+        work.tell(LineFinished{y});
+        active.advance();
+    }
+}
+
+void fillEdgeTable(Work& work, const Parts& parts)
+{
+    work.scratch.edges.clear(work.stripe.firstRow, work.stripe.endRow, work.stripe.memory);
+    for (const BatchPlace& batch : BatchesInView(work)) {
+        if (!parts.mayBeSeen(work, batch)) continue;
+        parts.setUp(work, batch);
+        parts.enterEdges(work);
+    }
+    if (!work.isCancelled()) work.scratch.edges.fillBuckets();
+}
+
+void fillEdgeTableWithFaces(Work& work)
+{
+    work.scratch.edges.clear(work.stripe.firstRow, work.stripe.endRow, work.stripe.memory);
+    enterFaces(work);
+    if (!work.isCancelled()) work.scratch.edges.fillBuckets();
+}
+
+void resolveByDepth(Call work, int y)
+{
+    forEachSpan(*work, [&](std::uint32_t polygon, int x0, int x1) {
+        const Polygon& of = work->scratch.edges.polygons()[polygon];
+        offerSpan(*work, of, y, x0, x1);
+        work->tell(SpanFilled{y, x0, x1, of.id});
+    });
+}
+
+void offerSpan(Work& work, const Polygon& polygon, int y, int x0, int x1)
+{
+    const Pass nearest;
+    DepthTest  test(work, nearest, polygon.depth, polygon.id, polygon.patterned);
+    test.beginLine(y, x0);
+    for (int x = x0; x < x1; ++x) test.offer(x);
+}
+
+}  // namespace zscope::plain

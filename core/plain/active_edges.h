@@ -1,0 +1,73 @@
+// The active edge table: the edges that cross the line at hand, from left to right; and how far the line has come in
+// each polygon.
+//
+// Line       retireBefore(y), admit(the bucket of y), sortByX(): the table stands at line y. advance() moves every edge
+//            to the next line by its constant step
+// Cost       per line a sort of what is nearly sorted
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/plain/edge_table.h"
+#include "core/probe/grain.h"
+
+namespace zscope::plain {
+
+struct Work;
+
+/// Where the pixels of a polygon begin on the line at hand.
+struct PolygonSpan {
+    int           from    = 0;  // while it is open: its first pixel
+    std::uint32_t winding = 0;  // of its edges round the place that has been reached; 0: it is closed
+
+    bool isOpen() const { return winding != 0; }
+};
+
+class ActiveEdges {
+public:
+    /// No edge is active and every polygon of the table is closed.
+    void begin(const EdgeTable& table);
+
+    void retireBefore(int y, Work& work);
+    void admit(std::span<const Edge> starting, Work& work);
+    void sortByX(Work& work);
+    void advance();
+
+    std::span<const Edge> edges() const { return m_edges; }
+    PolygonSpan&          spanOf(std::uint32_t polygon) { return m_spans[polygon]; }
+
+private:
+    std::vector<Edge>        m_edges;
+    std::vector<PolygonSpan> m_spans;  // one per polygon of the edge table
+};
+
+/// The first pixel whose centre is not left of the edge, in a line of `width` pixels.
+int firstPixelRightOf(const Edge& edge, int width, const ChosenRules& rules);
+
+// What a sweep reports.
+
+/// Every bucket of the edge table is filled; no line has been swept.
+struct EdgeTableReady {
+    const EdgeTable& table;  // valid until the run ends
+};
+struct EdgeEntered {
+    const Edge& edge;  // valid only during the call
+};
+struct EdgeLeft {
+    const Edge& edge;  // as it would stand on line y; valid only during the call
+};
+/// The active edge table is complete for line y; nothing of that line has been drawn yet.
+struct LineReady {
+    static constexpr Grain grain = Grain::Span;
+    int                    y;       // 0 is the top line
+    std::span<const Edge>  active;  // sorted by x; valid only during the call
+};
+/// Line y is drawn; the active edge table still stands at it.
+struct LineFinished {
+    static constexpr Grain grain = Grain::Line;
+    int                    y;
+};
+
+}  // namespace zscope::plain

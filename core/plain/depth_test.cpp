@@ -1,0 +1,109 @@
+#include "core/plain/depth_test.h"
+
+#include <algorithm>
+
+#include "core/plain/shading.h"
+
+namespace zscope::plain {
+
+DepthTest::DepthTest(Work& work, const Pass& pass, const DepthPlane& plane, TriangleId id, bool patterned)
+    : m_work(work), m_pass(pass), m_plane(plane), m_rank(id.value + 1), m_empty(work.stripe.visible.empty())
+{
+    if (patterned) m_pattern = patternPlaneOf(work.stripe.scene.scene(), work.stripe.projection, id);
+}
+
+void DepthTest::beginLine(int y, int first)
+{
+    m_y       = y;
+    m_row     = m_work.stripe.visible.row(y);
+    m_line    = m_plane.b * (y + 0.5) + m_plane.c;
+    m_carried = first;
+    if (m_work.rules.depthNumbers() == DepthNumbers::Float64) return;
+    const auto a = static_cast<float>(m_plane.a), b = static_cast<float>(m_plane.b), c = static_cast<float>(m_plane.c);
+    m_line  = b * (static_cast<float>(y) + 0.5f) + c;
+    m_carry = a * (static_cast<float>(first) + 0.5f);
+}
+
+void DepthTest::offer(int x)
+{
+    const double   flat  = limitedDepthAt(x);
+    const PixelKey bound = keyOfDepth(flat), held = m_row[x];
+    const bool     shadesFirst = m_pass.shading == ShadingMoment::BeforeTest;
+
+    PixelKey fragment = bound;
+    bool     exists = true, moved = false, looked = false;
+    if (m_pattern && (shadesFirst || mayBecomeNearer(bound, held))) {
+        looked = true;
+        exists = !isHole(*m_pattern, x, m_y);
+        moved  = exists && m_pattern->relief;
+        if (m_pattern->relief) fragment = keyOfDepth(movedDepth(*m_pattern, flat, x, m_y));
+    }
+    const bool won = exists && (!m_pattern || looked) && isNearer(fragment, held);
+    if (won) m_row[x] = fragment;
+
+    // A fragment that its pattern has spared is shaded with it, whether it passes the test then or not.
+    const bool shades =
+        shadesFirst || (m_pass.shading == ShadingMoment::AfterTest && (m_pattern ? looked && exists : won));
+    if (shades && won) shade(x);
+    m_work.tell(PixelTested{.x            = x,
+                            .y            = m_y,
+                            .triangle     = TriangleId{m_rank - 1},
+                            .depth        = depthOf(fragment),
+                            .won          = won,
+                            .rivalRank    = rankOf(held),
+                            .rivalDepth   = depthOf(held),
+                            .keep         = m_pass.keep,
+                            .shaded       = shades,
+                            .discarded    = looked && !exists,
+                            .moved        = moved,
+                            .unmovedDepth = m_pattern ? depthOf(bound) : 0});
+}
+
+void DepthTest::store(int x) { m_row[x] = keyOfDepth(limitedDepthAt(x)); }
+
+bool DepthTest::isNearer(PixelKey fragment, PixelKey held) const
+{
+    const bool firstComerStays = m_work.rules.firstComerKeepsTie() && m_pass.keep != Keep::DepthOnly;
+    if (m_pass.keep != Keep::Equal) {
+        const PixelKey lastOfItsDepth = fragment & ~PixelKey{0xFFFFFFFF};
+        return (firstComerStays ? lastOfItsDepth : fragment) > held;
+    }
+    // After a pre-pass: of the fragments with the depth that it left, the lowest id. It left the depth without an id.
+    const bool isNobodys = rankOf(held) == 0;
+    const bool sameDepth = fragment >> 32 == held >> 32;
+    return sameDepth && fragment > keyOf(m_empty, 0) && (isNobodys || (fragment > held && !firstComerStays));
+}
+
+/// False only if the fragment loses at this depth and at any farther one.
+bool DepthTest::mayBecomeNearer(PixelKey fragment, PixelKey held) const
+{
+    if (m_pass.keep != Keep::Equal || !m_pattern->relief) return isNearer(fragment, held);
+    return held >> 32 <= fragment >> 32;
+}
+
+PixelKey DepthTest::keyOfDepth(double depth) const
+{
+    return keyOf(m_work.rules.stored(depth), m_pass.keep == Keep::DepthOnly ? 0 : m_rank);
+}
+
+double DepthTest::limitedDepthAt(int x)
+{
+    double across = m_plane.a * (x + 0.5);
+    if (m_work.rules.depthNumbers() != DepthNumbers::Float64) {
+        const auto a = static_cast<float>(m_plane.a);
+        across       = a * (static_cast<float>(x) + 0.5f);
+        if (m_work.rules.depthNumbers() == DepthNumbers::Accumulated) {
+            for (; m_carried < x; ++m_carried) m_carry += a;
+            across = m_carry;
+        }
+    }
+    return std::min(std::max(across + m_line, double{m_plane.farthest}), double{m_plane.nearest});
+}
+
+void DepthTest::shade(int x) const
+{
+    const Painter& painter    = *m_work.stripe.painter;
+    painter.colour.at(x, m_y) = colourOfFragment(painter, m_rank, x, m_y);
+}
+
+}  // namespace zscope::plain

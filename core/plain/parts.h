@@ -1,0 +1,41 @@
+// The table of parts that a method calls. Plain text fills it (plainParts()); each entry can be replaced by a faster
+// part with the same signature that draws the same picture. Methods know only the table.
+//
+// Calls      through a pointer, once per batch, node or line, never per pixel
+#pragma once
+
+#include <span>
+
+#include "core/cull/cull_events.h"
+#include "core/geometry/set_up.h"
+#include "core/plain/pass.h"
+#include "core/plain/placed_node.h"
+#include "core/plain/work.h"
+#include "core/traverse/node_memory.h"
+
+namespace zscope::plain {
+
+class TreeVisit;
+
+struct Parts {
+    /// False only of a batch that cannot win a pixel of the stripe.
+    bool (*mayBeSeen)(Call, const BatchPlace&);
+    /// Leaves the batch's triangles that reach pixels of the stripe in Scratch::triangles.
+    void (*setUp)(Call, const BatchPlace&);
+    /// Turns Scratch::triangles into pixels, by the pass.
+    DrawnTriangles (*draw)(Call, const Pass&);
+
+    /// Hierarchical methods.
+    Verdict (*judge)(Call, const Pass&, TreeVisit&, PlacedNode&);
+    void (*push)(Call, std::span<const PlacedNode>);  // the last one is visited first
+    bool (*pop)(Call, PlacedNode&);                   // false: none waits
+
+    /// Sweeps.
+    void (*enterEdges)(Call);          // of Scratch::triangles
+    void (*resolveLine)(Call, int y);  // decides who is seen on line y, given Scratch::active
+};
+
+/// The plain parts, with the draw and resolveLine of a z-buffer by half-spaces.
+Parts plainParts();
+
+}  // namespace zscope::plain

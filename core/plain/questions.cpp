@@ -1,0 +1,102 @@
+#include "core/plain/questions.h"
+
+#include "core/cull/node_reach.h"
+#include "core/depth/pyramid_told.h"
+#include "core/depth/tile_plane.h"
+
+namespace zscope::plain {
+
+namespace {
+
+/// Reports each cell that the pyramid computes anew.
+struct TellCells {
+    const Work& work;
+    void        operator()(const CellWrite& write) const { work.tell(CellUpdated{write}); }
+};
+
+template <class Shape>
+PyramidQuery ask(Work& work, const PixelBox& box, double nearest, const Shape& shape)
+{
+    Pyramid&    pyramid = work.scratch.pyramid;
+    const float depth   = work.rules.stored(nearest);
+    if (work.rules.asksOneLevel()) return pyramid.askOneLevel(box, depth, TellCells{work});  // an approximation
+    return pyramid.ask(box, depth, shape, TellCells{work});
+}
+
+}  // namespace
+
+Verdict judgeNode(Call call, const Pass& pass, TreeVisit& visit, PlacedNode& node)
+{
+    Work& work = *call;
+    if (work.observer)
+        if (const std::optional<int> known = work.observer->knownVerdict()) return static_cast<Verdict>(*known);
+
+    const PlacedTree& placed = visit.treeOf(node);
+    const auto        tell   = [&](Verdict verdict, const PyramidQuery* query = nullptr) {
+        work.tell(NodeJudged{placed.place(*node.node), verdict, query});
+        return verdict;
+    };
+    const ViewBox box = placed.view(node.node->bounds);
+    if (visit.volume().misses(box, node.open)) return tell(Verdict::Outside);
+    const double smallest = work.rules.smallestNode();
+    if (smallest == 0 && !pass.asksNodes) return tell(Verdict::Entered);
+    NodeReach reach = reachOf(box, work.stripe.projection, work.stripe.region());
+    if (reach.crossesNear) return tell(Verdict::Entered);
+    if (reach.area < smallest) return tell(Verdict::Small);
+    if (!pass.asksNodes) return tell(Verdict::Entered);
+    if (work.rules.truncatesNodeBoxes()) --reach.pixels.x1, --reach.pixels.y1;  // a fault
+    if (reach.pixels.isEmpty()) return tell(Verdict::Outside);
+
+    const PyramidQuery query = ask(work, reach.pixels, reach.nearest, WholeBox{});
+    const NodePlace    asked = placed.place(*node.node);
+    work.tell(PyramidAsked{query, &asked, {}});
+    return tell(query.hidden ? Verdict::Hidden : Verdict::Entered, &query);
+}
+
+bool isHidden(Work& work, const Pass& pass, const ScreenTriangle& triangle)
+{
+    if (!pass.asksTriangles) return false;
+    const PyramidQuery query = pass.asksByShape ? ask(work, triangle.box, triangle.depth.nearest,
+                                                      TriangleCover(triangle, work.rules.notOwned()))
+                                                : ask(work, triangle.box, triangle.depth.nearest, WholeBox{});
+    work.tell(PyramidAsked{query, nullptr, triangle.id});
+    if (query.hidden)
+        work.tell(TriangleHidden{triangle.id, query});
+    else
+        work.tell(TrianglePassed{triangle.id, query});
+    return query.hidden;
+}
+
+bool isHiddenInTile(Work& work, const ScreenTriangle& triangle, const PixelBox& pixels)
+{
+    const PixelBox tile      = work.scratch.pyramid.tileAt(pixels.x0, pixels.y0);
+    const bool     isFloat64 = work.rules.depthNumbers() == DepthNumbers::Float64;
+    const float nearest = work.rules.stored(isFloat64 ? nearestOver(triangle.depth, pixels) : triangle.depth.nearest);
+    const TileAnswer answer = work.scratch.pyramid.askTile(tile.x0, tile.y0, nearest, TellCells{work});
+    work.tell(TileTested{pixels, triangle.id, nearest, answer.farthest, answer.hidden});
+    return answer.hidden;
+}
+
+void keepPyramidTrue(Work& work, const Pass& pass, const ScreenTriangle& triangle)
+{
+    Pyramid&        pyramid = work.scratch.pyramid;
+    const TellCells told{work};
+    if (pass.testsTiles) return pyramid.touched(triangle.box);
+    switch (pass.afterDrawing) {
+        case AfterDrawing::Nothing:
+            return;
+        case AfterDrawing::MarkStale:
+            return pyramid.touched(triangle.box);
+        case AfterDrawing::Push:
+            return pyramid.push(triangle.box, told);
+        case AfterDrawing::PushFromFarthest:
+            return pyramid.pushFrom(triangle.box, fromFarthestCorner(triangle), told);
+        case AfterDrawing::Cover:
+            if (triangle.wide || triangle.patterned) return;  // what it covers, or how far back, is not known here
+            return pyramid.cover(
+                triangle.box, TriangleCover(triangle, work.rules.notOwned()),
+                [&](const PixelBox& pixels) { return farthestOver(triangle.depth, pixels, work.rules); }, told);
+    }
+}
+
+}  // namespace zscope::plain

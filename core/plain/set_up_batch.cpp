@@ -1,0 +1,64 @@
+#include "core/plain/set_up_batch.h"
+
+#include <array>
+
+#include "core/geometry/facing.h"
+#include "core/geometry/geometry_events.h"
+#include "core/geometry/set_up.h"
+
+namespace zscope::plain {
+
+namespace {
+
+void transform(Work& work, const BatchPlace& place)
+{
+    std::vector<dvec3>& view = work.scratch.view;
+    view.clear();
+    for (std::size_t v = place.batch.firstVertex; v < place.batch.firstVertex + place.batch.vertexCount; ++v)
+        view.push_back(viewOf({place.mesh.x[v], place.mesh.y[v], place.mesh.z[v]}, place.toWorld,
+                              work.stripe.projection, work.rules));
+}
+
+/// Triangle `t` of the mesh's batches. Its fate is the best of its parts'.
+void setUpTriangle(Work& work, const BatchPlace& place, std::uint32_t t, const Facing& facing)
+{
+    const auto&          corners = place.mesh.corners;
+    const auto&          view    = work.scratch.view;
+    std::array<dvec3, 3> corner{view[corners[0][t]], view[corners[1][t]], view[corners[2][t]]};
+    ClippedTriangle      kept = clipNear(corner, work.stripe.projection.near);
+    if (kept.isCut && work.rules.dropsAtNear()) kept.count = 0;
+
+    SetUp fate = SetUp::ClippedAway;
+    bool  wide = false;
+    for (std::size_t p = 0; p < kept.parts(); ++p) {
+        ScreenTriangle part;
+        const SetUp    partFate = setUpPart(kept.part(p), place.idOf(t), work.stripe.projection, facing,
+                                            work.stripe.region(), work.rules, part);
+        if (partFate == SetUp::Drawn) {
+            wide           = wide || part.wide;
+            part.patterned = place.mesh.isPatterned(t);
+            work.scratch.triangles.push_back(part);
+        }
+        if (fate != SetUp::Drawn) fate = partFate;
+    }
+    work.tell(TriangleSetUp{place.idOf(t), fate, kept.isCut, wide});
+}
+
+}  // namespace
+
+void setUpBatch(Call work, const BatchPlace& place)
+{
+    transform(*work, place);
+    const Scene& scene = work->stripe.scene.scene();
+    if (place.batch.triangleCount > 0)
+        work->tell(BatchTransformed{scene.instanceOf(place.idOf(place.batch.firstTriangle)), place.batch.vertexCount});
+    work->clock.lap(Stage::Transform);
+
+    const Facing facing{work->stripe.culling, place.isMirrored()};
+    work->scratch.triangles.clear();
+    for (std::uint32_t t = 0; t < place.batch.triangleCount; ++t)
+        setUpTriangle(*work, place, place.batch.firstTriangle + t, facing);
+    work->clock.lap(Stage::Setup);
+}
+
+}  // namespace zscope::plain

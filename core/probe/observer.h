@@ -1,0 +1,66 @@
+// Who watches a run. Parts and methods report events to an Observer; at full speed there is none.
+//
+// Event      a small aggregate of values already at hand, declared beside the text that makes it. One with a static
+//            member `grain` is a step; any other is a fact for counters and recorders
+// Kind       one static object per type of event: an observer compares addresses to find the events that it wants
+// Source     each event carries two lines: the method's call, and the part's statement that reported it
+// Stopping   an observer may throw RunStopped out of hear(): the run unwinds, and every buffer, left as it is, is the
+//            state after that event
+// Checkpoint a place where a run can begin again from copies of its buffers. The answers below let an observer send a
+//            run ahead to one: on the way nothing is drawn or told, and verdicts are looked up
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <source_location>
+
+#include "core/probe/grain.h"
+#include "core/probe/probe.h"
+
+namespace zscope {
+
+struct EventKind {
+    std::optional<Grain> grain;  // nothing: not a step
+};
+
+template <class Event>
+constexpr EventKind eventKind()
+{
+    if constexpr (isStep<Event>)
+        return {Event::grain};
+    else
+        return {};
+}
+template <class Event>
+inline constexpr EventKind kEventKind = eventKind<Event>();
+
+/// One event, valid during the call of hear().
+struct Heard {
+    const EventKind&     kind;
+    const void*          event;
+    std::source_location method;  // the call in core/method
+    std::source_location part;    // the statement that reports the event
+
+    /// The event, if it is one of this type; else nullptr.
+    template <class Event>
+    const Event* as() const
+    {
+        return &kind == &kEventKind<Event> ? static_cast<const Event*>(event) : nullptr;
+    }
+};
+
+class Observer {
+public:
+    virtual ~Observer() = default;
+
+    virtual void hear(const Heard& heard) = 0;
+
+    /// The run has not yet reached the checkpoint at which it begins.
+    virtual bool isOnTheWay() const { return false; }
+    /// The run stands at a checkpoint; true if what follows, up to the next one, was done before.
+    virtual bool leavesOut(Checkpoint) { return false; }
+    /// On the way: the verdict of the next node, as the first run found it (an enumerator of Verdict).
+    virtual std::optional<int> knownVerdict() { return std::nullopt; }
+};
+
+}  // namespace zscope

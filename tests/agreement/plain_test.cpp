@@ -1,0 +1,100 @@
+// The plain text of core/method and core/plain against the renderer with all shortcuts: the same ids, depths and colours,
+// bit by bit, for every preset and for every approximation of numbers.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/frame/renderer.h"
+#include "core/scene/load.h"
+#include "tests/agreement/agreement_support.h"
+#include "tests/agreement/soups.h"
+
+namespace zscope::tests {
+namespace {
+
+/// Where two frames differ first; nothing if they do not.
+std::optional<std::string> difference(const Frame& a, const Frame& b)
+{
+    for (int y = 0; y < a.visible.height(); ++y)
+        for (int x = 0; x < a.visible.width(); ++x) {
+            const std::string where = "at (" + std::to_string(x) + ", " + std::to_string(y) + "): ";
+            const float       here = a.visible.storedAt(x, y), there = b.visible.storedAt(x, y);
+            if (a.visible.idAt(x, y) != b.visible.idAt(x, y))
+                return where + "triangles " + std::to_string(a.visible.idAt(x, y)) + " and "
+                       + std::to_string(b.visible.idAt(x, y));
+            if (a.visible.idAt(x, y) >= 0 && std::memcmp(&here, &there, sizeof here) != 0)
+                return where + "depths " + std::to_string(here) + " and " + std::to_string(there);
+            if (a.colour.at(x, y) != b.colour.at(x, y)) return where + "colours";
+        }
+    return std::nullopt;
+}
+
+struct Drawn {
+    Frame frame;
+    /// Two frames in a row, so that methods that take something over from the frame before do so.
+    Drawn(Renderer& renderer, const DrawRequest& request, const std::string& what)
+    {
+        for (int i = 0; i < (request.pipeline.coherence == Coherence::None ? 1 : 2); ++i) {
+            const auto report = renderer.draw(request, frame);
+            EXPECT_TRUE(report.ok()) << what << ": " << (report.ok() ? "" : report.error().text());
+        }
+    }
+};
+
+void expectSame(DrawRequest request, const std::string& what)
+{
+    for (const int threads : {1, 2}) {
+        request.threads   = threads;
+        request.shortcuts = Shortcuts::All;
+        Renderer    fast, plain;
+        const Drawn all(fast, request, what);
+        request.shortcuts = Shortcuts::None;
+        const Drawn none(plain, request, what);
+        const auto  differs = difference(all.frame, none.frame);
+        EXPECT_FALSE(differs) << what << ", " << nameOf(request.pipeline) << ", " << threads << " threads, "
+                              << *differs;
+    }
+}
+
+class PlainText : public testing::TestWithParam<SoupKind> {};
+
+TEST_P(PlainText, DrawsWhatShortcutsDraw)
+{
+    for (std::uint64_t seed = 1; seed <= shareOf(20); ++seed) {
+        const int  width = 40 + static_cast<int>(seed * 37 % 60), height = 20 + static_cast<int>(seed * 53 % 50);
+        const Soup soup  = makeSoup(GetParam(), seed, width, height);
+        const auto scene = std::make_shared<const PreparedScene>(soup.scene);
+        for (const Preset& preset : presets()) {
+            if (preset.pipeline.chooser == Chooser::Measured) continue;
+            expectSame({.scene       = scene,
+                        .camera      = soup.camera,
+                        .faceCulling = seed % 3 == 0 ? FaceCulling::Back : FaceCulling::None,
+                        .pipeline    = preset.pipeline},
+                       soup.what);
+        }
+        if (HasFailure()) return;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Soups, PlainText, testing::ValuesIn(soupKinds().begin(), soupKinds().end()),
+                         [](const auto& info) { return std::string(nameOf(info.param)); });
+
+TEST(PlainTextOnGenerated, DrawsWhatShortcutsDraw)
+{
+    for (const char* word : {"builtin:teapot?tessellation=4", "builtin:glass", "builtin:cutouts", "builtin:reliefs",
+                             "builtin:layers?count=6", "builtin:soccer-ball", "builtin:wall-and-city?blocks=4"}) {
+        const auto   loaded = loadScene(word);
+        const auto   scene  = std::make_shared<const PreparedScene>(*loaded);
+        const Camera camera = cameraFor(**loaded, 120, 75);
+        for (const Preset& preset : presets())
+            if (preset.pipeline.chooser != Chooser::Measured)
+                expectSame({.scene = scene, .camera = camera, .pipeline = preset.pipeline}, word);
+    }
+}
+
+}  // namespace
+}  // namespace zscope::tests
