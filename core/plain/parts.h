@@ -8,10 +8,10 @@
 
 #include "core/cull/cull_events.h"
 #include "core/geometry/set_up.h"
+#include "core/hierarchy/node_memory.h"
 #include "core/plain/pass.h"
 #include "core/plain/placed_node.h"
 #include "core/plain/work.h"
-#include "core/traverse/node_memory.h"
 
 namespace zscope::plain {
 

@@ -7,10 +7,10 @@
 #include "core/depth/pyramid.h"
 #include "core/geometry/face_set_up.h"
 #include "core/geometry/screen_triangle.h"
+#include "core/hierarchy/node_memory.h"
 #include "core/plain/active_edges.h"
 #include "core/plain/edge_table.h"
 #include "core/plain/placed_node.h"
-#include "core/traverse/node_memory.h"
 
 namespace zscope::plain {
 

@@ -14,6 +14,7 @@
 #include "core/geometry/screen_vertices.h"
 #include "core/geometry/stripe_volume.h"
 #include "core/geometry/triangle_list.h"
+#include "core/hierarchy/node_memory.h"
 #include "core/hierarchy/tree.h"
 #include "core/plain/stripe.h"
 #include "core/scan/window_list.h"
@@ -21,7 +22,6 @@
 #include "core/sweep/active_polygons.h"
 #include "core/sweep/blend_scratch.h"
 #include "core/sweep/edge_table.h"
-#include "core/traverse/node_memory.h"
 
 namespace zscope {
 

@@ -221,6 +221,22 @@ TEST(Architecture, WindowFilesSayThatTheyAreGpl)
         EXPECT_EQ(textOf(kRoot / file).find("GPL-3.0"), std::string::npos) << file;
 }
 
+/// The lecture's text is one lane and one thread.
+TEST(Architecture, PlainTextNamesNoLanesThreadsOrInstructionSets)
+{
+    static const std::regex fast(R"re(\b(hwy|HWY_\w*|hn|omp\w*|simd|_mm\w*|avx\w*|sse\w*)\b|-inl\.h)re",
+                                 std::regex::icase);
+    std::size_t             checked = 0;
+    for (const char* folder : {"core/plain", "core/method"})
+        for (const std::string& file : sourcesIn(folder)) {
+            std::smatch       found;
+            const std::string text = textOf(kRoot / file);
+            EXPECT_FALSE(std::regex_search(text, found, fast)) << file << " says " << found.str();
+            ++checked;
+        }
+    EXPECT_GT(checked, 20u);
+}
+
 /// Kernels are written for any number of lanes: a processor's own names stand in the files that are named for them.
 TEST(Architecture, IntrinsicsStandInTheFilesNamedForThem)
 {

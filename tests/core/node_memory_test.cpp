@@ -1,5 +1,5 @@
 // What is remembered of the last frame is told apart by trees, and found again by instance and node.
-#include "core/traverse/node_memory.h"
+#include "core/hierarchy/node_memory.h"
 
 #include <gtest/gtest.h>
 
