@@ -1,8 +1,11 @@
 // JSON as it was written: every value knows its line, objects keep their order, and nothing is guessed.
 //
 // Limits     nesting to kMaxJsonDepth; the memory of the values is bounded before they are made
-// Errors     "file:line: sentence": syntax, a key given twice, a number beyond float64, text that is not UTF-8
-// Why        the parser's own values know no lines and keep the last of two equal keys without a word
+// Text       UTF-8, a byte order mark at its start aside (core/io/text_encoding.h)
+// Errors     "file:line: sentence": syntax, with the column in characters and the mistake by its name; a key given
+//            twice, a number beyond float64, text that is not UTF-8
+// Why        nlohmann's values know no lines and keep the last of two equal keys without a word, and its errors speak
+//            of tokens
 #pragma once
 
 #include <cstdint>

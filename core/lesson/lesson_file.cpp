@@ -9,6 +9,7 @@
 #include "core/frame/faults.h"
 #include "core/io/json_document.h"
 #include "core/io/read_file.h"
+#include "core/io/text_encoding.h"
 #include "core/lesson/interval_reason.h"
 #include "core/lesson/lesson_facts.h"
 #include "core/lesson/lesson_sections.h"
@@ -569,8 +570,9 @@ private:
 
 Result<Lesson> parseLesson(const std::string& text, const std::string& file)
 {
+    if (auto trouble = encodingTrouble(text)) return Error{Trouble::Input, *std::move(trouble), file};
     LessonBuilder builder(file);
-    for (const LessonSection& section : sectionsOf(text))
+    for (const LessonSection& section : sectionsOf(withoutMark(text)))
         if (auto error = builder.add(section)) return *error;
     return builder.finish(1 + static_cast<int>(std::ranges::count(text, '\n')));
 }

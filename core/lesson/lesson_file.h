@@ -5,6 +5,7 @@
 //            === en, zh     Markdown: the page's text
 //            === question   JSON: the page's question
 //            What stands before the first section is a remark. Every key is described in docs/lessons.md
+// Text       UTF-8, a byte order mark at its start aside
 // Inherited  scene, size, algorithm with its choices, and fault stay as on the page before; the view, too, if the scene
 //            does
 // Promise    every error is one sentence with file and line; nothing is guessed, an unknown key is an error

@@ -202,12 +202,8 @@ Result<Record> recordFromJson(const std::string& text, const std::string& file)
             return Error{Trouble::Input, "this record has a form that this version does not know", file,
                          reader.line(text)};
         return reader.read(json);
-    } catch (const Json::parse_error& error) {
-        const auto line =
-            1
-            + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
-                         '\n');
-        return Error{Trouble::Input, "this is not JSON, or only part of it", file, static_cast<int>(line)};
+    } catch (const Json::parse_error&) {
+        return parseJson(text, file).error();
     } catch (const Json::exception&) {
         return Error{Trouble::Input, reader.trouble(), file, reader.line(text)};
     }

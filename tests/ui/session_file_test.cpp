@@ -133,6 +133,20 @@ private slots:
         QVERIFY(relative.find("\"models/x.obj\"") != std::string::npos);
         QCOMPARE(sessionFromJson(relative, "/elsewhere/b.zscope-session")->scene, QString("/elsewhere/models/x.obj"));
     }
+    void aSessionMayHaveAByteOrderMarkAndIsRefusedInUtf16()
+    {
+        Desk desk("zbuffer");
+        QVERIFY(desk.open("builtin:cubes"));
+        const std::string good = sessionToJson(*sessionFileOf(desk.session), "x");
+        QVERIFY(sessionFromJson("\xEF\xBB\xBF" + good, "x").ok());
+        const QString     text = QString::fromStdString(good);
+        const std::string wide(reinterpret_cast<const char*>(text.utf16()), 2 * static_cast<std::size_t>(text.size()));
+        for (const std::string& bytes : {wide, "\xFF\xFE" + wide}) {
+            const auto read = sessionFromJson(bytes, "x");
+            QVERIFY(!read.ok());
+            QCOMPARE(read.error().sentence, std::string("the text is UTF-16; save it as UTF-8 or plain ASCII"));
+        }
+    }
     void aBrokenSessionSaysWhereAndLeavesTheWindowAsItIs()
     {
         Desk desk("zbuffer");
