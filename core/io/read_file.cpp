@@ -16,6 +16,8 @@
 
 namespace zscope {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 class Descriptor {  // closes what it owns
@@ -49,6 +51,79 @@ Error inputError(std::string sentence, const std::string& path) { return {Troubl
 std::string megabytes(std::uint64_t bytes)
 {
     return bytes >= (1u << 20) ? fmt::format("{} MiB", bytes >> 20) : fmt::format("{} bytes", bytes);
+}
+
+/// Of ASCII letters; others are compared as they are.
+bool isSameButForCase(std::string_view a, std::string_view b)
+{
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::ranges::equal(a, b, {}, small, small);
+}
+
+bool isWithin(const fs::path& root, const fs::path& path)
+{
+    return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+}
+
+/// The folder's entry whose name differs from `name` only in the case of its letters, among its first entries.
+fs::path entryInOtherCase(const fs::path& folder, const fs::path& name)
+{
+    constexpr int   kMostEntries = 4096;
+    int             entries      = 0;
+    std::error_code trouble;
+    for (auto entry = fs::directory_iterator(folder, trouble);
+         !trouble && entry != fs::directory_iterator() && entries < kMostEntries; entry.increment(trouble), ++entries)
+        if (isSameButForCase(entry->path().filename().string(), name.string())) return entry->path().filename();
+    return {};
+}
+
+/// A path below `root` that exists and differs from `written` only in the case of its letters; else empty.
+fs::path inOtherCase(const fs::path& root, const fs::path& written)
+{
+    fs::path        found;
+    std::error_code trouble;
+    for (const fs::path& part : written.lexically_normal()) {
+        const fs::path folder = fs::canonical(root / found, trouble);
+        if (trouble || !isWithin(root, folder)) return {};
+        const fs::path next = fs::exists(folder / part, trouble) ? part : entryInOtherCase(folder, part);
+        if (next.empty()) return {};
+        found /= next;
+    }
+    return found;
+}
+
+std::string withSlashes(std::string path)
+{
+    std::ranges::replace(path, '\\', '/');
+    return path;
+}
+
+/// The real path of `written` below the real path `root`. What leads out as written is not looked at.
+std::optional<std::string> realBelow(const fs::path& root, const fs::path& written)
+{
+    if (written.is_absolute() || !isWithin(root, (root / written).lexically_normal())) return std::nullopt;
+    std::error_code trouble;
+    const fs::path  real = fs::canonical(root / written, trouble);
+    return trouble || !isWithin(root, real) ? std::nullopt : std::optional(real.string());
+}
+
+/// Why there is no such path.
+std::string whyNotBelow(const fs::path& root, const std::string& relative)
+{
+    const std::string shown = quotable(relative, 200);
+    if (isAbsolutePath(relative))
+        return fmt::format("the path '{}' is absolute; it must be relative to the file that names it", shown);
+    const fs::path  written  = withSlashes(relative);
+    const bool      leadsOut = !isWithin(root, (root / written).lexically_normal());
+    std::error_code trouble;
+    const fs::path  real = leadsOut ? fs::path() : fs::canonical(root / written, trouble);
+    if (leadsOut || !real.empty())
+        return fmt::format("the path '{}' leads out of the folder of the file that names it", shown);
+    const fs::path other = inOtherCase(root, written);
+    return fmt::format(
+        "'{}' cannot be opened: {}{}", shown, trouble.message(),
+        other.empty() ? ""
+                      : fmt::format("; '{}' would fit, but for the case of its letters", quotable(other.string(), 200)));
 }
 
 }  // namespace
@@ -98,39 +173,39 @@ Result<std::string> readRegularFile(const std::string& path, std::uint64_t maxBy
     return text;
 }
 
+std::optional<std::string> findInside(const std::string& folder, const std::string& relative)
+{
+    std::error_code trouble;
+    const fs::path  root = fs::canonical(folder, trouble);
+    if (trouble || relative.empty() || relative.find('\0') != std::string::npos) return std::nullopt;
+    if (auto path = realBelow(root, relative)) return path;
+    return relative.find('\\') == std::string::npos ? std::nullopt : realBelow(root, withSlashes(relative));
+}
+
 Result<std::string> pathInside(const std::string& folder, const std::string& relative)
 {
-    namespace fs = std::filesystem;
     if (relative.empty()) return Error{Trouble::Input, "the name of a file is empty"};
     if (relative.find('\0') != std::string::npos) return Error{Trouble::Input, "the name of a file holds a zero byte"};
-    const fs::path written(relative);
-    if (written.is_absolute())
-        return Error{Trouble::Input,
-                     fmt::format("the path '{}' is absolute; it must be relative to the file that names it",
-                                 quotable(relative, 200))};
+    if (auto path = findInside(folder, relative)) return *std::move(path);
     std::error_code trouble;
     const fs::path  root = fs::canonical(folder, trouble);
     if (trouble) return Error{Trouble::Input, fmt::format("the folder cannot be read: {}", trouble.message()), folder};
-    const auto outside = [&] {
-        return Error{Trouble::Input, fmt::format("the path '{}' leads out of the folder of the file that names it",
-                                                 quotable(relative, 200))};
-    };
-    const auto within = [&root](const fs::path& path) {
-        return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
-    };
-    // A path that leads out as written is refused before anything out there is looked at.
-    if (!within((root / written).lexically_normal())) return outside();
-    const fs::path real = fs::canonical(root / written, trouble);
-    if (trouble)
-        return Error{Trouble::Input,
-                     fmt::format("'{}' cannot be opened: {}", quotable(relative, 200), trouble.message())};
-    if (!within(real)) return outside();
-    return real.string();
+    return Error{Trouble::Input, whyNotBelow(root, relative)};
+}
+
+bool isAbsolutePath(std::string_view path)
+{
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return path.starts_with('/') || path.starts_with('\\') || (path.size() > 1 && path[1] == ':' && isLetter(path[0]));
+}
+
+bool hasEnding(std::string_view name, std::string_view ending)
+{
+    return name.size() >= ending.size() && isSameButForCase(name.substr(name.size() - ending.size()), ending);
 }
 
 Result<std::string> folderOf(const std::string& path)
 {
-    namespace fs = std::filesystem;
     std::error_code trouble;
     const fs::path  parent = fs::path(path).parent_path();
     const fs::path  real   = fs::canonical(parent.empty() ? fs::path(".") : parent, trouble);

@@ -1,12 +1,14 @@
 #include "core/scene/load.h"
 
 #include <algorithm>
-#include <cctype>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/base/stopwatch.h"
+#include "core/io/read_file.h"
 #include "core/scene/generators/registry.h"
 #include "core/scene/obj/obj_import.h"
 #include "core/scene/opacity.h"
@@ -18,12 +20,13 @@ namespace {
 
 constexpr std::string_view kBuiltin = "builtin:";
 
-/// Whether the path ends in `ending`, given in small letters, in letters of any size.
-bool endsIn(const std::string& path, std::string_view ending)
+/// The path with '/' for every backslash, as Windows writes paths, if only that one exists.
+std::string onDisk(const std::string& path)
 {
-    if (path.size() < ending.size()) return false;
-    return std::ranges::equal(std::string_view(path).substr(path.size() - ending.size()), ending,
-                              [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+    std::error_code trouble;
+    std::string     slashed = path;
+    std::ranges::replace(slashed, '\\', '/');
+    return !std::filesystem::exists(path, trouble) && std::filesystem::exists(slashed, trouble) ? slashed : path;
 }
 
 /// The one mesh of an OBJ file, where the file puts it.
@@ -57,8 +60,8 @@ Result<Scene> readScene(const std::string& word, const LoadOptions& options)
         if (options.times) options.times->parseMs += watch.lap();
         return scene;
     }
-    if (endsIn(word, ".json")) return loadSceneFile(word, options);
-    if (endsIn(word, ".obj")) return loadObj(word, options);
+    if (hasEnding(word, ".json")) return loadSceneFile(onDisk(word), options);
+    if (hasEnding(word, ".obj")) return loadObj(onDisk(word), options);
     return Error{
         Trouble::Usage,
         fmt::format("'{}' is no scene: give a path that ends in .obj or .json, or builtin:NAME", word.substr(0, 200))};

@@ -18,6 +18,7 @@
 #include "core/io/read_file.h"
 #include "core/scene/generators/palette.h"
 #include "core/scene/generators/random.h"
+#include "core/scene/obj/names.h"
 #include "core/scene/view_json.h"
 
 namespace zscope {
@@ -61,10 +62,12 @@ private:
     Problem readLight(const JsonValue& document);
     Problem readCameras(const JsonValue& document);
 
-    Problem     checkCount(const JsonValue& value, double count, MeshId mesh) const;
-    Problem     checkReach(const JsonValue& value, const Instance& instance) const;
-    void        add(Instance instance, bool colourEach);
-    Result<Rgb> colourOf(const JsonValue& value) const;
+    /// What the file says of the material that a mesh calls so; nullptr if nothing.
+    FileMaterial* ownOf(const std::string& name);
+    Problem       checkCount(const JsonValue& value, double count, MeshId mesh) const;
+    Problem       checkReach(const JsonValue& value, const Instance& instance) const;
+    void          add(Instance instance, bool colourEach);
+    Result<Rgb>   colourOf(const JsonValue& value) const;
     /// Which of `words` the member 'pattern' of a cut-out or relief is.
     Result<std::size_t> patternOf(const JsonValue& value, std::string_view what,
                                   std::span<const std::string_view> words) const;
@@ -96,7 +99,8 @@ private:
     std::map<std::string, MeshId> m_meshes;
     // of each mesh: how far its vertices are from 0 at most, along each axis
     std::vector<dvec3>                  m_reach;
-    std::map<std::string, FileMaterial> m_materials;
+    std::map<std::string, FileMaterial> m_materials;  // by printable name
+    std::vector<int>                    m_cameraLines;
 };
 
 Result<const JsonValue::Object*> SceneFileReader::membersOf(const JsonValue& value, std::string_view what,
@@ -172,7 +176,8 @@ Problem SceneFileReader::readMaterials(const JsonValue& document)
             if (!depths) return depths.error();
             material.relief = *depths;
         }
-        m_materials.emplace(name, material);
+        if (!m_materials.emplace(obj::printableName(name), material).second)
+            return wrong(description, fmt::format("the material '{}' is given twice", shown(name)));
     }
     return {};
 }
@@ -257,7 +262,7 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
                         .isPart      = true};
     std::string word;
     if (kind == "obj") {
-        if (!source.text()->ends_with(".obj") && !source.text()->ends_with(".OBJ"))
+        if (!hasEnding(*source.text(), ".obj"))
             return wrong(source, fmt::format("'{}' is not the name of an .obj file", shown(*source.text())));
         Result<std::string> real = pathInside(m_folder, *source.text());
         if (!real) return wrong(source, real.error().sentence);
@@ -283,18 +288,17 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
     std::ranges::move(part->warnings, std::back_inserter(m_scene.warnings));
     std::ranges::move(part->files, std::back_inserter(m_scene.files));
 
-    const auto dressed               = [this](const Material& material) { return m_materials.contains(material.name); };
     std::shared_ptr<const Mesh> mesh = part->meshes[0];
-    if (std::ranges::any_of(mesh->materials, dressed)) {
+    if (std::ranges::any_of(mesh->materials, [this](const Material& material) { return ownOf(material.name); })) {
         auto changed = std::make_shared<Mesh>(*mesh);
         for (Material& material : changed->materials)
-            if (const auto own = m_materials.find(material.name); own != m_materials.end()) {
-                material.diffuse     = own->second.colour;
-                material.opacity     = own->second.opacity;
-                material.opacityFrom = own->second.opacityFrom;
-                material.cutout      = own->second.cutout;
-                material.relief      = own->second.relief;
-                own->second.used     = true;
+            if (FileMaterial* own = ownOf(material.name)) {
+                material.diffuse     = own->colour;
+                material.opacity     = own->opacity;
+                material.opacityFrom = own->opacityFrom;
+                material.cutout      = own->cutout;
+                material.relief      = own->relief;
+                own->used            = true;
             }
         mesh = std::move(changed);
     }
@@ -303,6 +307,13 @@ Problem SceneFileReader::readMesh(const std::string& name, const JsonValue& valu
     m_reach.push_back(box.isEmpty() ? dvec3(0, 0, 0) : glm::max(glm::abs(box.min), glm::abs(box.max)));
     m_scene.meshes.push_back(std::move(mesh));
     return {};
+}
+
+FileMaterial* SceneFileReader::ownOf(const std::string& name)
+{
+    for (const obj::NameReading& reading : obj::readingsOf(name))
+        if (const auto own = m_materials.find(std::string(reading.name)); own != m_materials.end()) return &own->second;
+    return nullptr;
 }
 
 Problem SceneFileReader::readInstances(const JsonValue& document)
@@ -335,7 +346,7 @@ Problem SceneFileReader::readInstance(const JsonValue& value)
     if (material && colour) return wrong(*colour, "an instance has either a 'material' or a 'colour'");
     if (material) {
         if (!material->text()) return wrong(*material, "'material' must be the name of a material");
-        const auto own = m_materials.find(*material->text());
+        const auto own = m_materials.find(obj::printableName(*material->text()));
         if (own == m_materials.end())
             return wrong(*material, fmt::format("there is no material '{}' in 'materials'", shown(*material->text())));
         if (own->second.opacity < 1)

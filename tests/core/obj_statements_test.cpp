@@ -90,7 +90,26 @@ TEST(ObjFaces, MayOnlyReferToVerticesReadSoFar)
     const auto import = read(std::string(kSquare) + "f 1 2 5\nv 9 9 9\nf 1 2 5\nf 1 2 -1\n");
     ASSERT_TRUE(import.ok());
     EXPECT_EQ(import->mesh->triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 4}, {0, 1, 4}}));
-    EXPECT_EQ(warningsOf(*import), "t.obj:5: face refers to vertex 5 of 4; the face is left out\n");
+    EXPECT_EQ(warningsOf(*import),
+              "t.obj:5: face refers to vertex 5, which follows further down: vertices must come first; the face is "
+              "left out\n");
+}
+
+TEST(ObjFaces, BeforeAllOfTheirVerticesAreRefusedWithTheReason)
+{
+    const auto import = read("f 1 2 3\nf 1 2 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    ASSERT_FALSE(import.ok());
+    EXPECT_EQ(import.error().text(),
+              "t.obj:1: nothing to draw: none of the 2 faces can be used (the first, line 1: face refers to vertex 1, "
+              "which follows further down: vertices must come first)");
+    const auto some = read("f 1 2 3\nf 4 2 1\n" + std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n"));
+    ASSERT_TRUE(some.ok());
+    EXPECT_EQ(
+        warningsOf(*some),
+        "t.obj:1: face refers to vertex 1, which follows further down: vertices must come first; the face is left "
+        "out\n"
+        "t.obj:2: face refers to vertex 4 of 0; the face is left out\n"
+        "t.obj:7: face refers to vertex 9 of 3; the face is left out\n");
 }
 
 TEST(ObjVertices, ThatCannotBeUsedKeepTheirNumberAndTakeTheirFacesWithThem)
@@ -100,6 +119,14 @@ TEST(ObjVertices, ThatCannotBeUsedKeepTheirNumberAndTakeTheirFacesWithThem)
              {"v 0 inf 0", "has a coordinate 'inf' that is not a finite number"},
              {"v 0 0 1e999", "has a coordinate '1e999' that is beyond the range of numbers"},
              {"v 1,5 0 0", "has a coordinate '1,5' that is not a number"},
+             {"v 1.#IND 0 0", "has a coordinate '1.#IND' that is not a number"},
+             {"v 0 -1.#IND00 0", "has a coordinate '-1.#IND00' that is not a number"},
+             {"v 0 0 1.#QNAN# comment", "has a coordinate '1.#QNAN' that is not a number"},
+             {"v 0 1.#J 0", "has a coordinate '1.#J' that is not a number"},
+             {"v 0 1.# I 0", "has 2 of 3 coordinates"},
+             {"v 0 0\u00A00", "has a coordinate '0<U+00A0>0' that is not a number"},
+             {"v 0 0 \u200B1", "has a coordinate '<U+200B>1' that is not a number"},
+             {"v 0 0 1\xA0", "has a coordinate '1<0xA0>' that is not a number"},
              {"v 0x1p3 0 0", "has a coordinate '0x1p3' that is not a number"},
              {"v 1 2", "has 2 of 3 coordinates"},
              {"v", "has 0 of 3 coordinates"}}) {
@@ -136,6 +163,10 @@ TEST(ObjLines, EndInEveryWayAndJoinAtABackslash)
     expectSquare("\xEF\xBB\xBF" + text, "byte order mark");
     expectSquare(std::string(kSquare) + "f 1 2 \\\n3 \\\r\n4\n", "backslash");
     expectSquare(std::string(kSquare) + "f 1 2\\\n3\\\n4\\", "backslash without a blank, and at the end of the file");
+    expectSquare(std::string(kSquare) + "f 1 2 \\ \n3 \\\t\v\f\r\n4\n", "blanks after a backslash");
+    expectSquare("v 0 0\f0\nv 1\v0 0\n\fv\t1 1 0\nv 0 1 0\v\nf\f1\v2\f3 4\n", "form feed and vertical tab");
+    expectSquare(std::string(kSquare) + "\xEF\xBB\xBF" + "f 1 2 \\\n\xEF\xBB\xBF\xEF\xBB\xBF" + "3 4\n",
+                 "byte order marks at the start of later lines");
     expectSquare("v 0 0 0 # first\n#\n# C:\\models\\\nv 1 0 0\nv 1 1 0# third\nv 0 1 0\nf 1 2 3 4#\\\n",
                  "comments, in which a backslash joins nothing");
 }
@@ -175,10 +206,10 @@ TEST(ObjLines, WithZeroBytesAreJudgedLikeAnyOtherText)
     const auto import = read(kSquare + "f 1 2 3\0\nf 1 2 4\ng a\0b\nf 1 2 3\n\0\0\0\n"s);
     ASSERT_TRUE(import.ok());
     EXPECT_EQ(import->mesh->polygonCount(), 2u);
-    EXPECT_EQ(import->mesh->groups.back(), "a?b");
+    EXPECT_EQ(import->mesh->groups.back(), "a<U+0000>b");
     EXPECT_EQ(warningsOf(*import),
-              "t.obj:5: face has a corner '3?' that is not a vertex index; the face is left out\n"
-              "t.obj:9: statement '?\?\?' skipped, 1 in all\n");
+              "t.obj:5: face has a corner '3<U+0000>' that is not a vertex index; the face is left out\n"
+              "t.obj:9: statement '<U+0000><U+0000><U+0000>' skipped, 1 in all\n");
 }
 
 TEST(ObjLines, LongerThanTheLimitAreRefused)
@@ -203,7 +234,7 @@ TEST(ObjStatements, ThatAreUnknownAreSkippedAndCountedByKind)
               "t.obj:5: statement 'vp' skipped, 1 in all\n"
               "t.obj:6: statement 'l' skipped, 3 in all\n"
               "t.obj:12: statement 'curv2' skipped, 1 in all\n"
-              "t.obj:14: statement '?\?' skipped, 1 in all\n");
+              "t.obj:14: statement '<U+0001><U+0002>' skipped, 1 in all\n");
 }
 
 TEST(ObjStatements, OfAThousandUnknownKindsEndInAFewWarnings)
@@ -238,8 +269,8 @@ TEST(ObjGroups, ObjectsAndMaterialsAreKept)
     EXPECT_EQ(mesh.groups, (std::vector<std::string>{"default", "car/wheel", "car", "car/door left", "wheel"}));
     EXPECT_EQ(mesh.polygonGroup, (std::vector<GroupId>{{0}, {1}, {2}, {3}, {4}}));
     ASSERT_EQ(mesh.materials.size(), 3u);
-    EXPECT_EQ(mesh.materials[1].name, "red");
-    EXPECT_EQ(mesh.materials[2].name, "blue#2") << "a '#' inside a word is part of a name";
+    EXPECT_EQ(mesh.materials[1].name, "red #1");
+    EXPECT_EQ(mesh.materials[2].name, "blue#2 # note") << "nothing says that the rest is a comment";
     EXPECT_EQ(mesh.polygonMaterial, (std::vector<MaterialId>{{0}, {1}, {0}, {2}, {2}}));
     EXPECT_EQ(import->counts.groupNames, 2u);
     EXPECT_EQ(import->counts.objectNames, 1u);
@@ -343,9 +374,10 @@ TEST(ObjNothing, ToDrawIsOneClearError)
 TEST(ObjEncoding, Utf16IsRefusedWithASentence)
 {
     using namespace std::string_literals;
-    for (const std::string& text : {"\xFF\xFEv\0 \0"s, "\xFE\xFF\0v\0 "s, "v\0 \0"s + "1\0"s,
-                                    "\0v\0 \0"
-                                    "1"s}) {
+    for (const std::string& text :
+         {"\xFF\xFEv\0 \0"s, "\x21\x6A\x8B\x57\n\0v\0 \0"s, "\xFE\xFF\0v\0 "s, "v\0 \0"s + "1\0"s,
+          "\0v\0 \0"
+          "1"s}) {
         const auto import = read(text);
         ASSERT_FALSE(import.ok());
         EXPECT_EQ(import.error().text(), "t.obj: the text is UTF-16; save it as UTF-8 or plain ASCII");

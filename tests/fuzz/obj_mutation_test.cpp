@@ -59,7 +59,14 @@ std::string changed(std::string text, const std::vector<std::string>& all, std::
                                                  "\t",
                                                  "e",
                                                  ".",
-                                                 "\xFF\xFE"};
+                                                 "\xFF\xFE",
+                                                 " #",
+                                                 "usemtl a #1\n",
+                                                 "\x95\\\n",
+                                                 "\\ \n",
+                                                 "\f",
+                                                 "1.#IND",
+                                                 "\u00A0"};
     const auto                            below = [&](std::size_t limit) {
         return static_cast<std::size_t>(random() % std::max<std::size_t>(limit, 1));
     };

@@ -129,7 +129,7 @@ void eachBroken(const QJsonValue& value, const std::function<void(const QJsonVal
 void eachSpoilt(const std::string& text, const std::function<void(const std::string&)>& use)
 {
     std::mt19937 random(5);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 600; ++i) {
         std::string       spoilt = text;
         const std::size_t at     = random() % spoilt.size();
         switch (random() % 4) {
@@ -137,17 +137,19 @@ void eachSpoilt(const std::string& text, const std::function<void(const std::str
                 spoilt.resize(at);
                 break;
             case 1:
-                spoilt[at] = "{}[],:\"x7-\n\x01\\"[random() % 13];
+                spoilt[at] = "{}[],:\"x7-\n\x01\\/'\xC3;N"[random() % 18];
                 break;
             case 2:
                 spoilt.erase(at, 1 + random() % 3);
                 break;
             case 3:
-                spoilt.insert(at, 1, "{}[],:\"x7-\n\x01\\"[random() % 13]);
+                spoilt.insert(at, 1, "{}[],:\"x7-\n\x01\\/'\xC3;N"[random() % 18]);
                 break;
         }
         use(spoilt);
     }
+    for (const char* odd : {"“", "\u00A0", "True", "NaN", "\\u12", "\\uD800", "1,5"})
+        for (int i = 0; i < 30; ++i) use(std::string(text).insert(random() % text.size(), odd));
 }
 
 QByteArray bytesOf(const QString& path)
@@ -203,7 +205,9 @@ const char* const kOddObjects[]    = {"v 0 0 0 7 junk\nv 1 0 0\nv 0 1 0\nf 1 2 3
                                       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nf 1 2 9\ncurv 1 2\n",
                                       "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4\n",
                                       "mtllib odd.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 1 2 x\nf 1 2 4\n",
-                                      "mtllib wide.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"};
+                                      "mtllib wide.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                                      "mtllib C:\\x\\odd.mtl D:/none.mtl Odd.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                                      "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng a\\\nusemtl b\nf 1 2 3\n"};
 
 }  // namespace
 
@@ -289,7 +293,8 @@ private slots:
         Desk desk;
         desk.window.speak(Language::Chinese);
         QTemporaryDir folder;
-        write(folder.filePath("odd.mtl"), "newmtl\nnewmtl a\nKd 1 x 0\nKd\nd 7x\nTr\nnewmtl b\nKd 1e999 0 0\n");
+        write(folder.filePath("odd.mtl"),
+              "newmtl\nnewmtl a\nKd 1 x 0\nKd\nd 7x\nTr\nnewmtl b\nKd 1e999 0 0\nmap_Kd a.png\n");
         write(folder.filePath("wide.mtl"), QByteArray("\xFF\xFEn\0", 4));
         const QString file = folder.filePath("b.obj");
         Hearing       all;

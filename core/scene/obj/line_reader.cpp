@@ -3,6 +3,9 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/utf8.h"
+#include "core/io/text_encoding.h"
+
 namespace zscope::obj {
 
 namespace {
@@ -15,31 +18,24 @@ std::size_t find(std::string_view bytes, char wanted, std::size_t from, std::siz
     return at ? static_cast<std::size_t>(static_cast<const char*>(at) - bytes.data()) : to;
 }
 
-/// Where the comment of a line starts, or its length.
-std::size_t commentStart(std::string_view line)
+bool hasComment(std::string_view line)
 {
-    for (std::size_t at = find(line, '#', 0, line.size()); at < line.size(); at = find(line, '#', at + 1, line.size()))
-        if (at == 0 || isBlank(line[at - 1])) return at;
-    return line.size();
+    for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
+        if (at == 0 || isBlank(line[at - 1])) return true;
+    return false;
+}
+
+/// Where the backslash is that joins the next line to this one, or npos.
+std::size_t joiningBackslash(std::string_view line)
+{
+    std::size_t end = line.size();
+    while (end > 0 && isBlank(line[end - 1])) --end;
+    if (end == 0 || line[end - 1] != '\\' || hasComment(line)) return std::string_view::npos;
+    const bool mayBeHalf = end > 1 && static_cast<unsigned char>(line[end - 2]) >= 0x80 && !isUtf8(line);
+    return mayBeHalf ? std::string_view::npos : end - 1;
 }
 
 }  // namespace
-
-std::optional<std::string> encodingTrouble(std::string_view bytes)
-{
-    const auto startsWith = [&](std::string_view mark) { return bytes.substr(0, mark.size()) == mark; };
-    const bool isMarked   = startsWith("\xFF\xFE") || startsWith("\xFE\xFF");
-    const bool isUnmarked = bytes.size() >= 4
-                            && ((bytes[0] == 0 && bytes[2] == 0 && bytes[1] != 0 && bytes[3] != 0)
-                                || (bytes[1] == 0 && bytes[3] == 0 && bytes[0] != 0 && bytes[2] != 0));
-    if (!isMarked && !isUnmarked) return std::nullopt;
-    return "the text is UTF-16; save it as UTF-8 or plain ASCII";
-}
-
-LineReader::LineReader(std::string_view bytes) : m_bytes(bytes)
-{
-    if (m_bytes.substr(0, 3) == "\xEF\xBB\xBF") m_position = 3;
-}
 
 std::string_view LineReader::takeLine()
 {
@@ -50,34 +46,30 @@ std::string_view LineReader::takeLine()
     m_position            = end + 1 == m_nextFeed && end < m_nextFeed ? m_nextFeed + 1 : end + 1;
     if (m_position > m_bytes.size()) m_position = m_bytes.size();
     if (m_lines < std::numeric_limits<int>::max()) ++m_lines;
-    return m_bytes.substr(begin, end - begin);
+    std::string_view line = m_bytes.substr(begin, end - begin);
+    while (line.starts_with(kUtf8Mark)) line.remove_prefix(kUtf8Mark.size());  // an empty file leaves only its mark
+    return line;
 }
 
 bool LineReader::next()
 {
     while (m_position < m_bytes.size()) {
-        std::string_view line   = takeLine();
-        bool             joined = false;
-        m_number                = m_lines;
-        while (true) {
-            if (line.size() + (joined ? m_joined.size() : 0) > kMaxLineBytes) {
-                m_tooLong = true;
-                return false;
-            }
-            const std::size_t comment   = commentStart(line);
-            const bool        continues = comment == line.size() && !line.empty() && line.back() == '\\';
-            line                        = line.substr(0, continues ? line.size() - 1 : comment);
-            if (continues && !joined) {
-                m_joined.clear();
-                joined = true;
-            }
-            if (joined) m_joined += line;
-            if (!continues || m_position >= m_bytes.size()) break;
+        std::string_view line = takeLine();
+        m_number              = m_lines;
+        m_isJoined            = false;
+        for (std::size_t end = joiningBackslash(line); end != std::string_view::npos; end = joiningBackslash(line)) {
+            if (!m_isJoined) m_joined.clear();
+            m_joined += line.substr(0, end);
+            if (m_joined.size() > kMaxLineBytes) break;
+            m_isJoined = true;
             m_joined += ' ';
-            line = takeLine();
+            line = m_position < m_bytes.size() ? takeLine() : std::string_view{};
         }
-        m_text = withoutBlanks(joined ? std::string_view(m_joined) : line);
-        if (!m_text.empty()) return true;
+        m_tooLong = line.size() + (m_isJoined ? m_joined.size() : 0) > kMaxLineBytes;
+        if (m_tooLong) return false;
+        if (m_isJoined) m_joined += line;
+        m_text = withoutBlanks(m_isJoined ? std::string_view(m_joined) : line);
+        if (!m_text.empty() && m_text.front() != '#') return true;
     }
     return false;
 }

@@ -4,19 +4,30 @@
 #include <array>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
+#include "core/base/quotable.h"
 #include "core/io/read_file.h"
+#include "core/io/text_encoding.h"
+#include "core/scene/obj/library_names.h"
 #include "core/scene/obj/line_reader.h"
+#include "core/scene/obj/names.h"
 #include "core/scene/obj/numbers.h"
-#include "core/scene/obj/statement_stream.h"
 
 namespace zscope::obj {
 
 namespace {
+
+constexpr std::size_t kLongestWord = 16;  // of the statements that are looked at
+
+std::string tooManySentence()
+{
+    return fmt::format("more than {} material libraries; this one is left out", kMaxLibraries);
+}
 
 /// Reads up to three reals; says how many, or warns and says 0.
 std::size_t readFractions(std::string_view rest, std::array<double, 3>& values, const auto& warn)
@@ -36,52 +47,77 @@ std::size_t readFractions(std::string_view rest, std::array<double, 3>& values, 
 }
 
 /// What tinyobjloader's reader gets: the statements that we keep, checked, with numbers it reads without error
-/// (shortest decimals of float32), and the standard colour first in every material. `opacities` gets what sets the
-/// opacity of each material, in their order: `d` goes before `Tr`, and a later one before an earlier one.
-std::string plainText(std::string_view bytes, const std::string& file, WarningList& warnings,
-                      std::vector<FileStatement>& opacities)
+/// (shortest decimals of float32), the standard colour first in every material, and for a name its place in `names`.
+/// `opacities` holds what sets the opacity of each material: `d` goes before `Tr`, a later one before an earlier one.
+struct PlainLibrary {
+    std::string                text;
+    std::vector<std::string>   names;
+    std::vector<FileStatement> opacities;
+};
+
+std::string inSmallLetters(std::string_view word)
 {
-    std::string    plain;
+    std::string small(word);
+    for (char& c : small)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return small;
+}
+
+PlainLibrary plainLibrary(std::string_view bytes, const std::string& file, WarningList& warnings)
+{
+    PlainLibrary   plain;
     LineReader     lines(bytes);
-    bool           inMaterial = false;
+    bool           inMaterial = false, hasTextures = false;
     const Material standard;
     while (lines.next()) {
-        std::string_view       rest = lines.text();
-        const std::string_view word = takeWord(rest);
-        const auto             warn = [&](const std::string& what) {
+        std::string_view       rest    = lines.text();
+        const std::string_view written = takeWord(rest);
+        const auto             warn    = [&](const std::string& what) {
             const auto sentence = [&] {
-                return fmt::format("{}: {}; the statement is left out", quotable(word), what);
+                return fmt::format("{}: {}; the statement is left out", quotable(written), what);
             };
             warnings.add(file, lines.number(), sentence);
         };
+        const std::string     word = inSmallLetters(written.substr(0, kLongestWord));
         std::array<double, 3> value{};
         if (word == "newmtl") {
-            const std::string name = printableName(rest);
-            inMaterial             = !name.empty();
+            std::string name = printableName(rest);
+            inMaterial       = !name.empty();
             if (!inMaterial) {
                 warn("the name is missing");
                 continue;
             }
-            plain += fmt::format("newmtl {}\nKd {} {} {}\n", name, standard.diffuse.r, standard.diffuse.g,
-                                 standard.diffuse.b);
-            opacities.emplace_back();
+            if (lines.isJoined()) warnings.add(file, lines.number(), [] { return joinedNameSentence("newmtl"); });
+            plain.text += fmt::format("newmtl {}\nKd {} {} {}\n", plain.names.size(), standard.diffuse.r,
+                                      standard.diffuse.g, standard.diffuse.b);
+            plain.names.push_back(std::move(name));
+            plain.opacities.emplace_back();
+        } else if (word.starts_with("map_")) {
+            if (!std::exchange(hasTextures, true))
+                warnings.add(file, lines.number(), [&] {
+                    return fmt::format("textures ('{}') are not read; materials have the colour of Kd",
+                                       quotable(written));
+                });
         } else if (!inMaterial) {
             continue;
-        } else if (word == "Kd") {
-            const std::size_t count = readFractions(rest, value, warn);
+        } else if (word == "kd") {
+            const std::size_t count = readFractions(beforeComment(rest), value, warn);
             if (count == 0) continue;
             if (count < 3) value[2] = value[0];  // as the format says: g and b default to r
             if (count < 2) value[1] = value[0];
-            plain += fmt::format("Kd {} {} {}\n", static_cast<float>(value[0]), static_cast<float>(value[1]),
-                                 static_cast<float>(value[2]));
-        } else if (word == "d" || word == "Tr") {
+            plain.text += fmt::format("Kd {} {} {}\n", static_cast<float>(value[0]), static_cast<float>(value[1]),
+                                      static_cast<float>(value[2]));
+        } else if (word == "d" || word == "tr") {
             std::string_view number = rest;
             if (takeWord(number) != "-halo") number = rest;
+            number = beforeComment(number);
             if (readFractions(number, value, warn) > 0) {
-                plain += fmt::format("{} {}\n", word, static_cast<float>(value[0]));
-                if (word == "d" || !opacities.back().text.starts_with("d "))
-                    opacities.back() = {fmt::format("{} {}", word, quotable(withoutBlanks(rest))), file,
-                                        lines.number()};
+                plain.text += fmt::format("{} {}\n", word == "d" ? "d" : "Tr", static_cast<float>(value[0]));
+                std::string& last = plain.opacities.back().text;
+                if (word == "d" || !(last.starts_with("d ") || last.starts_with("D ")))
+                    plain.opacities.back() = {
+                        fmt::format("{} {}", quotable(written), quotable(withoutBlanks(beforeComment(rest)))), file,
+                        lines.number()};
             }
         }
     }
@@ -94,35 +130,23 @@ std::string plainText(std::string_view bytes, const std::string& file, WarningLi
 
 void MaterialLibrary::read(std::string_view names, int line, WarningList& warnings)
 {
-    const auto  warn = [&](const auto& sentence) { warnings.add(m_objFile, line, sentence); };
-    std::string whole(withoutBlanks(names));
+    const auto             warn  = [&](const auto& sentence) { warnings.add(m_objFile, line, sentence); };
+    const std::string_view whole = withoutBlanks(names);
     if (whole.empty()) return warn([] { return std::string("mtllib names no file"); });
     if (m_folder.empty()) return warn([] { return std::string("there is no folder to read a material library from"); });
-    std::replace(whole.begin(), whole.end(), '\\', '/');
-
-    const Result<std::string> path = pathInside(m_folder, whole);
-    if (path.ok()) return readFile(*path, line, warnings);
-    const bool isOneWord = whole.find_first_of(" \t") == std::string::npos;
-    if (isOneWord) return warn([&] { return "material library: " + path.error().sentence; });
-
-    std::string_view rest = whole;
-    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
-        const Result<std::string> one = pathInside(m_folder, std::string(word));
-        if (one.ok())
-            readFile(*one, line, warnings);
-        else
-            warn([&] { return "material library: " + one.error().sentence; });
-        if (m_read.size() >= kMaxLibraries) break;
+    if (m_statements.contains(std::string(whole))) return;
+    if (m_statements.size() >= kMaxLibraries) return warn(tooManySentence);
+    m_statements.emplace(whole);
+    for (const LibraryName& name : librariesNamed(m_folder, whole)) {
+        if (!name.warning.empty()) warn([&] { return "material library: " + name.warning; });
+        if (!name.path.empty()) readFile(name.path, line, warnings);
     }
 }
 
 void MaterialLibrary::readFile(const std::string& path, int line, WarningList& warnings)
 {
     if (m_read.contains(path)) return;
-    if (m_read.size() >= kMaxLibraries)
-        return warnings.add(m_objFile, line, [] {
-            return fmt::format("more than {} material libraries; this one is left out", kMaxLibraries);
-        });
+    if (m_read.size() >= kMaxLibraries) return warnings.add(m_objFile, line, tooManySentence);
     m_read.insert(path);
     const std::string         shown = std::filesystem::path(path).filename().string();
     const Result<std::string> bytes = readRegularFile(path, kMaxLibraryBytes);
@@ -135,27 +159,47 @@ void MaterialLibrary::readFile(const std::string& path, int line, WarningList& w
             return fmt::format("material library '{}' is left out: {}", quotable(shown), *trouble);
         });
 
-    std::vector<FileStatement>       opacities;
-    std::istringstream               stream(plainText(*bytes, path, warnings, opacities));
+    PlainLibrary                     plain = plainLibrary(*bytes, path, warnings);
+    std::istringstream               stream(plain.text);
     std::map<std::string, int>       numbers;
     std::vector<tinyobj::material_t> read;
     std::string                      remarks, errors;
     tinyobj::LoadMtl(&numbers, &read, &stream, &remarks, &errors);
-    for (const auto& [name, number] : numbers) {
-        if (name.empty()) continue;  // its entry for a file without materials
-        const tinyobj::material_t& from = read[static_cast<std::size_t>(number)];
-        Material                   material{name, {from.diffuse[0], from.diffuse[1], from.diffuse[2]}, from.dissolve};
-        if (material.opacity < 1)
-            material.opacityFrom =
-                std::make_shared<FileStatement>(std::move(opacities[static_cast<std::size_t>(number)]));
-        m_materials.emplace(name, std::move(material));
+    for (std::size_t i = 0; i < plain.names.size(); ++i) {  // one for each, in their order
+        const tinyobj::material_t& from = read[i];
+        Material                   material{
+            std::move(plain.names[i]), {from.diffuse[0], from.diffuse[1], from.diffuse[2]}, from.dissolve};
+        if (material.opacity < 1) material.opacityFrom = std::make_shared<FileStatement>(std::move(plain.opacities[i]));
+        add(std::move(material));
     }
 }
 
-const Material* MaterialLibrary::find(const std::string& name) const
+/// Of materials of the same name the first stays.
+void MaterialLibrary::add(Material material)
 {
-    const auto at = m_materials.find(name);
-    return at == m_materials.end() ? nullptr : &at->second;
+    const std::string name = material.name;
+    if (!m_materials.emplace(name, std::move(material)).second) return;
+    for (const NameReading& reading : readingsOf(name)) {
+        if (reading.isWhole) continue;
+        const auto [at, isNew] = m_shortened.try_emplace(std::string(reading.name), Shortened{name, reading.isComment});
+        if (!isNew) at->second.isOne = false;
+    }
+}
+
+std::optional<Material> MaterialLibrary::find(const std::string& name) const
+{
+    const std::vector<NameReading> readings = readingsOf(name);
+    for (const NameReading& reading : readings)
+        if (const auto at = m_materials.find(std::string(reading.name)); at != m_materials.end()) return at->second;
+    for (const NameReading& reading : readings) {
+        const auto at = m_shortened.find(std::string(reading.name));
+        if (at == m_shortened.end() || !at->second.isOne) continue;
+        if (!reading.isWhole && !(reading.isComment && at->second.isComment)) continue;
+        Material material = m_materials.at(at->second.whole);
+        material.name     = at->first;
+        return material;
+    }
+    return std::nullopt;
 }
 
 }  // namespace zscope::obj

@@ -5,34 +5,11 @@
 #include <limits>
 #include <system_error>
 
+#include "core/io/decimal.h"
+
 namespace zscope::obj {
 
 namespace {
-
-/// For a number that from_chars calls out of range: is it one that rounds to zero? Decided by the power of ten of its
-/// first digit other than 0; both limits are hundreds of powers away from zero.
-bool isTiny(std::string_view word)
-{
-    std::int64_t power = 0;
-    bool         point = false, started = false;
-    std::size_t  i = 0;
-    for (; i < word.size() && word[i] != 'e' && word[i] != 'E'; ++i) {
-        if (word[i] == '.')
-            point = true;
-        else if (word[i] >= '0' && word[i] <= '9') {
-            started = started || word[i] != '0';
-            if (started && !point) ++power;
-            if (!started && point) --power;
-        }
-    }
-    if (i + 1 >= word.size()) return power < 0;
-    std::string_view digits = word.substr(i + 1);
-    if (digits.front() == '+') digits.remove_prefix(1);
-    std::int64_t exponent = 0;
-    const auto   read     = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    if (read.ec == std::errc::result_out_of_range) return digits.front() == '-';
-    return power + exponent < 0;
-}
 
 std::string_view withoutPlus(std::string_view word)
 {
@@ -48,7 +25,7 @@ NumberTrouble readReal(std::string_view word, double& value)
     const auto [end, trouble]   = std::from_chars(text.data(), text.data() + text.size(), value);
     if (trouble == std::errc::invalid_argument || end != text.data() + text.size()) return NumberTrouble::NotANumber;
     if (trouble == std::errc::result_out_of_range) {
-        if (!isTiny(text)) return NumberTrouble::OutOfRange;
+        if (!roundsToZero(text)) return NumberTrouble::OutOfRange;
         value = text.front() == '-' ? -0.0 : 0.0;
         return NumberTrouble::None;
     }
@@ -69,6 +46,22 @@ std::string_view describe(NumberTrouble trouble)
             break;
     }
     return "is not a number";
+}
+
+std::string_view beforeComment(std::string_view text)
+{
+    for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
+        // The word before "1.#IND", "-1.#QNAN0" and their kind, as it would be without the rest.
+        const std::size_t      begin = text.find_last_of(" \t\v\f", at) + 1;
+        const std::string_view sign  = text.substr(begin, at - begin);
+        const std::string_view rest  = text.substr(at + 1, text.find_first_of(" \t\v\f#", at + 1) - at - 1);
+        const bool             isOfPrintf =
+            (sign == "1." || sign == "-1." || sign == "+1.") && !rest.empty()
+            && std::string_view("IJQRS").find(rest.front()) != std::string_view::npos
+            && rest.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789") == std::string_view::npos;
+        if (!isOfPrintf) return text.substr(0, at);
+    }
+    return text;
 }
 
 bool readIndex(std::string_view word, std::int64_t& value)

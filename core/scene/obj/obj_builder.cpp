@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "core/base/quotable.h"
 #include "core/scene/obj/line_reader.h"
+#include "core/scene/obj/names.h"
 #include "core/scene/obj/numbers.h"
 
 namespace zscope::obj {
@@ -21,8 +23,12 @@ constexpr std::uint64_t kSplitBytesPerCorner = 1024;
 /// A name in a map and beside it: text twice and the nodes.
 std::uint64_t bytesOfName(const std::string& name) { return 2 * name.size() + 256; }
 
-/// `arguments` of a numeric statement end at any '#'.
-std::string_view beforeComment(std::string_view arguments) { return arguments.substr(0, arguments.find('#')); }
+std::string followsFurtherDown(std::int64_t vertex)
+{
+    return fmt::format("face refers to vertex {}, which follows further down: vertices must come first", vertex);
+}
+
+constexpr std::string_view kLeftOut = "; the face is left out";
 
 }  // namespace
 
@@ -97,7 +103,7 @@ void ObjBuilder::dropFace(int line, const Sentence& sentence)
 {
     ++m_counts.droppedFaces;
     if (m_firstDrop.empty()) m_firstDrop = fmt::format("line {}: {}", line, sentence()), m_firstDropLine = line;
-    m_warnings.add(m_file, line, [&] { return sentence() + "; the face is left out"; });
+    m_warnings.add(m_file, line, [&] { return sentence() + std::string(kLeftOut); });
 }
 
 bool ObjBuilder::addFace(const Statement& statement)
@@ -150,8 +156,10 @@ bool ObjBuilder::readCorner(std::string_view word, int line)
     }
     const auto count = static_cast<std::int64_t>(m_mesh->positions.size());
     if (index == 0) return drop([] { return std::string("face refers to vertex 0, but vertices count from 1"); });
-    if (index > count)
-        return drop([&] { return fmt::format("face refers to vertex {} of {}", quotable(vertex), count); });
+    if (index > count) {
+        dropForVertexBeyond(vertex, index, line);
+        return false;
+    }
     if (index < -count)
         return drop(
             [&] { return fmt::format("face refers to vertex {}, counting back over {}", quotable(vertex), count); });
@@ -160,6 +168,25 @@ bool ObjBuilder::readCorner(std::string_view word, int line)
         return drop([&] { return fmt::format("face uses vertex {}, which has no usable coordinates", at + 1); });
     m_corners.push_back(at);
     return true;
+}
+
+void ObjBuilder::dropForVertexBeyond(std::string_view written, std::int64_t vertex, int line)
+{
+    if (m_firstDrop.empty()) m_firstDropBeyond = vertex;
+    if (!m_warnings.isFull()) m_beyondLast.emplace_back(m_warnings.kept().size(), vertex);
+    dropFace(line, [&] {
+        return fmt::format("face refers to vertex {} of {}", quotable(written), m_mesh->positions.size());
+    });
+}
+
+/// Only at the end it is known which of the vertices that were missing have followed.
+void ObjBuilder::nameForwardReferences()
+{
+    const auto count = static_cast<std::int64_t>(m_mesh->positions.size());
+    for (const auto& [warning, vertex] : m_beyondLast)
+        if (vertex <= count) m_warnings.replace(warning, followsFurtherDown(vertex) + std::string(kLeftOut));
+    if (m_firstDropBeyond > 0 && m_firstDropBeyond <= count)
+        m_firstDrop = fmt::format("line {}: {}", m_firstDropLine, followsFurtherDown(m_firstDropBeyond));
 }
 
 bool ObjBuilder::keepFace(int line)
@@ -205,8 +232,16 @@ bool ObjBuilder::addLibrary(const Statement& statement)
     return true;
 }
 
-bool ObjBuilder::useMaterial(const std::string& name, int line)
+void ObjBuilder::warnOfJoinedName(std::string_view word, const Statement& statement)
 {
+    if (!statement.isJoined) return;
+    m_warnings.add(m_file, statement.line, [&] { return joinedNameSentence(word); });
+}
+
+bool ObjBuilder::useMaterial(const Statement& statement)
+{
+    warnOfJoinedName("usemtl", statement);
+    const std::string name = printableName(statement.arguments);
     if (name.empty()) {
         m_materialId = {};
         return true;
@@ -216,31 +251,41 @@ bool ObjBuilder::useMaterial(const std::string& name, int line)
         m_materialId = known->second;
         return true;
     }
-    if (!m_budget.take(bytesOfName(name) + sizeof(Material))) return outOfMemory(line);
+    if (!m_budget.take(bytesOfName(name) + sizeof(Material))) return outOfMemory(statement.line);
     m_materialId = MaterialId{static_cast<std::uint32_t>(m_mesh->materials.size())};
     m_materials.emplace(name, m_materialId);
     m_mesh->materials.push_back(Material{.name = name});
-    m_materialLine.push_back(line);
+    m_materialLine.push_back(statement.line);
     return true;
 }
 
-bool ObjBuilder::useGroup(const std::string& name, int line)
+bool ObjBuilder::useGroup(const Statement& statement)
 {
-    m_group          = name;
+    warnOfJoinedName("g", statement);
+    std::string      all;
+    std::string_view rest = statement.arguments;
+    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+        if (!all.empty()) all += ' ';
+        all += word;
+    }
+    m_group          = printableName(all);
     m_groupIsEntered = false;
-    if (name.empty() || m_groupNames.contains(name)) return true;
-    if (!m_budget.take(bytesOfName(name))) return outOfMemory(line);
-    m_groupNames.insert(name);
-    return true;
+    return keepName(m_groupNames, m_group, statement.line);
 }
 
-bool ObjBuilder::useObject(const std::string& name, int line)
+bool ObjBuilder::useObject(const Statement& statement)
 {
-    m_object         = name;
+    warnOfJoinedName("o", statement);
+    m_object         = printableName(statement.arguments);
     m_groupIsEntered = false;
-    if (name.empty() || m_objectNames.contains(name)) return true;
+    return keepName(m_objectNames, m_object, statement.line);
+}
+
+bool ObjBuilder::keepName(std::set<std::string>& names, const std::string& name, int line)
+{
+    if (name.empty() || names.contains(name)) return true;
     if (!m_budget.take(bytesOfName(name))) return outOfMemory(line);
-    m_objectNames.insert(name);
+    names.insert(name);
     return true;
 }
 
@@ -264,17 +309,24 @@ bool ObjBuilder::enterGroup()
 
 void ObjBuilder::colourMaterials()
 {
+    std::vector<Material>             kept{m_mesh->materials.front()};
+    std::vector<MaterialId>           becomes{MaterialId{0}};
+    std::map<std::string, MaterialId> ids;  // two names may be read as one of the library's
     for (std::size_t i = 1; i < m_mesh->materials.size(); ++i) {
         Material& material = m_mesh->materials[i];
-        if (const Material* found = m_library.find(material.name)) {
-            material = *found;
-            continue;
-        }
-        m_warnings.add(m_file, m_materialLine[i], [&] {
-            return fmt::format("material '{}' is in no material library; it has the standard colour",
-                               quotable(material.name));
-        });
+        if (auto found = m_library.find(material.name))
+            material = *std::move(found);
+        else
+            m_warnings.add(m_file, m_materialLine[i], [&] {
+                return fmt::format("material '{}' is in no material library; it has the standard colour",
+                                   quotable(material.name));
+            });
+        const auto [at, isNew] = ids.try_emplace(material.name, MaterialId{static_cast<std::uint32_t>(kept.size())});
+        if (isNew) kept.push_back(std::move(material));
+        becomes.push_back(at->second);
     }
+    m_mesh->materials = std::move(kept);
+    for (MaterialId& id : m_mesh->polygonMaterial) id = becomes[id.value];
 }
 
 Error ObjBuilder::nothingToDraw() const
@@ -309,12 +361,13 @@ std::vector<Warning> ObjBuilder::skippedKinds(const StatementStream& stream) con
 Result<ObjImport> ObjBuilder::finish(const StatementStream& stream) &&
 {
     if (m_error) return *m_error;
+    nameForwardReferences();
     if (m_mesh->triangles.empty()) return nothingToDraw();
     colourMaterials();
     m_mesh->droppedFaces       = m_counts.droppedFaces;
     m_counts.groupNames        = m_groupNames.size();
     m_counts.objectNames       = m_objectNames.size();
-    m_counts.materialNames     = m_materials.size();
+    m_counts.materialNames     = m_mesh->materials.size() - 1;
     m_counts.skippedStatements = stream.skippedCount();
     return ObjImport{.mesh      = std::move(m_mesh),
                      .warnings  = std::move(m_warnings).finish(m_file, skippedKinds(stream)),

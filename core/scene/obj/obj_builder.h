@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -30,9 +31,10 @@ public:
     bool addVertex(const Statement& statement);
     bool addFace(const Statement& statement);
     bool addLibrary(const Statement& statement);
-    bool useMaterial(const std::string& name, int line);
-    bool useGroup(const std::string& name, int line);
-    bool useObject(const std::string& name, int line);
+    bool useMaterial(const Statement& statement);
+    /// `g a b` puts what follows into both a and b; here that is one group "a b".
+    bool useGroup(const Statement& statement);
+    bool useObject(const Statement& statement);
 
     const std::optional<Error>& error() const { return m_error; }
     /// Gives the materials their colours and hands everything over.
@@ -43,9 +45,13 @@ private:
     bool                 outOfMemory(int line);
     bool                 readCorners(const Statement& statement);
     bool                 readCorner(std::string_view word, int line);
+    void                 dropForVertexBeyond(std::string_view written, std::int64_t vertex, int line);
     bool                 keepFace(int line);
     bool                 enterGroup();
+    bool                 keepName(std::set<std::string>& names, const std::string& name, int line);
+    void                 warnOfJoinedName(std::string_view word, const Statement& statement);
     void                 colourMaterials();
+    void                 nameForwardReferences();
     Error                nothingToDraw() const;
     std::vector<Warning> skippedKinds(const StatementStream& stream) const;
 
@@ -75,6 +81,9 @@ private:
     std::set<std::string>             m_groupNames, m_objectNames;
     std::string                       m_firstDrop;  // why the first face was dropped, for a file without any other
     int                               m_firstDropLine = 0;
+    /// Of dropped faces: which warning names a vertex that was not read by then, and the vertex, from 1.
+    std::vector<std::pair<std::size_t, std::int64_t>> m_beyondLast;
+    std::int64_t                                      m_firstDropBeyond = 0;  // the vertex that m_firstDrop names
 };
 
 }  // namespace zscope::obj

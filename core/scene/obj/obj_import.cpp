@@ -12,6 +12,7 @@
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
 #include "core/io/read_file.h"
+#include "core/io/text_encoding.h"
 #include "core/scene/obj/line_reader.h"
 #include "core/scene/obj/obj_builder.h"
 #include "core/scene/obj/statement_stream.h"
@@ -38,16 +39,14 @@ public:
         table.index_cb = [](void* self, tinyobj::index_t*, int) {
             of(self).guard([](Callbacks& c) { return c.m_builder.addFace(c.m_stream.current()); });
         };
-        table.usemtl_cb = [](void* self, const char* name, int) {
-            of(self).guard([name](Callbacks& c) { return c.m_builder.useMaterial(name, c.m_stream.current().line); });
+        table.usemtl_cb = [](void* self, const char*, int) {
+            of(self).guard([](Callbacks& c) { return c.m_builder.useMaterial(c.m_stream.current()); });
         };
-        table.group_cb = [](void* self, const char** names, int count) {
-            of(self).guard([names, count](Callbacks& c) {
-                return c.m_builder.useGroup(joined(names, count), c.m_stream.current().line);
-            });
+        table.group_cb = [](void* self, const char**, int) {
+            of(self).guard([](Callbacks& c) { return c.m_builder.useGroup(c.m_stream.current()); });
         };
-        table.object_cb = [](void* self, const char* name) {
-            of(self).guard([name](Callbacks& c) { return c.m_builder.useObject(name, c.m_stream.current().line); });
+        table.object_cb = [](void* self, const char*) {
+            of(self).guard([](Callbacks& c) { return c.m_builder.useObject(c.m_stream.current()); });
         };
         std::istream statements(&m_stream);
         tinyobj::LoadObjWithCallback(statements, table, this, this, nullptr, nullptr);
@@ -75,16 +74,6 @@ private:
             m_stream.halt();
         }
     }
-    /// `g a b` puts what follows into both a and b; here that is one group "a b".
-    static std::string joined(const char** names, int count)
-    {
-        std::string all;
-        for (int i = 0; i < count; ++i) {
-            if (i > 0) all += ' ';
-            all += names[i];
-        }
-        return all;
-    }
 
     ObjBuilder&        m_builder;
     StatementStream&   m_stream;
@@ -95,7 +84,7 @@ Result<ObjImport> importChecked(std::string_view text, const std::string& name, 
                                 const ObjOptions& options, obj::MemoryBudget budget)
 {
     if (text.empty()) return Error{Trouble::Input, "the file is empty", name};
-    if (const auto trouble = obj::encodingTrouble(text)) return Error{Trouble::Input, *trouble, name};
+    if (const auto trouble = encodingTrouble(text)) return Error{Trouble::Input, *trouble, name};
 
     bool       isCancelled = false;
     LineReader lines(text);

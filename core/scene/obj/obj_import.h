@@ -6,6 +6,7 @@
 //              defined further down is out of range. Negative ones count back from the last vertex read
 // Faces        a face with an unusable corner, or with fewer than three, is left out whole and reported with its line;
 //              texture and normal indices must be integers, and are otherwise not looked at
+// Names        of groups, objects and materials go to the end of the line, with any '#' (core/scene/obj/names.h)
 // Kept         groups, objects, materials (Kd, d). Lines, points, curves and whatever is unknown is skipped and counted
 // Limits       a file of at most memoryLimit bytes, statements of at most obj::kMaxLineBytes, concave faces of at most
 //              kMaxConcaveCorners; the mesh, the file's text and the growing of lists together stay below memoryLimit

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-namespace zscope::obj {
+#include "core/base/quotable.h"
 
-std::string printableName(std::string_view text) { return printable(withoutBlanks(text).substr(0, kMaxNameBytes)); }
+namespace zscope::obj {
 
 StatementStream::StatementStream(LineReader& lines, std::function<bool()> keepGoing)
     : m_lines(lines), m_keepGoing(std::move(keepGoing))
@@ -37,7 +37,7 @@ bool StatementStream::nextStandIn()
         if (!m_lines.next()) return false;
         std::string_view       rest = m_lines.text();
         const std::string_view word = takeWord(rest);
-        m_current                   = {rest, m_lines.number()};
+        m_current                   = {rest, m_lines.number(), m_lines.isJoined()};
         if (standIn(word)) return true;
     }
     return false;
@@ -51,7 +51,7 @@ bool StatementStream::standIn(std::string_view word)
     } else if (word == "f") {
         m_handedOver = "f 1";
     } else if (word == "g" || word == "o" || word == "usemtl") {
-        m_handedOver = std::string(word) + ' ' + printableName(m_current.arguments);
+        m_handedOver = std::string(word) + " -";
     } else if (word == "mtllib") {
         m_handedOver = "mtllib " + std::to_string(++m_libraries);
     } else {

@@ -1,9 +1,9 @@
 // An OBJ file as tinyobjloader is allowed to see it: one line at a time, with nothing in it that it reads wrongly.
 //
-// tinyobjloader tells the kinds of statements apart and calls back, in file order; what stands in a vertex or face is
-// read from current(), because its own numbers are rounded twice and its indices unchecked. It therefore gets a
-// stand-in for each of these, and the plain words of the others:
-//   v   "v "     f   "f 1"     mtllib   "mtllib N", N counting     g, o, usemtl   with a name made printable
+// tinyobjloader tells the kinds of statements apart and calls back, in file order; what stands in a statement is read
+// from current(), because its own numbers are rounded twice, its indices unchecked and its names cut. It therefore gets
+// a stand-in for each:
+//   v   "v "     f   "f 1"     mtllib   "mtllib N", N counting     g, o, usemtl   with "-" for a name
 // Skipped    vn, vt, s: nothing here depends on them. Every other statement is counted by kind and left out
 // Promise    the statement handed over last is current() until the next is asked for; after halt() the file ends
 #pragma once
@@ -20,17 +20,13 @@
 
 namespace zscope::obj {
 
-/// Names of groups, objects and materials are cut to this length.
-inline constexpr std::size_t kMaxNameBytes = 1024;
 /// So many kinds of unknown statements are told apart; the rest is counted together.
 inline constexpr std::size_t kMaxSkippedKinds = 16;
 
-/// A name as it is kept: no blanks at its ends, no control bytes, at most kMaxNameBytes.
-std::string printableName(std::string_view text);
-
 struct Statement {
-    std::string_view arguments;  // what follows the first word
-    int              line = 0;
+    std::string_view arguments;  // what follows the first word, a comment included
+    int              line     = 0;
+    bool             isJoined = false;  // of more lines than one
 };
 
 class StatementStream : public std::streambuf {

@@ -28,7 +28,9 @@ public:
         ++m_count;
         if (!isFull()) m_kept.push_back({file, line, sentence()});
     }
-    std::uint64_t               count() const { return m_count; }
+    /// Says another sentence for one of kept().
+    void          replace(std::size_t at, std::string sentence) { m_kept[at].sentence = std::move(sentence); }
+    std::uint64_t count() const { return m_count; }
     const std::vector<Warning>& kept() const { return m_kept; }
 
     /// Those kept, then `summaries`, then what was left out.
