@@ -330,7 +330,7 @@ try {
     e.leftOut = history.leftOut();
     findTakers(e, covers, frame.visible);
     for (Event& event : e.events) {
-        event.isMirrored = scene.instances[instance.value].toWorld.isMirrored();
+        event.isMirrored = scene.instances[e.instance.value].toWorld.isMirrored();
         event.sentence   = sentenceOf(event, e.drawnAs, request.pipeline, frame.visible.empty());
     }
     e.fate     = fateOf(e, covers, frame.visible.empty());

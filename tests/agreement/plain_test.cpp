@@ -81,15 +81,15 @@ TEST_P(PlainText, DrawsWhatShortcutsDraw)
 }
 
 INSTANTIATE_TEST_SUITE_P(Soups, PlainText, testing::ValuesIn(soupKinds().begin(), soupKinds().end()),
-                         [](const auto& info) { return std::string(nameOf(info.param)); });
+                         [](const auto& kind) { return std::to_string(static_cast<int>(kind.param)); });
 
 TEST(PlainTextOnGenerated, DrawsWhatShortcutsDraw)
 {
     for (const char* word : {"builtin:teapot?tessellation=4", "builtin:glass", "builtin:cutouts", "builtin:reliefs",
                              "builtin:layers?count=6", "builtin:soccer-ball", "builtin:wall-and-city?blocks=4"}) {
-        const auto   loaded = loadScene(word);
-        const auto   scene  = std::make_shared<const PreparedScene>(*loaded);
-        const Camera camera = cameraFor(**loaded, 120, 75);
+        const auto   loaded = std::make_shared<const Scene>(loadScene(word).value());
+        const auto   scene  = std::make_shared<const PreparedScene>(loaded);
+        const Camera camera = cameraFor(*loaded, 120, 75);
         for (const Preset& preset : presets())
             if (preset.pipeline.chooser != Chooser::Measured)
                 expectSame({.scene = scene, .camera = camera, .pipeline = preset.pipeline}, word);

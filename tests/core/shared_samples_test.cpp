@@ -1,10 +1,13 @@
 // Small inputs that people have sent in, in a folder beside the project; its README.md says what is right for each.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "core/measure/reference.h"
+#include "core/measure/reference_colours.h"
 #include "core/scene/load.h"
 
 namespace zscope {
@@ -120,6 +123,40 @@ TEST_F(SharedSamples, OfBrokenJsonAreToldWithLineAndColumn)
               "j06_single_quotes.json:1: this is not JSON at column 2: a text stands "
               "in double quotes, not in single ones");
     EXPECT_EQ(errorOf("j11_utf16.json"), "j11_utf16.json: the text is UTF-16; save it as UTF-8 or plain ASCII");
+}
+
+TEST_F(SharedSamples, WithNothingToSeeSayWhichStatementHidesIt)
+{
+    expectFaces("m02_tr1.obj", 2,
+                "3: material 'a' has opacity 0 (Tr 1.0): its faces are not drawn\n"
+                "6: material 'b' has opacity 0 (Tr 1.0): its faces are not drawn\n");
+}
+
+/// One cube on the left and its mirror image on the right: both closed, and as bright.
+TEST_F(SharedSamples, OfMirroredInstancesAreClosedAndLitAlike)
+{
+    const auto scene = load("j14_mirrored_cubes.json");
+    ASSERT_TRUE(scene.ok()) << scene.error().text();
+    ASSERT_EQ(scene->instances.size(), 2u);
+    EXPECT_NE(scene->instances[0].toWorld.isMirrored(), scene->instances[1].toWorld.isMirrored());
+    ViewRequest request = scene->views.empty() ? ViewRequest{} : scene->views[0].view;
+    request.width = 320, request.height = 180;
+    const Camera          camera  = makeCamera(request, scene->bounds).value();
+    const auto            culled  = referencePicture(*scene, camera, FaceCulling::Back);
+    const auto            colours = referenceColours(*scene, camera, FaceCulling::Back, *culled);
+    std::array<int, 2>    covered{};
+    std::array<double, 2> blue{};
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            const std::int64_t id = culled->ids.at(x, y);
+            if (id < 0) continue;
+            const std::size_t which = scene->instanceOf(TriangleId{static_cast<std::uint32_t>(id)}).value;
+            ++covered[which];
+            blue[which] += colours->at(x, y) & 0xFFu;
+        }
+    EXPECT_GT(covered[0], 1000);
+    EXPECT_NEAR(covered[0], covered[1], 0.01 * covered[0]);
+    EXPECT_NEAR(blue[0] / covered[0], blue[1] / covered[1], 20) << "lit from behind it would be half as bright";
 }
 
 TEST_F(SharedSamples, ThatNameTheirMeshAsWindowsDoesAreRead)
