@@ -135,10 +135,11 @@ private:
     /// Whether its box gives one reason for all of its triangles.
     bool isDecided(InstanceId instance)
     {
-        std::uint8_t whole = m_whole[instance.value];  // two threads may both find it: they find the same
+        const std::atomic_ref known(m_whole[instance.value]);  // two threads may both find it: they find the same
+        std::uint8_t          whole = known.load(std::memory_order_relaxed);
         if (whole == kUnknown) {
-            whole                   = wholeOf(instance);
-            m_whole[instance.value] = whole;
+            whole = wholeOf(instance);
+            known.store(whole, std::memory_order_relaxed);
         }
         return whole != kEach;
     }
@@ -161,7 +162,7 @@ private:
             const double y = along(camera.up, instance, corner) * camera.focal;
             nearest        = std::min(nearest, z);
             farthest       = std::max(farthest, z);
-            left += x<-z, right += x> z, above += y > z, below += y < -z;
+            left += -z > x, right += x > z, above += y > z, below += -z > y;
         }
         if (farthest <= 0) return reason(Reason::BehindEye);
         if (nearest > 0 && farthest < camera.near) return reason(Reason::BeforeNear);

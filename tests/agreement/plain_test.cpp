@@ -2,6 +2,7 @@
 // bit by bit, for every preset and for every approximation of numbers.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -82,6 +83,41 @@ TEST_P(PlainText, DrawsWhatShortcutsDraw)
 
 INSTANTIATE_TEST_SUITE_P(Soups, PlainText, testing::ValuesIn(soupKinds().begin(), soupKinds().end()),
                          [](const auto& kind) { return std::to_string(static_cast<int>(kind.param)); });
+
+struct Choice {
+    std::string_view axis, word;
+};
+constexpr std::array kNumbers{Choice{"snap", "4-bits"},
+                              Choice{"snap", "12-bits"},
+                              Choice{"vertices", "float32"},
+                              Choice{"depth-numbers", "float32"},
+                              Choice{"depth-numbers", "accumulated"},
+                              Choice{"depth-format", "float32-standard"},
+                              Choice{"depth-format", "fixed-24"},
+                              Choice{"depth-format", "fixed-16"},
+                              Choice{"edges", "accumulated"},
+                              Choice{"near", "drop"}};
+
+/// Of the methods that skip nothing but what lies outside the view.
+TEST_P(PlainText, DrawsWhatShortcutsDrawByApproximateNumbers)
+{
+    int drawn = 0;
+    for (std::uint64_t seed = 1; seed <= shareOf(10); ++seed) {
+        const Soup soup  = makeSoup(GetParam(), seed, 61, 47);
+        const auto scene = std::make_shared<const PreparedScene>(soup.scene);
+        for (const Preset& preset : presets())
+            for (const Choice& choice : kNumbers) {
+                const auto pipeline = withChoice(preset.pipeline, choice.axis, choice.word);
+                if (preset.pipeline.chooser == Chooser::Measured || preset.pipeline.cull != Cull::Frustum || !pipeline
+                    || explainInvalid(*pipeline))
+                    continue;
+                expectSame({.scene = scene, .camera = soup.camera, .pipeline = *pipeline}, soup.what);
+                ++drawn;
+            }
+        if (HasFailure()) return;
+    }
+    EXPECT_GT(drawn, 50);
+}
 
 TEST(PlainTextOnGenerated, DrawsWhatShortcutsDraw)
 {
