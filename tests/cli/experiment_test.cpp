@@ -166,8 +166,7 @@ TEST_F(Cli, ASceneOfAnExperimentMayHaveASizeAndChoicesOfItsOwn)
     const std::string file = write(
         "e.json",
         R"({"title":"t","baseline":"zbuffer-early","parts":[{"title":"p","x":"operations","size":"40x30","frames":2,
-            "sample":50,
-        "algorithms":["zbuffer-early","zbuffer-prepass"],"scenes":[{"scene":"builtin:cubes","x":1},
+        "sample":50,"algorithms":["zbuffer-early","zbuffer-prepass"],"scenes":[{"scene":"builtin:cubes","x":1},
         {"scene":"builtin:cubes","size":"20x10","choices":["shading-cost=100-operations"],"x":100}]}]})");
     ASSERT_EQ(run({"bench", "--experiment", file, "--json", path("r.json")}).status, 0);
     const Json cases = Json::parse(contentsOf(path("r.json")))["cases"];
