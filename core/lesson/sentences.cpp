@@ -245,14 +245,14 @@ std::string shadingOf(const PixelState& p, DepthMoment moment)
 /// What the test found, without the end of the sentence.
 std::string testOf(const PixelState& p, const Pipeline& pipeline)
 {
-    const std::string_view name = nameOfPolygons(pipeline, false);
-    std::string            moved;
-    if (p.unmovedDepth)
-        moved = *p.unmovedDepth == p.depth
-                    ? " (as its material's relief leaves it)"
-                    : fmt::format(" (moved back from {:.7g} by its material's relief)", *p.unmovedDepth);
+    const std::string_view name      = nameOfPolygons(pipeline, false);
+    const auto             movedFrom = [&p]() -> std::string {
+        if (!p.unmovedDepth) return {};
+        if (*p.unmovedDepth == p.depth) return " (as its material's relief leaves it)";
+        return fmt::format(" (moved back from {:.7g} by its material's relief)", *p.unmovedDepth);
+    };
     const std::string who = fmt::format("Pixel ({}, {}): {} {}, depth {:.7g}{},", p.x, p.y, name,
-                                        grouped(p.triangle.value), p.depth, moved);
+                                        grouped(p.triangle.value), p.depth, movedFrom());
     if (p.discarded) return who + " lies in a hole of its material: the fragment does not exist";
     if (p.keep == Keep::DepthOnly)
         return who

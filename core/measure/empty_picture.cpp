@@ -135,11 +135,10 @@ private:
     /// Whether its box gives one reason for all of its triangles.
     bool isDecided(InstanceId instance)
     {
-        const std::atomic_ref known(m_whole[instance.value]);  // two threads may both find it: they find the same
-        std::uint8_t          whole = known.load(std::memory_order_relaxed);
+        std::uint8_t whole = m_whole[instance.value];  // two threads may both find it: they find the same
         if (whole == kUnknown) {
-            whole = wholeOf(instance);
-            known.store(whole, std::memory_order_relaxed);
+            whole                   = wholeOf(instance);
+            m_whole[instance.value] = whole;
         }
         return whole != kEach;
     }
