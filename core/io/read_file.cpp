@@ -120,10 +120,10 @@ std::string whyNotBelow(const fs::path& root, const std::string& relative)
     if (leadsOut || !real.empty())
         return fmt::format("the path '{}' leads out of the folder of the file that names it", shown);
     const fs::path other = inOtherCase(root, written);
-    return fmt::format(
-        "'{}' cannot be opened: {}{}", shown, trouble.message(),
-        other.empty() ? ""
-                      : fmt::format("; '{}' would fit, but for the case of its letters", quotable(other.string(), 200)));
+    return fmt::format("'{}' cannot be opened: {}{}", shown, trouble.message(),
+                       other.empty() ? ""
+                                     : fmt::format("; '{}' would fit, but for the case of its letters",
+                                                   quotable(other.string(), 200)));
 }
 
 }  // namespace

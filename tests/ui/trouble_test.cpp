@@ -418,7 +418,7 @@ private slots:
         hear(head + head);
         hear(head + "=== page\n{}");
         hear(head + page.arg("{\"grain\": \"frame\", \"end\": true}") + "=== en\ny\n");
-        QVERIFY2(all.sentences() > 120, qPrintable(QString::number(all.sentences())));
+        QVERIFY2(all.sentences() > 100, qPrintable(QString::number(all.sentences())));
         QVERIFY(all.isChineseOnly());
     }
     void aLessonThatTheRendererContradictsIsToldOfInChinese()
