@@ -184,7 +184,7 @@ std::string intervalOver(const IntervalState& interval, const Pipeline& pipeline
     const std::string where  = fmt::format("Line {}, {} between neighbouring edges: {}", interval.y, pixels,
                                            counted(interval.open.size(), "polygon is open", "polygons are open"));
     const std::string name(nameOfPolygons(pipeline, false));
-    const std::string winner = name + (interval.winner ? " " + grouped(interval.winner->value) : "");
+    const std::string winner = interval.winner ? fmt::format("{} {}", name, grouped(interval.winner->value)) : name;
     switch (interval.reason) {
         case IntervalReason::Alone:
             return where + fmt::format(", {}, so all of it is its own without a test.", winner);

@@ -118,7 +118,7 @@ TEST(ObjNames, ThatDifferFarBehindOrInControlCharactersStayDifferent)
     all.expectRedAndGreen(longName + " #1", longName + " #2");
     all.expectRedAndGreen("1" + longChinese, "1" + longChinese + "2");
     all.expectRedAndGreen("a\x01", "a\x02");
-    all.expectRedAndGreen("a\x7F" + std::string("b"), "a" + std::string(1, '\0') + "b");
+    all.expectRedAndGreen(std::string("a\x7F") + "b", std::string("a\0b", 3));
     EXPECT_LE(obj::printableName(longChinese + "1").size(), obj::kMaxNameBytes);
     EXPECT_EQ(obj::printableName(" a\x01 "), "a<U+0001>");
     EXPECT_EQ(obj::printableName(std::string(obj::kMaxNameBytes, 'x')), std::string(obj::kMaxNameBytes, 'x'));

@@ -40,7 +40,7 @@ TEST(ObjNumbers, AreTheNearestFloat64BitForBit)
     for (int i = 0; i < 50'000; ++i) {
         std::string text = random() % 3 == 0 ? "-" : random() % 5 == 0 ? "+" : "";
         text += digits(1 + random() % 12);
-        if (random() % 4 != 0) text += "." + digits(random() % 24);
+        if (random() % 4 != 0) text.append(".").append(digits(random() % 24));
         if (random() % 3 == 0)
             text += fmt::format("e{}{}", random() % 2 ? "-" : random() % 2 ? "+" : "", random() % 330);
         expectAsStrtod(text);
