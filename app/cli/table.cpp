@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::string_view kGap = "  ";  // between columns
 
-/// The pieces that a line may be broken between, each with the space or comma that ends it.
+/// The pieces that a line may be broken between, each with the space, comma or ampersand that ends it.
 std::vector<std::string_view> partsOf(std::string_view text)
 {
     std::vector<std::string_view> parts;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find_first_of(" ,"), text.size() - 1) + 1;
+        const std::size_t end = std::min(text.find_first_of(" ,&"), text.size() - 1) + 1;
         parts.push_back(text.substr(0, end));
         text.remove_prefix(end);
     }

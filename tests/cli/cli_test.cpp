@@ -93,7 +93,7 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         {{"render", kScene, "--set", "taste=sweet"}, "taste"},
         {{"render", kScene, "--threads=-1"}, "--threads"},
         {{"render", kScene, "--threads=-1"}, "--threads"},
-        {{"render", kScene, "--threads", "257"}, "--threads wants a whole number from 1 to 256"},
+        {{"render", kScene, "--threads", "257"}, "--threads wants a whole number from 0 to 256"},
         {{"render", kScene, "--threads", "two"}, "--threads"},
         {{"render", kScene, "--threads", "99999999999999999999"}, "--threads"},
         {{"render", kScene, "--simd", "mmx"}, "auto, scalar"},
