@@ -293,9 +293,9 @@ TEST(LessonDocumentation, NamesEveryFact)
 {
     const std::string text = textOf(kRoot / "docs/lessons.md");
     for (const FactEntry& fact : facts())
-        EXPECT_NE(text.find("`" + std::string(fact.word) + "`"), std::string::npos) << fact.word;
+        EXPECT_NE(text.find(std::string("`").append(fact.word).append("`")), std::string::npos) << fact.word;
     for (const PixelFactEntry& fact : pixelFacts())
-        EXPECT_NE(text.find("`" + std::string(fact.word) + "`"), std::string::npos) << fact.word;
+        EXPECT_NE(text.find(std::string("`").append(fact.word).append("`")), std::string::npos) << fact.word;
 }
 
 TEST(LessonDocumentation, ItsExampleIsALessonThatRuns)
