@@ -132,6 +132,7 @@ std::string bigEndian(std::uint32_t value)
 void writeChunk(FileWriter& file, std::string_view type, std::string_view contents)
 {
     const auto crc = [](uLong before, std::string_view bytes) {
+        if (bytes.empty()) return before;  // zlib begins anew where there is no buffer
         return crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
     };
     file.write(bigEndian(static_cast<std::uint32_t>(contents.size())));
