@@ -362,8 +362,8 @@ TEST(Renderer, FlattenedMirroredAndHugeInstancesDrawWhatTheReferenceDraws)
     for (const dvec3& p :
          {pointAt(camera, 10, 5, 3), pointAt(camera, 40, 8, 4), pointAt(camera, 20, 35, 5), pointAt(camera, 30, 30, 3)})
         mesh.positions.push_back(p);
-    addFan(mesh, std::array<std::uint32_t, 3>{0, 1, 2});
-    addFan(mesh, std::array<std::uint32_t, 3>{1, 3, 2});
+    addFan(mesh, std::array<std::uint32_t, 3>{0, 2, 1});  // counter-clockwise to the viewer: fronts, mirrored or not
+    addFan(mesh, std::array<std::uint32_t, 3>{1, 2, 3});
     Affine mirrored, flat, point, huge, line;
     mirrored.rows[0][0] = -1;
     flat.rows[2]        = {0, 0, 0, 4};
