@@ -5,13 +5,12 @@
 //            method's line; tell() adds the line of the part's statement
 #pragma once
 
-#include <source_location>
-
 #include "core/base/stage_clock.h"
 #include "core/geometry/rules.h"
 #include "core/plain/scratch.h"
 #include "core/plain/stripe.h"
 #include "core/probe/observer.h"
+#include "core/probe/source_line.h"
 
 namespace zscope::plain {
 
@@ -22,10 +21,10 @@ struct Work {
     StageClock&        clock;
     Observer*          observer = nullptr;  // nullptr: nobody watches
 
-    std::source_location call = std::source_location::current();  // of the part at work, in the method
+    SourceLine call = SourceLine::here();  // of the part at work, in the method
 
     template <class Event>
-    void tell(const Event& event, std::source_location part = std::source_location::current()) const
+    void tell(const Event& event, SourceLine part = SourceLine::here()) const
     {
         if (observer) observer->hear({kEventKind<Event>, &event, call, part});
     }
@@ -36,7 +35,7 @@ struct Work {
 /// A method's call of a part.
 class Call {
 public:
-    Call(Work& work, std::source_location line = std::source_location::current()) : m_work(work) { work.call = line; }
+    Call(Work& work, SourceLine line = SourceLine::here()) : m_work(work) { work.call = line; }
     Work* operator->() const { return &m_work; }
     Work& operator*() const { return m_work; }
 

@@ -12,10 +12,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <source_location>
 
 #include "core/probe/grain.h"
 #include "core/probe/probe.h"
+#include "core/probe/source_line.h"
 
 namespace zscope {
 
@@ -36,10 +36,10 @@ inline constexpr EventKind kEventKind = eventKind<Event>();
 
 /// One event, valid during the call of hear().
 struct Heard {
-    const EventKind&     kind;
-    const void*          event;
-    std::source_location method;  // the call in core/method
-    std::source_location part;    // the statement that reports the event
+    const EventKind& kind;
+    const void*      event;
+    SourceLine       method;  // the call in core/method
+    SourceLine       part;    // the statement that reports the event
 
     /// The event, if it is one of this type; else nullptr.
     template <class Event>

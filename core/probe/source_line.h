@@ -1,0 +1,21 @@
+// A line of our own text, for steps that show which statement made them.
+//
+// Use        as the last parameter of a function, SourceLine line = SourceLine::here(): the line of the call
+// Why        std::source_location, whose purpose this is, is missing where clang 14 compiles
+#pragma once
+
+namespace zscope {
+
+struct SourceLine {
+    const char* file;      // as the compiler was given it
+    int         line;      // from 1
+    const char* function;  // its name alone
+
+    static constexpr SourceLine here(const char* file = __builtin_FILE(), int line = __builtin_LINE(),
+                                     const char* function = __builtin_FUNCTION())
+    {
+        return {file, line, function};
+    }
+};
+
+}  // namespace zscope
