@@ -157,7 +157,8 @@ void measure(const Soup& soup, FaceCulling culling, Tally& tally)
             }
             for (std::size_t r = 0; r < rational.size(); ++r) {
                 if (matched[r] || fate == definition::Fate::OutOfRange) continue;
-                const int sign = rational[r].sign();
+                const bool turnsOver = scene.instances[i].toWorld.isMirrored();
+                const int  sign      = turnsOver ? -rational[r].sign() : rational[r].sign();
                 tally.unmatchedParts += sign < 0 || (sign > 0 && culling == FaceCulling::None);
             }
         }
