@@ -28,8 +28,8 @@ struct Affine {
     }
     /// The identity leaves a point exactly as it is, so callers may skip it.
     bool isIdentity() const { return *this == Affine{}; }
-    /// True if it turns left into right: its determinant is below 0, in the arithmetic of docs/correctness.md. Not so of
-    /// a flat one, nor of one whose determinant is NaN.
+    /// True if it turns left into right: its determinant is below 0, in the arithmetic of docs/correctness.md. Not so
+    /// of a flat one, nor of one whose determinant is NaN.
     bool isMirrored() const
     {
         const auto& [a, b, c] = rows;

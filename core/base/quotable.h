@@ -52,8 +52,8 @@ inline std::string printable(std::string_view text)
     return shown;
 }
 
-/// The text with control characters, tabs and invisible characters written as "<U+00A0>" and bytes that are no UTF-8 as "<0xA0>",
-/// shortened to so many bytes of it, at a whole character.
+/// The text with control characters, tabs and invisible characters written as "<U+00A0>" and bytes that are no UTF-8 as
+/// "<0xA0>", shortened to so many bytes of it, at a whole character.
 inline std::string quotable(std::string_view text, std::size_t longest = 40)
 {
     std::string shown;

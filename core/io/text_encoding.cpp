@@ -12,9 +12,9 @@ constexpr std::size_t kSample = 256;
 
 enum class Encoding { Bytes, Utf16, Utf32 };
 
-/// From where the zero bytes are. ASCII has one in each two bytes of UTF-16, always the same one, and three in each four
-/// of UTF-32. A quarter of the characters is enough, since names and texts may be Chinese, of which some have a zero
-/// byte on the other side. No character is all zeros.
+/// From where the zero bytes are. ASCII has one in each two bytes of UTF-16, always the same one, and three in each
+/// four of UTF-32. A quarter of the characters is enough, since names and texts may be Chinese, of which some have a
+/// zero byte on the other side. No character is all zeros.
 Encoding encodingOf(std::string_view bytes)
 {
     using namespace std::string_view_literals;

@@ -3,9 +3,9 @@
 //
 // Empty      no pixel shows a triangle, and no transparent surface has changed a colour
 // Source     the fates of core/measure/definition.h, so the reasons are facts about the picture of docs/correctness.md
-// Cost       of a picture that shows something: the look for its first pixel. Of an empty one: instances that lie wholly
-//            behind the eye or beside the picture count as a whole, by their boxes; about 0.5 us per triangle of the
-//            others
+// Cost       of a picture that shows something: the look for its first pixel. Of an empty one: instances that lie
+//            wholly behind the eye or beside the picture count as a whole, by their boxes; about 0.5 us per triangle of
+//            the others
 #pragma once
 
 #include <optional>

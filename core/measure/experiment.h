@@ -3,8 +3,8 @@
 //
 // File       {"title":T,"question":T,"baseline":ALGORITHM,"parts":[{"title":T,"scenes":[SCENE...],
 //            "algorithms":[WORD...],"threads":[N...],"size":"WxH","cull":"none|back","frames":N,"rounds":N,
-//            "shade":bool,"x":T,"path":FILE,"sample":N,"peers":bool}...]} T is a text, or {"en":text,"zh_CN":text}. A SCENE is a word for
-//            loadScene(), or {"scene":word,"title":text,
+//            "shade":bool,"x":T,"path":FILE,"sample":N,"peers":bool}...]} T is a text, or {"en":text,"zh_CN":text}. A
+//            SCENE is a word for loadScene(), or {"scene":word,"title":text,
 //            "view":name,"camera":file,"model":file,"model_camera":file,"x":number,"size":"WxH","choices":[CHOICE...]}
 //            as in a Suite; choices are set in every algorithm of the part, for this scene. An algorithm is a preset,
 //            with +axis=choice and +fault=name after it for what differs

@@ -9,8 +9,8 @@
 // Culling    a stream method that skips more than batches outside the view is audited as well, once: its verdicts
 //            against the triangles that the reference shows (core/measure/cull_audit.h)
 // Colours    of a scene with transparent surfaces are judged too, by the shading cost of each row's pipeline, unless
-//            pixels are sampled. Of a method that draws whole faces they are held against those that follow from its own
-//            ids and depths
+//            pixels are sampled. Of a method that draws whole faces they are held against those that follow from its
+//            own ids and depths
 // Cost       one brute-force picture (or its samples), two frames per row, one serial frame per audit
 #pragma once
 

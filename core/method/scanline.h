@@ -25,8 +25,8 @@ void resolveByDepth(Call work, int y);
 /// Pixels [x0, x1) of line y are offered by a polygon of the edge table.
 void offerSpan(Work& work, const Polygon& polygon, int y, int x0, int x1);
 
-/// Calls span(polygon, x0, x1) for the pixels of each active polygon on the line, in the order in which its right edge is
-/// met; never an empty one.
+/// Calls span(polygon, x0, x1) for the pixels of each active polygon on the line, in the order in which its right edge
+/// is met; never an empty one.
 template <class Span>
 void forEachSpan(Work& work, const Span& span)
 {

@@ -1,9 +1,9 @@
 // Transparent surfaces over the finished opaque picture: a sweep of their own, whose lines are blended.
 //
-// Fragments  of the line, all that are nearer than the opaque depth; at each pixel they are put in order and laid "over"
-//            the colour that is there
-// Order      Sorted: from far to near by (depth, -id), right wherever surfaces cross. BackThenFront: back faces first, as
-//            submitted; right for one convex body, wrong where bodies overlap: what renderers do that keep no list
+// Fragments  of the line, all that are nearer than the opaque depth; at each pixel they are put in order and laid
+//            "over" the colour that is there
+// Order      Sorted: from far to near by (depth, -id), right wherever surfaces cross. BackThenFront: back faces first,
+//            as submitted; right for one convex body, wrong where bodies overlap: what renderers do that keep no list
 // Over       per channel c += (source - c) * opacity, in float32, from the opaque colour; rounded once at the end
 // Memory     of the fragments of a part of a line: a part with more than kMostFragments is halved
 // Source     Porter, Duff: Compositing Digital Images, SIGGRAPH 1984; Carpenter: The A-buffer, SIGGRAPH 1984
@@ -20,8 +20,8 @@ class ColourTable;
 
 namespace zscope::plain {
 
-/// `colour` holds the opaque picture's colours and gets the blended ones. `work` must have rules without a fault: faults
-/// belong to the opaque picture.
+/// `colour` holds the opaque picture's colours and gets the blended ones. `work` must have rules without a fault:
+/// faults belong to the opaque picture.
 void blendTransparent(Work& work, const Parts& parts, const TransparentSurfaces& surfaces, const ColourTable& colours,
                       BlendOrder order, GridView<std::uint32_t> colour);
 

@@ -1,7 +1,7 @@
 // Two passes: what the last frame saw is drawn first, unasked; then everything else, against the pyramid that it left.
 //
-// Guess      what was visible a frame ago is a good guess at what hides the rest. After a cut or a half-turn it is a bad
-//            guess: the frame is slower, and the picture is the same
+// Guess      what was visible a frame ago is a good guess at what hides the rest. After a cut or a half-turn it is a
+//            bad guess: the frame is slower, and the picture is the same
 // Memory     the nodes whose triangles were drawn and mostly not found hidden (core/hierarchy/node_memory.h). A node of
 //            the first pass is judged again by the second, to learn whether it stays, but is not drawn twice
 // Source     after Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993, Temporal coherence

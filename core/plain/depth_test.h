@@ -1,8 +1,10 @@
 // The depth test: of all fragments at a pixel the nearest is seen, and of equally near ones that of the lowest id.
 //
-// Depth      a*(x + 0.5) + (b*(y + 0.5) + c), limited to the depths of the corners, rounded to float32 when it is stored
+// Depth      a*(x + 0.5) + (b*(y + 0.5) + c), limited to the depths of the corners, rounded to float32 when it is
+//            stored
 // Winner     depth and id together are one number, larger for the winner (core/depth/pixel_key.h)
-// Far        background holds a depth just below every depth that may be kept, so the far test is part of the depth test
+// Far        background holds a depth just below every depth that may be kept, so the far test is part of the depth
+//            test
 // Patterns   a fragment in a hole does not exist; a relief moves it back. If it loses where its triangle is, it loses
 //            anywhere behind, so the pattern is looked up only for fragments that pass (shading first looks up all)
 // Numbers    approximations: float32 in place of float64, or a depth that is carried along the line by adding a

@@ -1,4 +1,5 @@
-// The edge table: every edge of the scene, in the bucket of the first line it crosses; and the polygons that they bound.
+// The edge table: every edge of the scene, in the bucket of the first line it crosses; and the polygons that they
+// bound.
 //
 // Edge       crosses the centres of the lines [firstLine, lastLine]; horizontal edges cross none and are not entered
 // Position   exact: whole subpixels and a remainder (EdgeStepper), so that line 10,000 is as exact as line 0

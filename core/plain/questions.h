@@ -4,8 +4,8 @@
 // Pyramid    level 0 is the depth buffer; a cell of level n + 1 holds the FARTHEST depth of the cells below it. What is
 //            farther than the cell is hidden in all of the cell's pixels (core/depth/pyramid.h)
 // Question   a rectangle and the nearest depth that may lie in it: the rectangle is rounded outward, the depth nearer
-// Promise    nothing is called hidden, or outside, that could win a pixel; a node that reaches before the near plane, as
-//            one that holds the eye does, is always entered
+// Promise    nothing is called hidden, or outside, that could win a pixel; a node that reaches before the near plane,
+//            as one that holds the eye does, is always entered
 #pragma once
 
 #include "core/cull/cull_events.h"

@@ -1,8 +1,8 @@
 // The two-level hierarchy of a scene, for a visit from near to far.
 //
-// Order      octree: the eye's octant first, then the octants across one splitting plane, two, three. What straddles the
-//            planes comes before the first octant whose box is farther from the eye. BVH: the nearer box first. Instances
-//            and batches of one node: the nearer box first
+// Order      octree: the eye's octant first, then the octants across one splitting plane, two, three. What straddles
+//            the planes comes before the first octant whose box is farther from the eye. BVH: the nearer box first.
+//            Instances and batches of one node: the nearer box first
 // Space      an affine placement keeps planes planes, so the eye is taken into the tree's own space
 // Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993
 #pragma once

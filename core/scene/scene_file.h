@@ -10,8 +10,8 @@
 //
 // Paths      relative to the file, with / or \ between folders; they stay inside its folder, links included
 // Builtin    the word must be one of a single mesh (teapot, soccer-ball, cube, ...): a whole scene is refused
-// Materials  one replaces the material of that name in every mesh of the file (obj/names.h); an instance may wear one by
-//            "material": NAME (its colour), or "colour": [3], or "colour": "each" for one per copy
+// Materials  one replaces the material of that name in every mesh of the file (obj/names.h); an instance may wear one
+//            by "material": NAME (its colour), or "colour": [3], or "colour": "each" for one per copy
 // Limits     file kMaxSceneFileBytes; counts are checked against the memory limit before anything is allocated
 // Errors     Input and Limit, with file and line; an unknown key is an error, nothing is guessed
 #pragma once

@@ -1,5 +1,5 @@
-// The plain text of core/method and core/plain against the renderer with all shortcuts: the same ids, depths and colours,
-// bit by bit, for every preset and for every approximation of numbers.
+// The plain text of core/method and core/plain against the renderer with all shortcuts: the same ids, depths and
+// colours, bit by bit, for every preset and for every approximation of numbers.
 #include <gtest/gtest.h>
 
 #include <array>
