@@ -19,7 +19,7 @@ struct Work {
     const ChosenRules& rules;
     Scratch&           scratch;
     StageClock&        clock;
-    Observer*          observer = nullptr;  // nullptr: nobody watches
+    Observer*          observer = nullptr;  // nullptr: the run is not observed
 
     SourceLine call = SourceLine::here();  // of the part at work, in the method
 

@@ -1,4 +1,4 @@
-// Who watches a run. Parts and methods report events to an Observer; at full speed there is none.
+// An Observer hears the events that methods and parts report. A run at full speed has none.
 //
 // Event      a small aggregate of values already at hand, declared beside the text that makes it. One with a static
 //            member `grain` is a step; any other is a fact for counters and recorders
