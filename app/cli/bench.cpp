@@ -22,7 +22,7 @@ namespace {
 struct BenchOptions {
     std::vector<std::string>   scenes;
     ViewOptions                view;
-    std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, frames, seconds, rounds,
+    std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, shortcuts, frames, seconds, rounds,
         memoryLimit, path, sample, json, csv;
     bool noVerify = false, noShade = false, noCount = false, peers = false;
 };
@@ -83,6 +83,11 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
             request.simd.push_back(*simd);
         }
     }
+    if (options.shortcuts) {
+        const Result<Shortcuts> shortcuts = shortcutsOf(*options.shortcuts);
+        if (!shortcuts) return shortcuts.error();
+        request.shortcuts = *shortcuts;
+    }
     if (options.frames) {
         const auto frames = wholeNumber(*options.frames, "--frames", 1, kMaxFrames);
         if (!frames) return frames.error();
@@ -113,9 +118,9 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
 Result<Exit> benchExperiment(const BenchOptions& options, const ViewWords& words, Session& session)
 {
     const bool saysMore = !options.scenes.empty() || !words.given.empty() || words.faceCulling || options.suite
-                          || options.algorithms || options.threads || options.simd || options.frames || options.seconds
-                          || options.rounds || options.path || options.sample || options.peers || options.noVerify
-                          || options.noShade || options.noCount;
+                          || options.algorithms || options.threads || options.simd || options.shortcuts
+                          || options.frames || options.seconds || options.rounds || options.path || options.sample
+                          || options.peers || options.noVerify || options.noShade || options.noCount;
     if (saysMore)
         return Error{
             Trouble::Usage,
@@ -256,6 +261,7 @@ Command addBench(CLI::App& parent)
     option("--algorithms", options->algorithms, "NAME[,NAME...]|all", "Which algorithms (default all, or the suite's)");
     option("--threads", options->threads, "N[,N...]", "Thread counts; 0: one per core (default 0, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
+    option("--shortcuts", options->shortcuts, "all|none", "Faster parts that change no bit (default all)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
     option("--seconds", options->seconds, "S",
            "Timed frames go on, beyond --frames, until those of a run took S seconds (default 0)");

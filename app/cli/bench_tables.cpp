@@ -32,6 +32,12 @@ std::string againstBaseline(const BenchRow& row, std::span<const BenchRow> rows)
     return "";
 }
 
+/// Plain text has one lane, whatever the machine has.
+std::string lanesOf(const BenchRow& row)
+{
+    return row.shortcuts == Shortcuts::None ? "plain" : std::string(wordOf(row.simd));
+}
+
 std::string shareOf(std::uint64_t part, std::uint64_t whole)
 {
     return whole == 0 ? "" : fmt::format("{:.1f} %", 100 * static_cast<double>(part) / static_cast<double>(whole));
@@ -65,10 +71,10 @@ std::string benchTableOf(std::span<const BenchRow> rows)
                  {"raster"},
                  {"shade"}});
     for (const BenchRow& row : rows)
-        table.row({row.scene, row.algorithm, std::to_string(row.threads), std::string(wordOf(row.simd)), drawnOf(row),
-                   pictureOf(row), ms(row.bestMs), ms(row.medianMs), ms(row.q1Ms), ms(row.q3Ms),
-                   ms(msOf(row, Stage::Transform)), ms(msOf(row, Stage::Setup)), ms(msOf(row, Stage::Build)),
-                   ms(msOf(row, Stage::Raster)), ms(msOf(row, Stage::Shade))});
+        table.row({row.scene, row.algorithm, std::to_string(row.threads), lanesOf(row), drawnOf(row), pictureOf(row),
+                   ms(row.bestMs), ms(row.medianMs), ms(row.q1Ms), ms(row.q3Ms), ms(msOf(row, Stage::Transform)),
+                   ms(msOf(row, Stage::Setup)), ms(msOf(row, Stage::Build)), ms(msOf(row, Stage::Raster)),
+                   ms(msOf(row, Stage::Shade))});
     return table.text();
 }
 

@@ -18,7 +18,7 @@ namespace {
 struct CompareOptions {
     SceneOption                scene;
     ViewOptions                view;
-    std::optional<std::string> algorithms, threads, simd, frames, memoryLimit, sheet;
+    std::optional<std::string> algorithms, threads, simd, shortcuts, frames, memoryLimit, sheet;
     bool                       requireEqual = false;
 };
 
@@ -51,6 +51,11 @@ Result<CompareRequest> requestOf(const CompareOptions& options, Session& session
         const Result<Simd> simd = simdOf(*options.simd);
         if (!simd) return simd.error();
         request.simd = *simd;
+    }
+    if (options.shortcuts) {
+        const Result<Shortcuts> shortcuts = shortcutsOf(*options.shortcuts);
+        if (!shortcuts) return shortcuts.error();
+        request.shortcuts = *shortcuts;
     }
     if (options.frames) {
         const auto frames = wholeNumber(*options.frames, "--frames", 1, kMaxFrames);
@@ -156,6 +161,7 @@ Command addCompare(CLI::App& parent)
            "Which algorithms; the others are held against the first");
     option("--threads", options->threads, "N", "How many threads; 0: one per core (default 0)");
     option("--simd", options->simd, "WORD", "Vector instructions, see 'list simd' (default auto)");
+    option("--shortcuts", options->shortcuts, "all|none", "Faster parts that change no bit (default all)");
     option("--frames", options->frames, "N", "Timed frames of each (default 9)");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
     parser->add_flag("--require-equal", options->requireEqual,

@@ -274,6 +274,7 @@ private:
                                     .faceCulling = view->faceCulling,
                                     .algorithms  = asked.algorithms,
                                     .threads     = each.part->threads,
+                                    .shortcuts   = each.part->shortcuts,
                                     .frames      = each.part->frames,
                                     .rounds      = each.part->rounds,
                                     .pictures    = picturesOf(*each.part),

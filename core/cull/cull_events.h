@@ -1,17 +1,27 @@
 // What culling tells: the verdict over every node and triangle that was asked about.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "core/base/ids.h"
 #include "core/depth/pyramid.h"
 #include "core/hierarchy/tree.h"
+#include "core/probe/about.h"
 #include "core/probe/grain.h"
 
 namespace zscope {
 
 enum class Verdict { Outside, Hidden, Entered, Small };  // Small: dropped, as an approximation
+
+constexpr std::string_view wordOf(Verdict verdict)
+{
+    constexpr std::array<std::string_view, 4> words{"outside", "hidden", "entered", "small"};
+    return words[static_cast<std::size_t>(verdict)];
+}
 
 /// Which node of which tree: the tree over the instances, or the mesh tree of one instance.
 struct NodePlace {
@@ -32,6 +42,8 @@ struct NodeRecalled {
     NodePlace              place;  // in the mesh tree of an instance
     const Tree&            instances;
     const TreeNode&        holder;  // the node of `instances` that holds the instance
+
+    About about() const { return {.node = &place}; }
 };
 
 /// A node has been judged. `query` is what the pyramid was asked, or nullptr if it was not.
@@ -40,6 +52,12 @@ struct NodeJudged {
     NodePlace              place;
     Verdict                verdict;
     const PyramidQuery*    query;  // valid only during the call
+
+    About about() const
+    {
+        return {
+            .node = &place, .verdict = wordOf(verdict), .hidden = query ? std::optional(query->hidden) : std::nullopt};
+    }
 };
 
 /// An entered node's children are known and wait, in the order in which they will be visited.
@@ -54,12 +72,19 @@ struct PyramidAsked {
     const PyramidQuery&    query;     // valid only during the call, like the next
     const NodePlace*       node;      // nullptr: it was a triangle
     TriangleId             triangle;  // of a triangle
+
+    About about() const
+    {
+        return {.triangle = node ? std::nullopt : std::optional(triangle), .node = node, .hidden = query.hidden};
+    }
 };
 
 /// A cell of the pyramid has been computed anew.
 struct CellUpdated {
     static constexpr Grain grain = Grain::Update;
     CellWrite              write;
+
+    About about() const { return {.level = write.level}; }
 };
 
 /// A node's own triangles (or instances) are about to be drawn.

@@ -23,20 +23,10 @@ struct Occlusion {
     bool     asksNodes     = false;    // is this node hidden?
     bool     asksTriangles = false;    // is this triangle hidden?
     bool     asksByShape   = false;    // of a triangle only what it covers, not its whole box
-    // of compact triangles, before they are set up, all pixels of their boxes; at full speed only
+    // of compact triangles, before they are set up, all pixels of their boxes
     bool         asksPixels   = false;
     AfterDrawing afterDrawing = AfterDrawing::Nothing;
 };
-
-/// Tells a probe of the cells that the pyramid writes.
-template <class Probe>
-auto tellingOfCells(const Probe& probe)
-{
-    if constexpr (Probe::listens)
-        return [&probe](const CellWrite& write) { probe(CellUpdated{write}); };
-    else
-        return Untold{};
-}
 
 /// The side of its box on which a triangle's farthest corner lies.
 inline PushOrder fromFarthestCorner(const ScreenTriangle& triangle)
@@ -65,23 +55,20 @@ float farthestOver(const DepthPlane& plane, const PixelBox& pixels, const Rules&
 
 /// What scan conversion by tiles asks and tells the pyramid, where stale cells wait for a query; nobody if there is
 /// none that does.
-template <class Probe>
 struct TileUpkeep {
     Pyramid* pyramid;  // or nullptr
     // nobody reads the visibility buffer's pixels while it is drawn to, unless they know of planes
-    bool         takesPlanes;
-    const Probe& probe;
+    bool takesPlanes;
 
     /// True if tiles are asked about, and drawnTile() wants to hear of them.
     bool isKept() const { return pyramid && pyramid->takesTiles(); }
-    /// Of the tile that holds (x, y), if isKept(). Whoever listens gets no yes: they see its pixels tested one by one,
-    /// and lose.
-    bool hides(int x, int y, float nearest) const { return !Probe::listens && pyramid->hidesTile(x, y, nearest); }
-    void drawnTile(int x, int y, float farthest) const { pyramid->drawnTile(x, y, farthest, tellingOfCells(probe)); }
+    /// Of the tile that holds (x, y), if isKept().
+    bool hides(int x, int y, float nearest) const { return pyramid->hidesTile(x, y, nearest); }
+    void drawnTile(int x, int y, float farthest) const { pyramid->drawnTile(x, y, farthest, Untold{}); }
     /// The same of tiles side by side, the first of which holds (x, y).
     void drawnTiles(int x, int y, std::span<const float> farthest) const
     {
-        pyramid->drawnTiles(x, y, farthest, tellingOfCells(probe));
+        pyramid->drawnTiles(x, y, farthest, Untold{});
     }
     void touched(const PixelBox& box) const
     {
@@ -90,8 +77,8 @@ struct TileUpkeep {
 };
 
 /// Lets the pyramid know that a triangle's pixels have been drawn.
-template <class Rules, class Probe>
-void keepTrue(const Occlusion& occlusion, const ScreenTriangle& triangle, const Rules& rules, const Probe& probe)
+template <class Rules>
+void keepTrue(const Occlusion& occlusion, const ScreenTriangle& triangle, const Rules& rules)
 {
     switch (occlusion.afterDrawing) {
         case AfterDrawing::Nothing:
@@ -99,15 +86,14 @@ void keepTrue(const Occlusion& occlusion, const ScreenTriangle& triangle, const 
         case AfterDrawing::MarkStale:
             return occlusion.pyramid->touched(triangle.box);
         case AfterDrawing::Push:
-            return occlusion.pyramid->push(triangle.box, tellingOfCells(probe));
+            return occlusion.pyramid->push(triangle.box, Untold{});
         case AfterDrawing::PushFromFarthest:
-            return occlusion.pyramid->pushFrom(triangle.box, fromFarthestCorner(triangle), tellingOfCells(probe));
+            return occlusion.pyramid->pushFrom(triangle.box, fromFarthestCorner(triangle), Untold{});
         case AfterDrawing::Cover:
             if (triangle.wide || triangle.patterned) return;  // what it covers, or how far back, is not known here
             return occlusion.pyramid->cover(
                 triangle.box, TriangleCover(triangle, rules.notOwned()),
-                [&](const PixelBox& pixels) { return farthestOver(triangle.depth, pixels, rules); },
-                tellingOfCells(probe));
+                [&](const PixelBox& pixels) { return farthestOver(triangle.depth, pixels, rules); }, Untold{});
     }
 }
 

@@ -38,7 +38,7 @@
 
 namespace zscope {
 
-/// What a query asked and found, for probes.
+/// What a query asked and found.
 struct PyramidQuery {
     PixelBox box;
     float    nearest = 0;  // the nearest depth anything inside the box could have
@@ -49,7 +49,7 @@ struct PyramidQuery {
     int   cells  = 0;  // read to decide
 };
 
-/// A cell that has been computed anew, for probes; its value may be the same again.
+/// A cell that has been computed anew; its value may be the same again.
 struct CellWrite {
     int   level, x, y;
     float before, after;

@@ -1,10 +1,9 @@
-// The pyramid's questions and its upkeep, each told cell by cell to whoever wants to hear: one text for full speed,
-// which tells nobody, and for stepping.
+// The pyramid's questions and its upkeep, cell by cell: one text for plain methods, which report each cell, and for the
+// shortcuts, which report none.
 //
 // Told       called with a CellWrite right after the cell holds its new value; it may throw to end the run there
-// Full speed pyramid.cpp instantiates this once for Untold; only runs that are listened to include it. It looks at more
-//            pixels before cells: the same answers, but fewer cells are brought up to date than whoever listens is
-//            shown, who wants to see them
+// Untold     pyramid.cpp instantiates this once for it. It looks at more pixels before cells: the same answers, but
+//            fewer cells are brought up to date
 #pragma once
 
 #include <algorithm>

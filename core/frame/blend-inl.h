@@ -16,7 +16,6 @@
 
 #include "core/frame/pipeline.h"
 #include "core/geometry/transparent_surfaces.h"
-#include "core/probe/probe.h"
 #include "core/shade/colour_table.h"
 #include "core/sweep/blend_line.h"
 #include "core/sweep/enter_edges-inl.h"
@@ -27,16 +26,14 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 /// Enters each transparent triangle of a batch in the edge table, with its paint.
-template <class Rules>
 struct EnterTransparent {
     const Scene&       scene;
     const ColourTable& colours;
     BlendScratch&      scratch;
-    const Rules&       rules;
 
     void operator()(const TriangleList& triangles) const
     {
-        EdgeEntry(scratch.edges, rules)(triangles);
+        EdgeEntry{scratch.edges}(triangles);
         for (std::size_t i = 0; i < triangles.count; ++i) scratch.paints.push_back(paintOf(triangles[i]));
     }
 
@@ -55,21 +52,22 @@ private:
 
 /// Blends the stripe's transparent surfaces over `colour`. `rules` without a fault: faults belong to the opaque
 /// picture.
-template <class Probe>
 void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order,
                  const ChosenRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                 GridView<std::uint32_t> colour, const Probe& probe)
+                 GridView<std::uint32_t> colour)
 {
     BlendScratch& blend = scratch.blend;
     blend.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), EdgeTable::Sides::OfWide, stripe.memory);
     blend.paints.clear();
     clock.countAllAs(Stage::Shade);
-    const auto batchesOf = [&surfaces](MeshId mesh) -> const MeshBatches& { return surfaces.of(mesh); };
-    visitTriangles(batchesOf, stripe, scratch, clock,
-                   EnterTransparent<ChosenRules>{stripe.scene.scene(), colours, blend, rules}, rules, NoProbe{});
+    Tally       ofSweep;  // what is counted is the blending, not the sweep beneath it
+    const Tally before    = scratch.tally;
+    const auto  batchesOf = [&surfaces](MeshId mesh) -> const MeshBatches& { return surfaces.of(mesh); };
+    visitTriangles(batchesOf, stripe, scratch, clock, EnterTransparent{stripe.scene.scene(), colours, blend}, rules);
     blend.edges.fillBuckets();
-    BlendLine resolve(stripe.visible, colour, order, blend, rules, probe);
-    sweep(blend.edges, blend.active, blend.polygons, resolve, stripe.progress, rules, NoProbe{});
+    scratch.tally = before;
+    BlendLine resolve(stripe.visible, colour, order, blend, rules, scratch.tally);
+    sweep(blend.edges, blend.active, blend.polygons, resolve, stripe.progress, ofSweep);
     clock.lap(Stage::Shade);
     clock.countAllAs(std::nullopt);
 }

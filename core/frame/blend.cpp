@@ -11,7 +11,7 @@ void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours
                  const ChosenRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
                  GridView<std::uint32_t> colour)
 {
-    HWY_STATIC_DISPATCH(blendStripe)(surfaces, colours, order, rules, stripe, scratch, clock, colour, NoProbe{});
+    HWY_STATIC_DISPATCH(blendStripe)(surfaces, colours, order, rules, stripe, scratch, clock, colour);
 }
 
 }  // namespace zscope

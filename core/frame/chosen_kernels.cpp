@@ -7,7 +7,6 @@
 #include <hwy/foreach_target.h>  // includes this file once per target
 
 #include "core/frame/drivers-inl.h"
-#include "core/probe/probe.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
@@ -15,7 +14,7 @@ namespace zscope::HWY_NAMESPACE {
 void drawStripeByChosenRules(const Pipeline& pipeline, const ChosenRules& rules, const Stripe& stripe,
                              StripeScratch& scratch, StageClock& clock)
 {
-    drawStripe(pipeline, stripe, scratch, clock, rules, NoProbe{});
+    drawStripe(pipeline, stripe, scratch, clock, rules);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

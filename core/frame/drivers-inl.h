@@ -15,7 +15,6 @@
 #include "core/cull/ask_pyramid-inl.h"
 #include "core/cull/occlusion.h"
 #include "core/depth/least_key-inl.h"
-#include "core/frame/frame_events.h"
 #include "core/frame/pipeline.h"
 #include "core/scan/half_space-inl.h"
 #include "core/scan/pattern-inl.h"
@@ -37,16 +36,16 @@ struct Pass {
 };
 
 /// Turns each triangle of a batch into pixels as soon as it is set up, unless the pyramid says it is hidden.
-template <class Scan, class Rules, class Probe>
+template <class Scan, class Rules>
 struct ScanConvert {
     const Pass&      pass;
     const Stripe&    stripe;
     WindowList&      windows;
     SampleList&      samples;
+    Tally&           tally;
     const Occlusion& occlusion;
     StageClock&      clock;
     const Rules&     rules;
-    const Probe&     probe;
 
     DrawnTriangles operator()(TriangleList& triangles) const
     {
@@ -68,6 +67,7 @@ struct ScanConvert {
             all = convert<Keep::Nearest>(triangles, late);
         else
             all = shades ? convert<Keep::Nearest>(triangles, early) : convert<Keep::Nearest>(triangles, unshaded);
+        tally.add(Unit::TrianglesDrawn, all.drawn);
         clock.lap(Stage::Raster);
         return all;
     }
@@ -98,17 +98,13 @@ private:
             }
         }
         for (const std::uint32_t i : triangles.inTurn(true)) {
-            if constexpr (Probe::listens)
-                if (stripe.progress.cancelled()) return all;  // each may take long then
+            // each may take long then
             if (asksInTurn && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
             if (triangles.isHidden(i)) continue;
             ++all.drawn;
             const ScreenTriangle triangle = triangles[i];
-            probe(TriangleReached{triangle});
             if (!drawByWindows<kKeep, Fragments>(triangles, i)) draw<kKeep>(triangle, fragmentsOf);
-            if (!pass.tiles && occlusion.afterDrawing != AfterDrawing::MarkStale)
-                keepTrue(occlusion, triangle, rules, probe);
-            probe(TriangleFinished{triangle.id});
+            if (!pass.tiles && occlusion.afterDrawing != AfterDrawing::MarkStale) keepTrue(occlusion, triangle, rules);
         }
         return all;
     }
@@ -120,11 +116,10 @@ private:
         return std::is_same_v<Scan, HalfSpace> && Rules::kExact && Fragments::kMoment == ShadingMoment::Never;
     }
 
-    /// What listens or keeps a pyramid true wants to know of each triangle when it has been drawn; tiles are asked
-    /// before.
+    /// What keeps a pyramid true wants to know of each triangle when it has been drawn; tiles are asked before.
     bool needsEachAtOnce() const
     {
-        return Probe::listens || pass.tiles
+        return pass.tiles
                || (occlusion.afterDrawing != AfterDrawing::Nothing
                    && occlusion.afterDrawing != AfterDrawing::MarkStale);
     }
@@ -142,8 +137,9 @@ private:
             if (!triangles.isAlone(i) && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
         openCompact(triangles);
         WindowFinder(triangles, windows).add(0, triangles.count);
-        testTiny<kKeep>(triangles, 0, triangles.count, samples, stripe.visible, probe);
-        testWindows<kKeep>(triangles, windows, stripe.visible, probe);
+        tally.add(Unit::Windows, windows.windows());
+        testTiny<kKeep>(triangles, 0, triangles.count, samples, stripe.visible);
+        testWindows<kKeep>(triangles, windows, stripe.visible);
     }
 
     /// Opens what compact triangles may be drawn to, and lets the pyramid know: all of their reach where it has no more
@@ -172,9 +168,10 @@ private:
         if constexpr (!drawsWindows<Fragments>()) return false;
         if (pass.tiles || triangles.isAlone(i)) return false;
         WindowFinder(triangles, windows).add(i, i + 1);
+        tally.add(Unit::Windows, windows.windows());
         openTiles(stripe.visible, triangles.box(i));
-        testTiny<kKeep>(triangles, i, i + 1, samples, stripe.visible, probe);
-        testWindows<kKeep>(triangles, windows, stripe.visible, probe);
+        testTiny<kKeep>(triangles, i, i + 1, samples, stripe.visible);
+        testWindows<kKeep>(triangles, windows, stripe.visible);
         if (occlusion.afterDrawing == AfterDrawing::MarkStale) occlusion.pyramid->touched(triangles.box(i));
         return true;
     }
@@ -193,19 +190,19 @@ private:
     template <Keep kKeep, class Fragments>
     void fill(const ScreenTriangle& triangle, const Fragments& fragments) const
     {
-        const bool              waits = occlusion.afterDrawing == AfterDrawing::MarkStale && !pass.tiles;
-        const TileUpkeep<Probe> upkeep{waits ? occlusion.pyramid : nullptr,
-                                       waits || occlusion.afterDrawing == AfterDrawing::Nothing, probe};
+        const bool       waits = occlusion.afterDrawing == AfterDrawing::MarkStale && !pass.tiles;
+        const TileUpkeep upkeep{waits ? occlusion.pyramid : nullptr,
+                                waits || occlusion.afterDrawing == AfterDrawing::Nothing};
         if constexpr (std::is_same_v<Scan, HalfSpace>) {
             if constexpr (kKeep == Keep::Nearest) {
                 if (pass.tiles)
-                    return HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, tellingOfCells(probe), fragments,
-                                                         stripe.visible, rules, probe);
+                    return HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, Untold{}, fragments, stripe.visible,
+                                                         rules);
             }
-            HalfSpace::fill<kKeep>(triangle, fragments, upkeep, stripe.visible, rules, probe);
+            HalfSpace::fill<kKeep>(triangle, fragments, upkeep, stripe.visible, rules);
         } else {
             stripe.visible.open(triangle.box);
-            Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules, probe);
+            Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules);
             upkeep.touched(triangle.box);
         }
     }
@@ -240,66 +237,57 @@ private:
     bool isHidden(const TriangleList& triangles, std::size_t i) const
     {
         const auto ask = [&](const auto& shape) {
-            return askPyramid(*occlusion.pyramid, triangles.box(i), triangles.nearest[i], shape, rules, probe);
+            return askPyramid(*occlusion.pyramid, triangles.box(i), triangles.nearest[i], shape, rules);
         };
+        tally.add(Unit::Questions);
         const PyramidQuery query =
             occlusion.asksByShape ? ask(TriangleCover(triangles[i], rules.notOwned())) : ask(WholeBox{});
-        const TriangleId id = triangles.id(i);
-        probe(PyramidAsked{query, nullptr, id});
-        if (query.hidden)
-            probe(TriangleHidden{id, query});
-        else
-            probe(TrianglePassed{id, query});
         return query.hidden;
     }
 };
 
 /// First what the last frame saw, unasked; then everything else, against the pyramid over the first.
-template <class Scan, class Rules, class Probe>
+template <class Scan, class Rules>
 void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees,
-                   const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
+                   const Occlusion& occlusion, StageClock& clock, const Rules& rules)
 {
-    using Convert = ScanConvert<Scan, Rules, Probe>;
-    scratch.memory.begin(trees, Rules::kExact && !Probe::listens && occlusion.asksPixels);
-    probe(PassStarted{1});
+    using Convert = ScanConvert<Scan, Rules>;
+    scratch.memory.begin(trees, Rules::kExact && occlusion.asksPixels);
     const Occlusion blind{
         .pyramid = occlusion.pyramid, .asksPixels = occlusion.asksPixels, .afterDrawing = occlusion.afterDrawing};
-    const Convert drawAll{pass, stripe, scratch.windows, scratch.samples, blind, clock, rules, probe};
-    FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, probe, &scratch.memory).drawRemembered();
-    probe(PassStarted{2});
-    const Convert drawUnhidden{pass, stripe, scratch.windows, scratch.samples, occlusion, clock, rules, probe};
-    FrontToBack(stripe, scratch, trees, occlusion, clock, drawUnhidden, rules, probe, &scratch.memory).visitScene();
+    const Convert drawAll{pass, stripe, scratch.windows, scratch.samples, scratch.tally, blind, clock, rules};
+    FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, &scratch.memory).drawRemembered();
+    const Convert drawUnhidden{pass, stripe, scratch.windows, scratch.samples, scratch.tally, occlusion, clock, rules};
+    FrontToBack(stripe, scratch, trees, occlusion, clock, drawUnhidden, rules, &scratch.memory).visitScene();
     scratch.memory.finish();
 }
 
 /// The scene in the pipeline's order.
-template <class Scan, class Rules, class Probe>
+template <class Scan, class Rules>
 void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, StripeScratch& scratch,
-              const Occlusion& occlusion, StageClock& clock, const Rules& rules, const Probe& probe)
+              const Occlusion& occlusion, StageClock& clock, const Rules& rules)
 {
-    const ScanConvert<Scan, Rules, Probe> convert{pass,      stripe, scratch.windows, scratch.samples,
-                                                  occlusion, clock,  rules,           probe};
+    const ScanConvert<Scan, Rules> convert{pass,          stripe,    scratch.windows, scratch.samples,
+                                           scratch.tally, occlusion, clock,           rules};
     if (pipeline.order == Order::Submitted) {
-        visitAsSubmitted(stripe, scratch, clock, convert, rules, probe);
+        visitAsSubmitted(stripe, scratch, clock, convert, rules);
         return;
     }
     const TreeKind    kind  = pipeline.order == Order::Octree ? TreeKind::Octree : TreeKind::Bvh;
     const SceneTrees& trees = treesOf(stripe.scene, kind);
     clock.lap(Stage::Build);
     if (pipeline.coherence != Coherence::TwoPass) {
-        FrontToBack(stripe, scratch, trees, occlusion, clock, convert, rules, probe).visitScene();
+        FrontToBack(stripe, scratch, trees, occlusion, clock, convert, rules).visitScene();
         return;
     }
-    drawTwoPasses<Scan>(pass, stripe, scratch, trees, occlusion, clock, rules, probe);
+    drawTwoPasses<Scan>(pass, stripe, scratch, trees, occlusion, clock, rules);
 }
 
-/// Forgets the last picture. Who listens may look at any time; approximate edges may leave the boxes of their
-/// triangles.
-template <class Rules, class Probe>
+/// Forgets the last picture. Approximate edges may leave the boxes of their triangles.
+template <class Rules>
 void beginPicture(const Stripe& stripe)
 {
     stripe.visible.emptyRows(stripe.firstRow, stripe.endRow);
-    if constexpr (Probe::listens) stripe.visible.finishRows(stripe.firstRow, stripe.endRow);
     if constexpr (!Rules::kExact) stripe.visible.open(stripe.region());
 }
 
@@ -330,17 +318,17 @@ inline bool asksPixels(const Pipeline& pipeline, ShadingMoment shading)
            && shading == ShadingMoment::Never;
 }
 
-/// At full speed lanes read many tiles at once, and whoever asks pixels asks no other levels.
-template <class Rules, class Probe>
+/// Lanes read many tiles at once, and whoever asks pixels asks no other levels.
+template <class Rules>
 PyramidKind pyramidKind(const Pipeline& pipeline, bool asksPixels)
 {
     if (pipeline.upkeep == Upkeep::Masked) return PyramidKind::Masked;
-    return Rules::kExact && !Probe::listens && asksPixels ? PyramidKind::Wide : PyramidKind::Deep;
+    return Rules::kExact && asksPixels ? PyramidKind::Wide : PyramidKind::Deep;
 }
 
-template <class Scan, class Rules, class Probe>
+template <class Scan, class Rules>
 void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                const Rules& rules, const Probe& probe)
+                const Rules& rules)
 {
     const bool hasPrepass = pipeline.depth == DepthMoment::Prepass;
     const bool hasPyramid = pipeline.upkeep != Upkeep::None;
@@ -350,24 +338,20 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                                                                   : ShadingMoment::AfterTest;
 
     scratch.pyramid.readTilesBy(leastKeyOfTile);
-    probe(StageStarted{Stage::Clear});
-    beginPicture<Rules, Probe>(stripe);
+    beginPicture<Rules>(stripe);
     if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
     const bool asksLast    = pipeline.coherence == Coherence::LastPyramid;
     const bool looksItself = asksPixels(pipeline, shading) && std::is_same_v<Scan, HalfSpace>;
     const bool continues   = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
     if ((hasPyramid || hasTiles) && !continues)
-        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault,
-                              pyramidKind<Rules, Probe>(pipeline, looksItself));
+        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, Fault::None,
+                              pyramidKind<Rules>(pipeline, looksItself));
     clock.lap(Stage::Clear);
-    probe(StageFinished{Stage::Clear});
 
     if (hasPrepass) {
-        probe(StageStarted{Stage::Prepass});
         clock.countAllAs(Stage::Prepass);
-        drawPass<Scan>(pipeline, Pass{.keep = Keep::DepthOnly}, stripe, scratch, Occlusion{}, clock, rules, probe);
+        drawPass<Scan>(pipeline, Pass{.keep = Keep::DepthOnly}, stripe, scratch, Occlusion{}, clock, rules);
         clock.countAllAs(std::nullopt);
-        probe(StageFinished{Stage::Prepass});
         if (hasPyramid) {
             scratch.pyramid.allTouched();
             clock.lap(Stage::Upkeep);
@@ -375,7 +359,6 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     }
 
     if (asksLast && !continues) scratch.pyramid.complete();  // no frame before: empty cells hide nothing
-    probe(StageStarted{Stage::Raster});
     const Occlusion occlusion{.pyramid       = hasPyramid ? &scratch.pyramid : nullptr,
                               .asksNodes     = asksNodes(pipeline.cull),
                               .asksTriangles = asksTriangles(pipeline.cull),
@@ -385,28 +368,25 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     const Pass      pass{.keep    = hasPrepass ? Keep::Equal : Keep::Nearest,
                          .shading = shading,
                          .tiles   = hasTiles ? &scratch.pyramid : nullptr};
-    drawPass<Scan>(pipeline, pass, stripe, scratch, occlusion, clock, rules, probe);
-    probe(StageFinished{Stage::Raster});
+    drawPass<Scan>(pipeline, pass, stripe, scratch, occlusion, clock, rules);
     if (asksLast) {
-        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault);
+        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow);
         scratch.pyramid.complete();
         clock.lap(Stage::Upkeep);
     }
 }
 
 /// Enters the triangles of a batch, or one face after another, in the edge table.
-template <class Rules>
 struct EnterEdges {
     const Stripe& stripe;
     EdgeTable&    edges;
     TriangleList& waiting;  // that have come one by one, until there are enough
     StageClock&   clock;
-    const Rules&  rules;
 
     void operator()(const TriangleList& triangles) const
     {
         for (std::size_t i = 0; i < triangles.count; ++i) stripe.visible.open(triangles.box(i));
-        EdgeEntry(edges, rules)(triangles);
+        EdgeEntry{edges}(triangles);
         clock.lap(Stage::Setup);
     }
     void operator()(const ScreenTriangle& triangle) const
@@ -417,7 +397,7 @@ struct EnterEdges {
     void operator()(const ScreenFace& face, std::span<const ScreenSide> sides) const
     {
         stripe.visible.open(boxOf(sides));
-        EdgeEntry(edges, rules)(face, sides);
+        EdgeEntry{edges}(face, sides);
     }
     /// After the last one.
     void finish() const
@@ -442,62 +422,57 @@ private:
     }
 };
 
-template <class Rules, class Probe>
+template <class Rules>
 void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                   const Rules& rules, const Probe& probe)
+                   const Rules& rules)
 {
-    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(),
-                        Probe::listens ? EdgeTable::Sides::All : EdgeTable::Sides::OfWide, stripe.memory);
-    const EnterEdges<Rules> enter{stripe, scratch.edges, scratch.faces.waiting, clock, rules};
+    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), EdgeTable::Sides::OfWide,
+                        stripe.memory);
+    const EnterEdges enter{stripe, scratch.edges, scratch.faces.waiting, clock};
     scratch.faces.waiting.clear();
     if (drawsFaces(pipeline)) {
-        visitFacesAsSubmitted(stripe, scratch, clock, enter, rules, probe);
+        visitFacesAsSubmitted(stripe, scratch, clock, enter, rules);
         enter.finish();
     } else {
-        visitAsSubmitted(stripe, scratch, clock, enter, rules, probe);
+        visitAsSubmitted(stripe, scratch, clock, enter, rules);
     }
     if (!stripe.progress.cancelled()) scratch.edges.fillBuckets();
 }
 
-template <class Resolve, class Rules, class Probe>
+template <class Resolve, class Rules>
 void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, Resolve resolve,
-               StageClock& clock, const Rules& rules, const Probe& probe)
+               StageClock& clock, const Rules& rules)
 {
-    beginPicture<Rules, Probe>(stripe);
+    beginPicture<Rules>(stripe);
     clock.lap(Stage::Clear);
-    probe(StageStarted{Stage::Setup});
-    // otherwise it is still full
-    if (!probe.isOnTheWay()) fillEdgeTable(pipeline, stripe, scratch, clock, rules, probe);
+    fillEdgeTable(pipeline, stripe, scratch, clock, rules);
     if (stripe.progress.cancelled()) return;  // to sort the edges of millions of triangles takes seconds
-    if (!probe.leavesOut(Checkpoint::EdgeTable)) probe(EdgeTableReady{scratch.edges});
+    scratch.tally.add(Unit::Edges, scratch.edges.edgeCount());
     clock.lap(Stage::Setup);
-    probe(StageFinished{Stage::Setup});
 
-    probe(StageStarted{Stage::Raster});
-    sweep(scratch.edges, scratch.active, scratch.polygons, resolve, stripe.progress, rules, probe);
+    sweep(scratch.edges, scratch.active, scratch.polygons, resolve, stripe.progress, scratch.tally);
     clock.lap(Stage::Raster);
-    probe(StageFinished{Stage::Raster});
 }
 
 /// The one place where a pipeline's words become the types that draw.
-template <class Rules, class Probe>
+template <class Rules>
 void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                const Rules& rules, const Probe& probe)
+                const Rules& rules)
 {
     const PatternFinder patterns{stripe.scene.scene(), stripe.projection};
     switch (pipeline.scan) {
         case Scan::HalfSpace:
-            drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules, probe);
+            drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules);
             break;
         case Scan::EdgeWalk:
-            drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules, probe);
+            drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules);
             break;
         case Scan::SweepZLine:
-            drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, patterns, rules), clock, rules, probe);
+            drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, patterns, rules), clock, rules);
             break;
         case Scan::SweepIntervals:
         case Scan::SweepPolygons:
-            drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, rules), clock, rules, probe);
+            drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, rules), clock, rules);
             break;
     }
     stripe.visible.finishRows(stripe.firstRow, stripe.endRow);

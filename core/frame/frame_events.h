@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/stages.h"
+#include "core/probe/about.h"
 #include "core/probe/grain.h"
 
 namespace zscope {
@@ -13,11 +14,15 @@ struct StageStarted {
 struct StageFinished {
     static constexpr Grain grain = Grain::Stage;
     Stage                  stage;
+
+    About about() const { return {.stage = stage}; }
 };
 
 /// The picture is finished.
 struct FrameFinished {
     static constexpr Grain grain = Grain::Frame;
+
+    About about() const { return {}; }
 };
 
 }  // namespace zscope

@@ -235,7 +235,10 @@ bool drawsPatchedBatches(const DrawRequest& request)
     return !drawsFaces(pipeline) || facesOf(*request.scene).someAreTriangles();
 }
 
-bool isPlain(const DrawRequest& request) { return request.shortcuts == Shortcuts::None; }
+bool isPlain(const DrawRequest& request)
+{
+    return request.shortcuts == Shortcuts::None || request.pipeline.fault != Fault::None;
+}
 
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible)
 {

@@ -5,7 +5,6 @@
 #include <hwy/foreach_target.h>  // includes this file once per target
 
 #include "core/frame/drivers-inl.h"
-#include "core/probe/probe.h"
 #include "core/shade/shade-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -13,7 +12,7 @@ namespace zscope::HWY_NAMESPACE {
 
 void drawStripeAtFullSpeed(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock)
 {
-    drawStripe(pipeline, stripe, scratch, clock, ExactRules{}, NoProbe{});
+    drawStripe(pipeline, stripe, scratch, clock, ExactRules{});
 }
 
 const Kernels& kernels()

@@ -47,8 +47,12 @@ using namespace plain;
 /// Reports that a stage has begun, and when it is finished.
 class InStage {
 public:
-    InStage(Work& work, Stage stage) : m_work(work), m_stage(stage) { work.tell(StageStarted{stage}); }
-    void finish() const { m_work.tell(StageFinished{m_stage}); }
+    InStage(Call work, Stage stage) : m_work(*work), m_stage(stage) { work->tell(StageStarted{stage}); }
+    void finish(SourceLine call = SourceLine::here()) const
+    {
+        m_work.call = call;
+        m_work.tell(StageFinished{m_stage}, call);
+    }
 
 private:
     Work& m_work;
@@ -165,6 +169,7 @@ void drawSweep(const Pipeline& pipeline, Work& work)
             fillEdgeTable(work, parts);
     }
     if (work.isCancelled()) return;  // to sort the edges of millions of triangles takes seconds
+    work.tally.add(Unit::Edges, work.scratch.edges.edgeCount());
     if (!work.leavesOut(Checkpoint::EdgeTable)) work.tell(EdgeTableReady{work.scratch.edges});
     work.clock.lap(Stage::Setup);
     settingUp.finish();

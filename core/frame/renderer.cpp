@@ -14,8 +14,10 @@
 #include "core/frame/blend.h"
 #include "core/frame/frame_plan.h"
 #include "core/frame/kernels.h"
+#include "core/frame/observed_run.h"
 #include "core/frame/plain_stripe.h"
 #include "core/frame/stripes.h"
+#include "core/frame/work_recorder.h"
 #include "core/geometry/face_batches.h"
 #include "core/plain/shading.h"
 
@@ -55,11 +57,29 @@ struct Measured {
     }
 };
 
+/// What the last frame of plain text took over from the frame before it, if it has coherence and was drawn by one
+/// thread.
+struct TakenOver {
+    std::weak_ptr<const PreparedScene> scene;
+    Camera                             camera;
+    FaceCulling                        faceCulling = FaceCulling::None;
+    Pipeline                           pipeline;
+    Pyramid                            pyramid;
+    NodeMemory                         memory;
+
+    bool isOf(const DrawRequest& request) const
+    {
+        return !scene.expired() && !scene.owner_before(request.scene) && !request.scene.owner_before(scene)
+               && camera == request.camera && faceCulling == request.faceCulling && pipeline == request.pipeline;
+    }
+};
+
 }  // namespace
 
 struct Renderer::Workspace {
     std::vector<StripeScratch>  scratch;  // one per thread
     std::vector<plain::Scratch> plain;    // likewise, of plain text
+    std::optional<TakenOver>    takenOver;
     StripeBorders               borders;
     Measured                    measured;
 };
@@ -174,6 +194,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     const ChosenRules          rules(request.pipeline.approximation, request.pipeline.fault, camera);
     std::vector<StageMs>       stageMs(static_cast<std::size_t>(plan->threads));
     std::vector<double>        stripeMs(static_cast<std::size_t>(plan->threads));
+    std::vector<Tally>         tallies(static_cast<std::size_t>(plan->threads));
     std::atomic<bool>          outOfMemory   = false;
     const ColourTable*         colours       = nullptr;
     bool                       shadesByTiles = false;
@@ -202,6 +223,12 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         if (isPlain) m_workspace->plain.resize(std::max(m_workspace->plain.size(), stageMs.size()));
         m_workspace->scratch.resize(std::max(m_workspace->scratch.size(), stageMs.size()));
         for (StripeScratch& scratch : m_workspace->scratch) scratch.memory.allowWholeNodes();
+        m_workspace->takenOver.reset();
+        if (isPlain && plan->threads == 1 && request.pipeline.coherence != Coherence::None) {
+            const plain::Scratch& before = m_workspace->plain.front();
+            m_workspace->takenOver.emplace(
+                TakenOver{request.scene, camera, request.faceCulling, request.pipeline, before.pyramid, before.memory});
+        }
     } catch (const std::bad_alloc&) {
         frame.colour = {};  // it may have its size and not its values
         return Error{Trouble::Limit, "there is not enough memory for this picture"};
@@ -221,6 +248,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
 #pragma omp parallel for num_threads(plan->threads) schedule(static, 1)
     for (int i = 0; i < plan->threads; ++i) {
         const auto              index       = static_cast<std::size_t>(i);
+        Tally&                  tally       = tallies[index];
         const Clock::time_point stripeStart = Clock::now();
         StageClock              clock;
         const auto [first, end] = m_workspace->borders.stripe(i);
@@ -234,8 +262,9 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
                             shadesFragments(request.pipeline.depth) && painter ? &*painter : nullptr,
                             effectiveMemoryLimit(request.memoryLimit) / static_cast<std::uint64_t>(plan->threads)};
         try {
+            m_workspace->scratch[index].tally = {};
             if (isPlain) {
-                plain::Work work{stripe, rules, m_workspace->plain[index], clock};
+                plain::Work work{stripe, rules, m_workspace->plain[index], clock, tally};
                 drawPlainly(request.pipeline, work);
             } else if (exact)
                 kernels.drawStripe(request.pipeline, stripe, m_workspace->scratch[index], clock);
@@ -244,12 +273,15 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
             if (needsPixels && !isPlain) kernels.storePlanes(frame.visible, first, end);
             clock.lap(Stage::Raster);
             if (defers && isPlain)
-                plain::shadeLines(*painter, frame.visible, first, end);
+                plain::shadeLines(*painter, frame.visible, first, end, tally);
             else if (defers)
                 kernels.shadeRows(*painter, frame.visible, first, end);
+            if (defers && !isPlain)
+                tally.add(Unit::PicturePixels,
+                          static_cast<std::uint64_t>(end - first) * static_cast<std::uint64_t>(frame.visible.width()));
             if (transparent && isPlain) {
                 clock.lap(defers ? Stage::Shade : Stage::Other);
-                plain::Work work{stripe, blendRules, m_workspace->plain[index], clock};
+                plain::Work work{stripe, blendRules, m_workspace->plain[index], clock, tally};
                 blendPlainly(*transparent, *colours, request.pipeline.transparency, work, frame.colour.view());
             } else if (transparent) {
                 clock.lap(defers ? Stage::Shade : Stage::Other);
@@ -260,6 +292,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
             outOfMemory = true;
         }
         clock.lap(defers ? Stage::Shade : Stage::Other);
+        tally.add(m_workspace->scratch[index].tally);
         stageMs[index]  = clock.ms();
         stripeMs[index] = msSince(stripeStart);
     }
@@ -273,10 +306,13 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     m_workspace->borders.rebalance(stripeMs);
 
     FrameReport report;
-    report.frameMs             = msSince(start);
-    report.stages              = stageTimes(request, stageMs, builtMs, report.frameMs);
-    report.threads             = plan->threads;
-    report.simd                = plan->simd;
+    report.frameMs = msSince(start);
+    report.stages  = stageTimes(request, stageMs, builtMs, report.frameMs);
+    report.threads = plan->threads;
+    report.simd    = plan->simd;
+    Tally all;
+    for (const Tally& each : tallies) all.add(each);
+    report.tallies             = all.named();
     std::uint64_t scratchBytes = 0;
     for (const StripeScratch& scratch : m_workspace->scratch) scratchBytes += scratch.bytes();
     report.bytes = {{"visibility_buffer", frame.visible.bytes()},
@@ -288,6 +324,33 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
                     {"scratch", scratchBytes}};
     if (auto tooLarge = whyTooLarge(report.bytes, request)) return *std::move(tooLarge);
     return report;
+}
+
+Result<FrameWork> Renderer::count(const DrawRequest& request)
+{
+    const Result<FramePlan> plan = planFrame(request);
+    if (!plan) return plan.error();
+    try {
+        Frame          frame;
+        plain::Scratch scratch;
+        WorkRecorder   work(request.scene->scene());
+        DrawRequest    cheaply = request;  // which fragments are shaded does not depend on what that costs
+        cheaply.pipeline.cost  = ShadingCost::None;
+        cheaply.shade          = shadesFragments(request.pipeline.depth) || toBeBlended(request);
+        const auto& before     = m_workspace->takenOver;
+        const bool  isKnown    = before && before->isOf(request);
+        if (isKnown) {
+            scratch.pyramid = before->pyramid;
+            scratch.memory  = before->memory;
+        }
+        Listening listening(work);
+        drawObserved(cheaply, frame, scratch, listening, isKnown ? FrameBefore::InScratch : FrameBefore::Drawn);
+        if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "counting was cancelled"};
+        if (!shadesFragments(request.pipeline.depth)) work.shadedOnce(frame.visible);
+        return work.work();
+    } catch (const std::bad_alloc&) {
+        return Error{Trouble::Limit, "there is not enough memory to count this frame"};
+    }
 }
 
 }  // namespace zscope

@@ -45,6 +45,8 @@ std::string_view wordOf(Simd simd);
 /// a bit of the picture.
 enum class Shortcuts { All, None };
 
+constexpr std::string_view wordOf(Shortcuts shortcuts) { return shortcuts == Shortcuts::All ? "all" : "none"; }
+
 /// What to draw and how. A value: it may be copied to another thread; the scene is shared.
 struct DrawRequest {
     std::shared_ptr<const PreparedScene> scene;
@@ -69,8 +71,9 @@ struct Frame {
 
 struct FrameReport {
     double                  frameMs = 0;
-    std::vector<StageTime>  stages;  // all of kStages, in order; their ms add up to frameMs
-    std::vector<NamedCount> bytes;   // of every structure of the frame
+    std::vector<StageTime>  stages;   // all of kStages, in order; their ms add up to frameMs
+    std::vector<NamedCount> bytes;    // of every structure of the frame
+    std::vector<NamedCount> tallies;  // what this very run did, in its own units (core/base/tally.h); none is 0
     int                     threads = 1;
     Simd                    simd    = Simd::Scalar;
 
@@ -90,7 +93,9 @@ public:
     /// Errors: Usage (invalid pipeline, unavailable SIMD target), Limit (memory), Cancelled.
     Result<FrameReport> draw(const DrawRequest& request, Frame& frame);
 
-    /// The work of the same frame, counted by a probe in a run of its own: one thread, one lane.
+    /// The work of the textbook method on the same frame, counted in a run of its own: plain text, one thread. Of a
+    /// method with coherence: of the frame that draw() drew last, if it drew this request by plain text with one
+    /// thread; else of a frame that follows one of the same request.
     Result<FrameWork> count(const DrawRequest& request);
 
 private:

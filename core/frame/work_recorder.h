@@ -17,16 +17,21 @@
 #include "core/frame/frame_events.h"
 #include "core/frame/frame_work.h"
 #include "core/geometry/geometry_events.h"
+#include "core/plain/active_edges.h"
+#include "core/probe/recorders.h"
 #include "core/scan/pixel_events.h"
 #include "core/scene/scene.h"
 #include "core/sweep/blend_events.h"
-#include "core/sweep/edge_table.h"
-#include "core/sweep/sweep_events.h"
 
 namespace zscope {
 
 class WorkRecorder {
 public:
+    using Events = Wants<StageStarted, TransparentLeftOut, BatchOutside, BatchTransformed, TriangleSetUp, FaceSetUpAs,
+                         NodeRecalled, NodeJudged, NodeDrawn, TriangleHidden, TrianglePassed, TriangleReached,
+                         CellUpdated, plain::EdgeTableReady, plain::LineReady, SpanFilled, PixelTested, TileTested,
+                         FragmentsJudged, PixelBlended>;
+
     explicit WorkRecorder(const Scene& scene) : m_scene(scene) {}
 
     void observe(const StageStarted& e)
@@ -49,6 +54,7 @@ public:
     }
     void observe(const TriangleSetUp& e)
     {
+        ++m_setUp;
         if (m_inPrepass) {
             m_drawnInPrepass += e.fate == SetUp::Drawn;
             return;
@@ -136,8 +142,8 @@ public:
         m_levels[above].cellsChanged += e.write.after != e.write.before;
     }
 
-    void observe(const EdgeTableReady& e) { m_edges += e.table.edgeCount(); }
-    void observe(const ScanlineReady& e) { m_edgeLines += e.active.size(); }
+    void observe(const plain::EdgeTableReady& e) { m_edges += e.table.edgeCount(); }
+    void observe(const plain::LineReady& e) { m_edgeLines += e.active.size(); }
     void observe(const SpanFilled&) { ++m_spans; }
     void observe(const PixelTested& e)
     {
@@ -190,6 +196,7 @@ private:
                 {"triangles_hidden", m_hidden},
                 {"triangles_dropped_with_node", total(&DepthWork::trianglesDropped)},
                 {"triangles_drawn", fate(SetUp::Drawn) - m_hidden},
+                {"triangles_set_up", m_setUp},
                 {"triangles_clipped", m_clipped},
                 {"triangles_wide", m_wide},
                 {"batches_drawn", m_batches},
@@ -307,7 +314,7 @@ private:
     std::map<std::pair<InstanceId, const TreeNode*>, std::uint64_t> m_ahead;
     std::optional<TriangleId>                                       m_lastPart;
     bool                                                            m_lastPartHidden = false;
-    std::uint64_t m_drawnInPrepass = 0, m_hidden = 0, m_queries = 0, m_cells = 0;
+    std::uint64_t m_setUp = 0, m_drawnInPrepass = 0, m_hidden = 0, m_queries = 0, m_cells = 0;
     std::uint64_t m_clipped = 0, m_wide = 0, m_batches = 0, m_batchesOutside = 0, m_vertices = 0;
     std::uint64_t m_edges = 0, m_edgeLines = 0, m_spans = 0, m_prepassPixels = 0, m_pixelsTested = 0, m_pixelsWon = 0;
     std::uint64_t m_tilesRejected = 0, m_fragmentsShaded = 0, m_fragmentsDiscarded = 0;

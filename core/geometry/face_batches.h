@@ -8,7 +8,7 @@
 // Order      load order; triangles of a face are consecutive, its id is that of the first
 // Size       a batch has at most as many vertices and triangles as BatchSize says, or a single face of any size
 // Made       on first request, for the whole scene (facesOf)
-// Triangles  where every face of a mesh is one, whoever does not listen draws the mesh's triangles
+// Triangles  where every face of a mesh is one, shortcuts draw the mesh's triangles
 //            (visitFacesAsSubmitted)
 #pragma once
 

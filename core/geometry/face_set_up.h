@@ -6,7 +6,7 @@
 // By ears    any other, triangle by triangle: one that is not plane or that snapping turned over in part, and one so
 //            thin that its depth comes from the snapped grid. A mended face never is: it keeps the even-odd rule
 // Promise    a face covers the pixels that its triangles cover (a mended one: an odd number of them). What a triangle
-//            has become is told as setUpPlain() tells it, but that it is drawn where its face is
+//            has become is reported as of triangles alone, but that it is drawn where its face is
 // Cost       per triangle of a face its turn; per face one plane
 #pragma once
 
@@ -33,7 +33,7 @@ struct FaceScratch {
     std::vector<ScreenCorner> screen;  // likewise; of those that are Behind without meaning
     std::vector<Where>        where;
     std::vector<ScreenSide>   sides;    // of the face at hand
-    std::vector<EarFate>      fates;    // of its triangles, for probes that listen
+    std::vector<EarFate>      fates;    // of its triangles, if somebody hears what became of them
     TriangleList              parts;    // of the triangle at hand
     TriangleList              waiting;  // faces that are triangles, until there are several
 
@@ -56,14 +56,14 @@ struct FacePlace {
     bool         isMirrored() const { return toWorld && toWorld->isMirrored(); }
 };
 
-/// `Consume` takes (ScreenTriangle) and (ScreenFace, sides).
-template <class Consume, class Rules, class Probe>
+/// `Consume` takes (ScreenTriangle) and (ScreenFace, sides); `Report` takes TriangleSetUp and FaceSetUpAs.
+template <class Consume, class Rules, class Report>
 class FaceSetUp {
 public:
     FaceSetUp(const FacePlace& place, const Projection& projection, FaceCulling culling, const PixelBox& region,
-              FaceScratch& scratch, const Consume& consume, const Rules& rules, const Probe& probe)
+              FaceScratch& scratch, const Consume& consume, const Rules& rules, const Report& report)
         : m_place(place), m_projection(projection), m_facing{culling, place.isMirrored()}, m_region(region),
-          m_scratch(scratch), m_consume(consume), m_rules(rules), m_probe(probe), m_depth(projection, place.toWorld)
+          m_scratch(scratch), m_consume(consume), m_rules(rules), m_report(report), m_depth(projection, place.toWorld)
     {}
 
     /// All vertices of the batch are in front of the near plane and inside the guard band.
@@ -119,7 +119,7 @@ private:
             const SetUp fate = setUpTriangle(at(a), at(b), at(c), idOf(f), wide, m_facing, m_region, m_rules, triangle);
             triangle.patterned = m_place.mesh.faces[f].patterned;
             if (fate == SetUp::Drawn) m_consume(triangle);
-            m_probe(TriangleSetUp{idOf(f, i), fate, false, wide && fate == SetUp::Drawn});
+            m_report(TriangleSetUp{idOf(f, i), fate, false, wide && fate == SetUp::Drawn});
             return fate;
         };
         if (ears.size() == 1) return byEars(f, How::Triangle, draw);
@@ -140,7 +140,7 @@ private:
         const auto draw = [&](std::uint32_t i) {
             m_scratch.parts.clear();
             const SetUp fate = setUpClipped(viewsOf(ears[i]), idOf(f, i), idOf(f), m_place.mesh.faces[f].patterned,
-                                            m_projection, m_facing, m_region, m_rules, m_scratch.parts, m_probe);
+                                            m_projection, m_facing, m_region, m_rules, m_scratch.parts, m_report);
             for (std::size_t p = 0; p < m_scratch.parts.count; ++p) m_consume(m_scratch.parts[p]);
             return fate;
         };
@@ -159,12 +159,12 @@ private:
         if (m_seen.hasArea() && m_seen.isThin() && !isMended) return byEars(f, How::Thin, draw);
         const SetUp fate = asOne(f);
         if (fate == SetUp::OutOfRange) return byEars(f, How::Thin, draw);
-        m_probe(FaceSetUpAs{idOf(f), How::Outline, fate == SetUp::Drawn});
-        if constexpr (Probe::listens)
+        m_report(FaceSetUpAs{idOf(f), How::Outline, fate == SetUp::Drawn});
+        if (m_report.isHeard())
             for (std::uint32_t i = 0; i < m_scratch.fates.size(); ++i) {
                 const auto [own, isCut, wide] = m_scratch.fates[i];
                 const bool sharesIt = fate != SetUp::Drawn && (own == SetUp::Drawn || own == SetUp::NoPixelCentre);
-                m_probe(TriangleSetUp{idOf(f, i), sharesIt ? fate : own, isCut, wide && !sharesIt});
+                m_report(TriangleSetUp{idOf(f, i), sharesIt ? fate : own, isCut, wide && !sharesIt});
             }
     }
 
@@ -177,7 +177,7 @@ private:
             const bool drawn = draw(i) == SetUp::Drawn;
             isDrawn          = isDrawn || drawn;
         }
-        m_probe(FaceSetUpAs{idOf(f), how, isDrawn});
+        m_report(FaceSetUpAs{idOf(f), how, isDrawn});
     }
 
     /// Hands the sides on unless nothing of them is to be drawn. OutOfRange: the face has no plane, and is not mended.
@@ -247,7 +247,7 @@ private:
         m_seen.isDropped        = m_seen.isDropped || m_rules.dropsCrossing(p[0], p[1], p[2]);
         m_seen.area += (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
         if (turn == 0) return SetUp::Degenerate;
-        if constexpr (Probe::listens) {
+        if (m_report.isHeard()) {
             const auto [left, right] = std::minmax({p[0].xs, p[1].xs, p[2].xs});
             const auto [top, bottom] = std::minmax({p[0].ys, p[1].ys, p[2].ys});
             if (!hasPixelCentre(left, top, right, bottom)) return SetUp::NoPixelCentre;
@@ -288,7 +288,7 @@ private:
 
     void tellLater(const FaceScratch::EarFate& ear)
     {
-        if constexpr (Probe::listens) m_scratch.fates.push_back(ear);
+        if (m_report.isHeard()) m_scratch.fates.push_back(ear);
     }
 
     /// Of closed sides: the sign of the area they go round, counted as often as they do.
@@ -343,7 +343,7 @@ private:
     FaceScratch&      m_scratch;
     const Consume&    m_consume;
     const Rules&      m_rules;
-    const Probe&      m_probe;
+    const Report&     m_report;
     FaceDepth         m_depth;
     Seen              m_seen;
 };

@@ -11,7 +11,7 @@
 //            at run time (corners need not be whole then)
 // Hidden     if somebody knows which boxes of pixels can show nothing of the batch any more, the sieve drops what lies
 //            in one
-// Promise    each triangle's fate is told once (TriangleSetUp), and the list holds what setUpTriangle() would have
+// Promise    the list holds what setUpTriangle() would have
 //            made, but for the hidden
 // Source     docs/correctness.md, Coverage, Depth and the winner
 #if defined(ZSCOPE_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -51,14 +51,14 @@ struct LeftOut {
 
 /// `Hidden`: hidden(asked, left, above, width, height) says which of those boxes can show nothing of the batch any
 /// more.
-template <class Rules, class Probe, class Hidden = NoHiddenBoxes>
+template <class Rules, class Hidden = NoHiddenBoxes>
 class BatchSetUp {
 public:
     BatchSetUp(const BatchPlace& place, const ScreenVertices& vertices, const Projection& projection,
-               FaceCulling culling, const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe,
+               FaceCulling culling, const PixelBox& region, const Rules& rules, TriangleList& out,
                const Hidden& hidden = {})
         : m_place(place), m_vertices(vertices), m_projection(projection), m_facing{culling, place.isMirrored()},
-          m_region(region), m_rules(rules), m_out(out), m_probe(probe), m_hidden(hidden)
+          m_region(region), m_rules(rules), m_out(out), m_hidden(hidden)
     {}
 
     LeftOut run()
@@ -115,7 +115,7 @@ private:
     /// boxes.
     bool lieTogether() const
     {
-        if (Probe::listens || hn::MaxLanes(D()) == 1 || !m_vertices.plain) return false;
+        if (hn::MaxLanes(D()) == 1 || !m_vertices.plain) return false;
         const ScreenVertices::Reach& r           = m_vertices.reach;
         const auto                   firstCentre = [](std::int32_t snapped) { return (snapped + 127) >> 8; };
         return r.right - r.left < kNearSide && r.below - r.above < kNearSide && firstCentre(r.left) >= m_region.x0
@@ -125,7 +125,7 @@ private:
     /// Subpixels. From the pixel that holds the first of such vertices 15 bits hold the way to any, and half a pixel
     /// more.
     static constexpr std::int32_t kNearSide = 0x8000 - 256 - 128;
-    static_assert(kNearSide <= kCompactSide<false>);
+    static_assert(kNearSide <= kCompactSide);
 
     /// Where in the batch the k-th corners of the triangles from t on stand: as many triangles as a vector holds, even
     /// if there are fewer.
@@ -157,11 +157,10 @@ private:
         Three x, y;
         for (std::size_t k = 0; k < 3; ++k) std::tie(x[k], y[k]) = positions(k, t);
         const auto x0 = least(x), x1 = most(x), y0 = least(y), y1 = most(y);
-        const auto isThere = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - t));
-        const auto isPlain = x1 < all(ScreenVertices::kNowhere);
-        const auto isCompact =
-            hn::And(hn::And(isThere, isPlain), hn::Max(x1 - x0, y1 - y0) < all(kCompactSide<Probe::listens>));
-        const auto area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+        const auto isThere   = hn::Iota(D(), 0) < all(static_cast<std::int32_t>(end - t));
+        const auto isPlain   = x1 < all(ScreenVertices::kNowhere);
+        const auto isCompact = hn::And(hn::And(isThere, isPlain), hn::Max(x1 - x0, y1 - y0) < all(kCompactSide));
+        const auto area      = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
 
         const auto left      = hn::Max(all(m_region.x0), firstCentreFrom(x0)),
                    right     = hn::Min(all(m_region.x1), firstCentreFrom(x1));
@@ -175,8 +174,8 @@ private:
         const auto fits  = hn::Not(top < all(m_region.y0));
         const auto drawn = hn::And(hn::And(isCompact, hasCentre), hn::And(isTurned, fits));
         const auto kept  = leaveOutHidden(drawn, left, above, right - left, below - above);
-        // To be set up one by one: whoever listens is told there what becomes of them.
-        const auto mayReach = Probe::listens ? isThere : hn::And(isThere, hn::Or(hn::Not(isPlain), hasCentre));
+        // To be set up one by one.
+        const auto mayReach = hn::And(isThere, hn::Or(hn::Not(isPlain), hasCentre));
         const auto alone    = hn::AndNot(hn::And(isCompact, fits), mayReach);
 
         if (!hn::AllFalse(D(), kept)) {
@@ -185,18 +184,6 @@ private:
             const auto corner = [&](std::size_t k) HWY_ATTR { return minusHalves(inHalves(x[k], y[k]), centre); };
             list(t, kept, {corner(0), corner(1), corner(2)}, area > hn::Zero(D()), start, inHalves(right, below),
                  raised);
-        }
-        if constexpr (Probe::listens) {
-            static_assert(!Probe::listens || hn::MaxLanes(D()) == 1, "a run that is listened to uses one lane");
-            if (hn::AllFalse(D(), alone)) {
-                const bool turns    = !hn::AllTrue(D(), area == hn::Zero(D())),
-                           isCulled = turns && hn::AllFalse(D(), isTurned);
-                const SetUp fate    = !turns                         ? SetUp::Degenerate
-                                      : isCulled                     ? SetUp::BackFacing
-                                      : hn::AllFalse(D(), hasCentre) ? SetUp::NoPixelCentre
-                                                                     : SetUp::Drawn;
-                m_probe(TriangleSetUp{m_place.idOf(t), fate, false, false});
-            }
         }
         if (hn::AllFalse(D(), alone)) return;
         finish();
@@ -284,9 +271,9 @@ private:
     void setUpAlone(std::uint32_t t, bool isPlain)
     {
         if (isPlain)
-            setUpOne(m_place, t, m_vertices, m_facing, m_region, m_rules, m_out, m_probe);
+            setUpOne(m_place, t, m_vertices, m_facing, m_region, m_rules, m_out);
         else
-            setUpCarefully(m_place, t, m_projection, m_facing, m_region, m_rules, m_out, m_probe);
+            setUpCarefully(m_place, t, m_projection, m_facing, m_region, m_rules, m_out);
     }
 
     /// Those of `drawn` that may be seen.
@@ -295,7 +282,6 @@ private:
         if constexpr (std::is_same_v<Hidden, NoHiddenBoxes>) {
             return drawn;
         } else {
-            static_assert(!Probe::listens);
             if (hn::AllFalse(D(), drawn)) return drawn;
             const auto hidden = m_hidden(drawn, left, above, width, height);
             m_leftOut         = m_leftOut + hn::IfThenElseZero(hidden, all(1));
@@ -413,7 +399,6 @@ private:
     const PixelBox&              m_region;
     const Rules&                 m_rules;
     TriangleList&                m_out;
-    const Probe&                 m_probe;
     [[no_unique_address]] Hidden m_hidden;
     std::size_t                  m_finished = 0;  // entries of the list whose edges and planes are there
 

@@ -3,7 +3,7 @@
 // Plain      triangles wholly in front of the near plane and inside the guard band: corners by index (set_up-inl.h does
 //            several of them side by side)
 // Careful    the others: each from its positions, cut at the near plane, every corner checked
-// Promise    each triangle's fate is told once (TriangleSetUp); parts keep the triangle's id
+// Promise    parts keep the triangle's id
 #pragma once
 
 #include "core/geometry/geometry_events.h"
@@ -25,11 +25,19 @@ struct BatchPlace {
     TriangleId idOf(std::uint32_t triangle) const { return {firstTriangle + mesh.meshTriangle[triangle]}; }
 };
 
+/// Where nobody hears what becomes of triangles.
+struct NoReport {
+    static constexpr bool isHeard() { return false; }
+    template <class Event>
+    void operator()(const Event&) const
+    {}
+};
+
 /// One triangle whose corners are plain.
-template <class Rules, class Probe>
+template <class Rules>
 [[gnu::always_inline]] inline void setUpOne(const BatchPlace& place, std::uint32_t t, const ScreenVertices& vertices,
                                             const Facing& facing, const PixelBox& region, const Rules& rules,
-                                            TriangleList& out, const Probe& probe)
+                                            TriangleList& out)
 {
     const auto&    corners = place.mesh.corners;
     ScreenTriangle made;
@@ -40,7 +48,6 @@ template <class Rules, class Probe>
         made.patterned = place.mesh.isPatterned(t);
         out.add(made);
     }
-    probe(TriangleSetUp{place.idOf(t), fate, false, false});
 }
 
 /// `view` must lie at or beyond the near plane.
@@ -79,11 +86,11 @@ dvec3 viewOf(const dvec3& model, const Affine* toWorld, const Projection& projec
     return projection.toView<double>(toWorld ? toWorld->in<double>(model) : model);
 }
 
-/// Sets up what the near plane leaves of one triangle, and tells its fate; the parts are drawn as `drawnAs`.
-template <class Rules, class Probe>
+/// Sets up what the near plane leaves of one triangle, and reports its fate; the parts are drawn as `drawnAs`.
+template <class Rules, class Report = NoReport>
 SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId drawnAs, bool patterned,
                    const Projection& projection, const Facing& facing, const PixelBox& region, const Rules& rules,
-                   TriangleList& out, const Probe& probe)
+                   TriangleList& out, const Report& report = {})
 {
     ClippedTriangle kept = clipNear(view, projection.near);
     if (kept.isCut && rules.dropsAtNear()) kept.count = 0;
@@ -99,14 +106,14 @@ SetUp setUpClipped(const std::array<dvec3, 3>& view, TriangleId id, TriangleId d
         }
         if (fate != SetUp::Drawn) fate = partFate;
     }
-    probe(TriangleSetUp{id, fate, kept.isCut, wide});
+    report(TriangleSetUp{id, fate, kept.isCut, wide});
     return fate;
 }
 
 /// One triangle of a batch from its positions, whatever its corners are.
-template <class Rules, class Probe>
+template <class Rules>
 void setUpCarefully(const BatchPlace& place, std::uint32_t t, const Projection& projection, const Facing& facing,
-                    const PixelBox& region, const Rules& rules, TriangleList& out, const Probe& probe)
+                    const PixelBox& region, const Rules& rules, TriangleList& out)
 {
     const MeshBatches&   mesh = place.mesh;
     std::array<dvec3, 3> view;
@@ -115,8 +122,7 @@ void setUpCarefully(const BatchPlace& place, std::uint32_t t, const Projection& 
         const dvec3       model{mesh.x[v], mesh.y[v], mesh.z[v]};
         view[i] = viewOf(model, place.toWorld, projection, rules);
     }
-    setUpClipped(view, place.idOf(t), place.idOf(t), mesh.isPatterned(t), projection, facing, region, rules, out,
-                 probe);
+    setUpClipped(view, place.idOf(t), place.idOf(t), mesh.isPatterned(t), projection, facing, region, rules, out);
 }
 
 }  // namespace zscope

@@ -29,21 +29,11 @@
 namespace zscope {
 
 /// Sides of compact triangles stay below this, in subpixels along each axis: 127 pixels, so that 16 bits hold a side
-/// and 32 an edge's value before it is divided. Where somebody listens, 64 pixels: larger ones are shown tile by tile,
-/// with what the pyramid hears of each.
-template <bool listens>
-inline constexpr std::int32_t kCompactSide = (listens ? 64 : 127) * 256;
+/// and 32 an edge's value before it is divided.
+inline constexpr std::int32_t kCompactSide = 127 * 256;
 // An edge rises by less than a side from pixel to pixel, and from line to line.
-static_assert(2 * std::int64_t{kCompactSide<false>} * (kMaxPictureSide + 128) < std::int64_t{1} << 30,
+static_assert(2 * std::int64_t{kCompactSide} * (kMaxPictureSide + 128) < std::int64_t{1} << 30,
               "what it rises by over a picture has to fit 32 bits");
-/// True if whoever listens is shown the triangle window by window.
-inline bool isShownByWindows(const ScreenTriangle& t)
-{
-    const auto reach = [](const std::array<double, 3>& at) {
-        return std::max({at[0], at[1], at[2]}) - std::min({at[0], at[1], at[2]});
-    };
-    return std::max(reach(t.x), reach(t.y)) < kCompactSide<true>;
-}
 /// Compact triangles become pixels by windows of so many pixels and lines, the first line of them at `top`.
 inline constexpr int kWindowSide = 4;
 

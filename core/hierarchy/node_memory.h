@@ -50,7 +50,7 @@ public:
     static constexpr std::uint64_t kPixelsPerQuestion = 256;  // filled in the time that one question takes
     static constexpr std::size_t   kTurns             = 8;
 
-    /// The next frame may be drawn at full speed, too: nodes need not be as small as whoever listens would find them.
+    /// The next frame may be drawn by shortcuts, too: nodes need not be as small as plain text finds them.
     void allowWholeNodes() { m_mayHoldWhole = true; }
     /// In this frame small nodes are remembered undivided.
     bool holdsWholeNodes() const { return m_holdsWhole; }

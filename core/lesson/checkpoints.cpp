@@ -16,7 +16,7 @@ void CheckpointKeeper::keepIn(Checkpoints& checkpoints, std::uint64_t events, st
 {
     m_keepsIn   = &checkpoints;
     m_apart     = events;
-    m_nextAt    = events;
+    m_nextAt    = 0;  // the first at once
     m_mostBytes = bytes;
 }
 
@@ -42,18 +42,17 @@ bool CheckpointKeeper::passesBy(Checkpoint at)
 
 void CheckpointKeeper::keep(std::uint64_t place)
 {
-    const StripeScratch& scratch = m_run.scratch;
-    auto&                kept    = m_keepsIn->kept;
-    auto                 now     = std::make_unique<const KeptState>(
-        KeptState{place,
-                  m_keepsIn->verdicts.size(),
-                  {m_run.recorders, m_run.frame.visible, m_run.frame.colour, scratch.pyramid, scratch.active,
-                                       scratch.polygons, scratch.memory}});
+    const plain::Scratch& scratch = m_run.scratch;
+    auto&                 kept    = m_keepsIn->kept;
+    auto                  now     = std::make_unique<const KeptState>(KeptState{
+        place,
+        m_keepsIn->verdicts.size(),
+        {m_run.recorders, m_run.frame.visible, m_run.frame.colour, scratch.pyramid, scratch.active, scratch.memory}});
     m_bytes += now->state.bytes();
     kept.push_back(std::move(now));
-    while (m_bytes > m_mostBytes && !kept.empty()) {
+    while (m_bytes > m_mostBytes && !kept.empty()) {  // the first stays longest: behind it the edge table is full
         std::size_t left = 0;
-        for (std::size_t i = 1; i < kept.size(); i += 2) kept[left++] = std::move(kept[i]);
+        for (std::size_t i = 0; i < kept.size() && kept.size() > 1; i += 2) kept[left++] = std::move(kept[i]);
         kept.resize(left);
         m_bytes = 0;
         for (const auto& each : kept) m_bytes += each->state.bytes();
@@ -70,8 +69,7 @@ void CheckpointKeeper::restore()
     m_run.frame.visible = state.visible;  // as large as it is: nothing moves that is being looked at
     m_run.frame.colour  = state.colour;
     m_run.scratch.pyramid.restore(state.pyramid);
-    m_run.scratch.active   = state.active;
-    m_run.scratch.polygons = state.polygons;
+    m_run.scratch.active = state.active;
     m_run.stop.beginAfter(state.recorders.steps.seen(m_run.stopGrain));
     m_from = nullptr;
 }

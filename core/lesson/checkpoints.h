@@ -19,8 +19,8 @@
 #include "core/frame/renderer.h"
 #include "core/lesson/recorders.h"
 #include "core/lesson/step_counter.h"
-#include "core/probe/probe.h"
-#include "core/traverse/stripe.h"
+#include "core/plain/scratch.h"
+#include "core/probe/recorders.h"
 
 namespace zscope {
 
@@ -37,6 +37,25 @@ struct RunRecorders {
     TestCounter       tests;
     MomentRecorder    moment;
 
+    void hear(const Heard& heard)
+    {
+        steps.hear(heard);
+        if (const auto* tested = heard.as<PixelTested>()) {  // most events: straight to those who want it
+            pixel.observe(*tested);
+            tests.observe(*tested);
+            triangle.observe(*tested);
+            moment.observe(*tested);
+            return;
+        }
+        passOn(heard, pixel);
+        passOn(heard, tests);
+        passOn(heard, triangle);
+        passOn(heard, sweep);
+        passOn(heard, interval);
+        passOn(heard, hierarchy);
+        passOn(heard, moment);
+    }
+
     std::size_t bytes() const { return sizeof(*this) + sweep.bytes() + hierarchy.bytes() + tests.bytes(); }
 };
 
@@ -46,14 +65,13 @@ struct RunState {
     VisibilityBuffer    visible;
     Grid<std::uint32_t> colour;  // empty unless fragments are shaded as they come
     Pyramid             pyramid;
-    ActiveEdges         active;
-    ActivePolygons      polygons;
+    plain::ActiveEdges  active;
     NodeMemory          memory;
 
     std::size_t bytes() const
     {
         return recorders.bytes() + visible.bytes() + colour.values().size_bytes() + pyramid.bytes() + active.bytes()
-               + polygons.bytes() + memory.bytes();
+               + memory.bytes();
     }
 };
 
@@ -74,14 +92,14 @@ struct Checkpoints {
 
 /// A run as it works: what its checkpoints are copied from, and to.
 struct RunInWork {
-    RunRecorders&  recorders;
-    Frame&         frame;
-    StripeScratch& scratch;
-    StopAt&        stop;
-    Grain          stopGrain;
+    RunRecorders&   recorders;
+    Frame&          frame;
+    plain::Scratch& scratch;
+    StopAt&         stop;
+    Grain           stopGrain;
 };
 
-/// What keeps the checkpoints of a run, or sends it to one of them; the first of its recorders.
+/// What keeps the checkpoints of a run, or sends it to one of them; hears each event first.
 class CheckpointKeeper {
 public:
     /// `isSweep`: the checkpoints of the pipeline are the lines of a sweep, not batches.
@@ -92,20 +110,16 @@ public:
     /// Sends the run to one of them; what coherence takes over from the frame before is there then.
     void beginAt(const KeptState& from, const Checkpoints& checkpoints);
 
-    template <class Event>
-    void observe(const Event&)
+    void hear(const Heard& heard)
     {
         ++m_events;
-    }
-    void observe(const NodeJudged& e)
-    {
-        ++m_events;
-        if (m_keepsIn) m_keepsIn->verdicts.push_back(e.verdict);
+        if (!m_keepsIn) return;
+        if (const auto* judged = heard.as<NodeJudged>()) m_keepsIn->verdicts.push_back(judged->verdict);
     }
 
     bool    isOnTheWay() const { return m_from != nullptr; }
     bool    passesBy(Checkpoint at);
-    Verdict lookUp(Verdict) { return m_checkpoints->verdicts[m_nextVerdict++]; }
+    Verdict knownVerdict() { return m_checkpoints->verdicts[m_nextVerdict++]; }
 
 private:
     void keep(std::uint64_t place);
@@ -125,6 +139,5 @@ private:
     const Checkpoints* m_checkpoints = nullptr;
     std::size_t        m_nextVerdict = 0;
 };
-static_assert(sendsAhead<CheckpointKeeper>);
 
 }  // namespace zscope

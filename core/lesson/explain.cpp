@@ -1,6 +1,4 @@
 // Explanations: one observed run, and the definition's list of who meets the pixels.
-#define HWY_COMPILE_ONLY_SCALAR
-
 #include "core/lesson/explain.h"
 
 #include <algorithm>
@@ -11,9 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "core/frame/serial_run-inl.h"
+#include "core/frame/frame_plan.h"
+#include "core/frame/observed_run.h"
 #include "core/lesson/explain_recorders.h"
 #include "core/lesson/explain_sentences.h"
+#include "core/probe/recorders.h"
 #include "core/scene/opacity.h"
 
 namespace zscope {
@@ -35,12 +35,13 @@ std::optional<Error> cannotExplain(const DrawRequest& request, std::span<const P
     return std::nullopt;
 }
 
-/// The run that recorders listen to; the picture stays in `frame`.
+/// The run that the recorder observes; the picture stays in `frame`.
 template <class Recorder>
 Result<Done> runWith(const DrawRequest& request, Frame& frame, StepCounter& steps, Recorder& recorder)
 {
-    StripeScratch scratch;
-    HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch, Listening(steps, recorder));
+    plain::Scratch scratch;
+    Listening      listening(steps, recorder);
+    drawObserved(request, frame, scratch, listening);
     if (request.cancel && request.cancel->load()) return wasCancelled();
     return Done{};
 }

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/lesson/explain.h"
-#include "core/lesson/interval_reason.h"
+#include "core/sweep/interval_reason.h"
 
 namespace zscope {
 

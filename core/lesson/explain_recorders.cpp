@@ -211,7 +211,7 @@ void PixelHistories::observe(const PixelTested& e)
     }
 }
 
-void PixelHistories::observe(const IntervalResolved& e)
+void PixelHistories::observe(const plain::IntervalDecided& e)
 {
     if (!m_hasPixels[static_cast<std::size_t>(e.y)]) return;
     const Moment moment = m_steps.of(e);
@@ -224,8 +224,8 @@ void PixelHistories::observe(const IntervalResolved& e)
             continue;
         }
         for (const std::uint32_t part : e.open) {
-            const SweepPolygon& polygon = e.polygons[part];
-            const bool          isIt    = polygon.id == e.winner->id;
+            const plain::Polygon& polygon = e.polygons[part];
+            const bool            isIt    = polygon.id == e.winner->id;
             Event event    = begin(isIt ? Happening::IntervalWon : Happening::IntervalLost, moment, Grain::Interval);
             event.depth    = depthOf(polygon.depth, x, e.y);
             event.interval = PixelBox{e.x0, e.y, e.x1, e.y + 1};
@@ -367,7 +367,7 @@ void TriangleHistory::observe(const PixelTested& e)
     noteOnce(std::move(event), noted);
 }
 
-void TriangleHistory::observe(const IntervalResolved& e)
+void TriangleHistory::observe(const plain::IntervalDecided& e)
 {
     if (!e.winner) return;
     const auto mine =

@@ -12,10 +12,10 @@
 #include "core/frame/pipeline.h"
 #include "core/geometry/geometry_events.h"
 #include "core/lesson/step_counter.h"
+#include "core/method/intervals.h"
 #include "core/scan/pixel_events.h"
 #include "core/scene/scene.h"
 #include "core/sweep/blend_events.h"
-#include "core/sweep/sweep_events.h"
 
 namespace zscope {
 
@@ -49,6 +49,9 @@ void forEachBelow(const Scene& scene, const NodePlace& place, std::span<const st
 /// The histories of the triangles that meet a few pixels.
 class PixelHistories {
 public:
+    using Events = Wants<StageStarted, PassStarted, NodeJudged, NodeDrawn, NodeRecalled, TriangleSetUp, PyramidAsked,
+                         TriangleHidden, TileTested, PixelTested, plain::IntervalDecided, PixelBlended>;
+
     /// `covers`: of each pixel, ascending by triangle. `byFace`: whole faces are drawn, under their first triangle's
     /// id.
     PixelHistories(const Scene& scene, int width, int height, std::span<const PixelPosition> pixels,
@@ -64,7 +67,7 @@ public:
     void observe(const TriangleHidden& e);
     void observe(const TileTested& e);
     void observe(const PixelTested& e);
-    void observe(const IntervalResolved& e);
+    void observe(const plain::IntervalDecided& e);
     void observe(const PixelBlended& e);
 
     /// What one pixel has seen.
@@ -108,12 +111,13 @@ private:
     bool                                                 m_byFace;
     int                                                  m_pass = 0;
 };
-static_assert(observesAll<PixelHistories, StageStarted, PassStarted, NodeJudged, NodeDrawn, NodeRecalled, TriangleSetUp,
-                          PyramidAsked, TriangleHidden, TileTested, PixelTested, IntervalResolved, PixelBlended>);
 
 /// The history of one triangle over the whole picture.
 class TriangleHistory {
 public:
+    using Events = Wants<StageStarted, PassStarted, NodeJudged, NodeRecalled, TriangleSetUp, PyramidAsked,
+                         TriangleHidden, TrianglePassed, TileTested, PixelTested, plain::IntervalDecided>;
+
     TriangleHistory(const Scene& scene, TriangleId triangle, bool byFace, const StepCounter& steps);
 
     void observe(const StageStarted& e) { m_isPrepass = e.stage == Stage::Prepass; }
@@ -126,7 +130,7 @@ public:
     void observe(const TrianglePassed& e);
     void observe(const TileTested& e);
     void observe(const PixelTested& e);
-    void observe(const IntervalResolved& e);
+    void observe(const plain::IntervalDecided& e);
 
     std::vector<Event>& events() { return m_events; }
     std::uint64_t       leftOut() const { return m_leftOut; }
@@ -152,7 +156,5 @@ private:
          m_lostInterval = false;
     bool m_wonInPrepass = false;
 };
-static_assert(observesAll<TriangleHistory, StageStarted, PassStarted, NodeJudged, NodeRecalled, TriangleSetUp,
-                          PyramidAsked, TriangleHidden, TrianglePassed, TileTested, PixelTested, IntervalResolved>);
 
 }  // namespace zscope

@@ -17,7 +17,7 @@
 #include "core/measure/pixel_covers.h"
 #include "core/probe/grain.h"
 #include "core/scan/pixel_events.h"
-#include "core/sweep/sweep_events.h"
+#include "core/sweep/interval_reason.h"
 
 namespace zscope {
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "core/lesson/interval_reason.h"
 #include "core/measure/error_figures.h"
 #include "core/measure/reference.h"
+#include "core/sweep/interval_reason.h"
 
 namespace zscope {
 

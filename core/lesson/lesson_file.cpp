@@ -10,11 +10,11 @@
 #include "core/io/json_document.h"
 #include "core/io/read_file.h"
 #include "core/io/text_encoding.h"
-#include "core/lesson/interval_reason.h"
 #include "core/lesson/lesson_facts.h"
 #include "core/lesson/lesson_sections.h"
 #include "core/scene/load.h"
 #include "core/scene/view_json.h"
+#include "core/sweep/interval_reason.h"
 
 namespace zscope {
 
@@ -135,12 +135,7 @@ private:
     const std::string& m_file;
 };
 
-constexpr std::array       kVerdicts{Verdict::Outside, Verdict::Hidden, Verdict::Entered, Verdict::Small};
-constexpr std::string_view verdictWord(Verdict verdict)
-{
-    constexpr std::array<std::string_view, 4> words{"outside", "hidden", "entered", "small"};
-    return words[static_cast<std::size_t>(verdict)];
-}
+constexpr std::array kVerdicts{Verdict::Outside, Verdict::Hidden, Verdict::Entered, Verdict::Small};
 constexpr std::array kReasons{IntervalReason::Alone,       IntervalReason::Leads,        IntervalReason::TestedOnce,
                               IntervalReason::BeyondFar,   IntervalReason::DepthLimited, IntervalReason::HasPattern,
                               IntervalReason::NoClearLead, IntervalReason::NotByEnds};
@@ -194,24 +189,24 @@ std::optional<Error> readStop(const Reader& r, const JsonValue& value, LessonSto
         isEnd = true;
         return std::nullopt;
     };
-    const auto error =
-        r.object(value, "a stop",
-                 {{"grain", takeGrain},
-                  {"end", takeEnd},
-                  {"step", r.whole(stop.step, "step", 0, std::int64_t{1} << 53)},
-                  {"line", r.whole(stop.line, "line", 0, kMaxPictureSide - 1)},
-                  {"pixel", r.pixel(stop.pixel, "pixel")},
-                  {"triangle", r.whole(triangle, "triangle", 0, static_cast<std::int64_t>(kMaxTriangles))},
-                  {"node", takeNode},
-                  {"instance", r.whole(instance, "instance", 0, static_cast<std::int64_t>(kMaxTriangles))},
-                  {"stage", r.oneOf(stop.stage, "stage", kStages, [](Stage stage) { return wordOf(stage); })},
-                  {"verdict", r.oneOf(stop.verdict, "verdict", kVerdicts, verdictWord)},
-                  {"query", truthIn(r, stop.hidden, "query", kShownHidden)},
-                  {"update", r.whole(stop.update, "update", 0, 20)},
-                  {"interval",
-                   r.oneOf(stop.interval, "interval", kReasons, [](IntervalReason reason) { return wordOf(reason); })},
-                  {"test", truthIn(r, stop.won, "test", kWonLost)},
-                  {"nth", r.whole(stop.nth, "nth", 1, std::int64_t{1} << 53)}});
+    const auto error = r.object(
+        value, "a stop",
+        {{"grain", takeGrain},
+         {"end", takeEnd},
+         {"step", r.whole(stop.step, "step", 0, std::int64_t{1} << 53)},
+         {"line", r.whole(stop.line, "line", 0, kMaxPictureSide - 1)},
+         {"pixel", r.pixel(stop.pixel, "pixel")},
+         {"triangle", r.whole(triangle, "triangle", 0, static_cast<std::int64_t>(kMaxTriangles))},
+         {"node", takeNode},
+         {"instance", r.whole(instance, "instance", 0, static_cast<std::int64_t>(kMaxTriangles))},
+         {"stage", r.oneOf(stop.stage, "stage", kStages, [](Stage stage) { return wordOf(stage); })},
+         {"verdict", r.oneOf(stop.verdict, "verdict", kVerdicts, [](Verdict verdict) { return wordOf(verdict); })},
+         {"query", truthIn(r, stop.hidden, "query", kShownHidden)},
+         {"update", r.whole(stop.update, "update", 0, 20)},
+         {"interval",
+          r.oneOf(stop.interval, "interval", kReasons, [](IntervalReason reason) { return wordOf(reason); })},
+         {"test", truthIn(r, stop.won, "test", kWonLost)},
+         {"nth", r.whole(stop.nth, "nth", 1, std::int64_t{1} << 53)}});
     if (error) return error;
     if (triangle) stop.triangle = TriangleId{*triangle};
     if (instance && !path) return r.wrong(value, "a stop at an instance names a 'node' of its tree, too");

@@ -1,5 +1,3 @@
-#define HWY_COMPILE_ONLY_SCALAR
-
 #include "core/lesson/lesson_run.h"
 
 #include <algorithm>
@@ -9,88 +7,47 @@
 #include <fmt/format.h>
 
 #include "core/frame/frame_plan.h"
-#include "core/frame/serial_run-inl.h"
+#include "core/frame/observed_run.h"
 #include "core/lesson/lesson_facts.h"
-#include "core/sweep/sweep_events.h"
+#include "core/probe/recorders.h"
 
 namespace zscope {
 
 namespace {
-
-/// What there is to say of one event, as far as a stop can name it.
-struct Said {
-    std::optional<int>            line     = {};
-    std::optional<PixelBox>       pixels   = {};
-    std::optional<TriangleId>     triangle = {};
-    std::optional<NodeName>       node     = {};
-    std::optional<Stage>          stage    = {};
-    std::optional<Verdict>        verdict  = {};
-    std::optional<bool>           hidden   = {};
-    std::optional<int>            update   = {};
-    std::optional<IntervalReason> interval = {};
-    std::optional<bool>           won      = {};
-};
 
 template <class Wanted>
 bool holds(const std::optional<Wanted>& wanted, const std::optional<Wanted>& said)
 {
     return !wanted || said == wanted;
 }
+template <class Wanted>
+bool holdsInWords(const std::optional<Wanted>& wanted, std::string_view said)
+{
+    return !wanted || said == wordOf(*wanted);
+}
 
-bool holds(const LessonStop& stop, const Said& said)
+bool holds(const LessonStop& stop, const About& about)
 {
     const bool pixel = !stop.pixel
-                       || (said.pixels && said.pixels->x0 <= stop.pixel->x && stop.pixel->x < said.pixels->x1
-                           && said.pixels->y0 <= stop.pixel->y && stop.pixel->y < said.pixels->y1);
-    return pixel && holds(stop.line, said.line) && holds(stop.triangle, said.triangle) && holds(stop.node, said.node)
-           && holds(stop.stage, said.stage) && holds(stop.verdict, said.verdict) && holds(stop.hidden, said.hidden)
-           && holds(stop.update, said.update) && holds(stop.interval, said.interval) && holds(stop.won, said.won);
+                       || (about.pixels && about.pixels->x0 <= stop.pixel->x && stop.pixel->x < about.pixels->x1
+                           && about.pixels->y0 <= stop.pixel->y && stop.pixel->y < about.pixels->y1);
+    return pixel && holds(stop.line, about.line) && holds(stop.triangle, about.triangle)
+           && (!stop.node || (about.node && nameOf(*about.node) == *stop.node)) && holds(stop.stage, about.stage)
+           && holdsInWords(stop.verdict, about.verdict) && holds(stop.hidden, about.hidden)
+           && holds(stop.update, about.level) && holdsInWords(stop.interval, about.interval)
+           && holds(stop.won, about.won);
 }
-
-Said said(const StageFinished& e) { return {.stage = e.stage}; }
-Said said(const NodeRecalled& e) { return {.node = nameOf(e.place)}; }
-Said said(const NodeJudged& e)
-{
-    return {.node    = nameOf(e.place),
-            .verdict = e.verdict,
-            .hidden  = e.query ? std::optional(e.query->hidden) : std::nullopt};
-}
-Said said(const TriangleFinished& e) { return {.triangle = e.triangle}; }
-Said said(const PyramidAsked& e)
-{
-    if (e.node) return {.node = nameOf(*e.node), .hidden = e.query.hidden};
-    return {.triangle = e.triangle, .hidden = e.query.hidden};
-}
-Said said(const TileTested& e) { return {.pixels = e.box, .triangle = e.triangle, .hidden = e.rejected}; }
-Said said(const ScanlineReady& e) { return {.line = e.y}; }
-Said said(const ScanlineFinished& e) { return {.line = e.y}; }
-Said said(const IntervalResolved& e)
-{
-    return {.line = e.y, .pixels = PixelBox{e.x0, e.y, e.x1, e.y + 1}, .interval = e.reason};
-}
-Said said(const SpanFilled& e)
-{
-    return {.line = e.y, .pixels = PixelBox{e.x0, e.y, e.x1, e.y + 1}, .triangle = e.triangle};
-}
-Said said(const CellUpdated& e) { return {.update = e.write.level}; }
-Said said(const PixelTested& e)
-{
-    return {.line = e.y, .pixels = PixelBox{e.x, e.y, e.x + 1, e.y + 1}, .triangle = e.triangle, .won = e.won};
-}
-Said said(const PixelBlended& e) { return {.line = e.y, .pixels = PixelBox{e.x, e.y, e.x + 1, e.y + 1}}; }
-Said said(const FrameFinished&) { return {}; }
 
 /// Ends the run at the event that the stop means.
 class StopRecorder {
 public:
     explicit StopRecorder(const LessonStop& stop) : m_stop(stop) {}
 
-    template <isStep Event>
-    void observe(const Event& e)
+    void hear(const Heard& heard)
     {
-        if (Event::grain > m_stop.grain) return;
+        if (!heard.isStepOf(m_stop.grain)) return;
         const StepIndex now{m_seen++};
-        if (!holds(m_stop, said(e)) || ++m_met < m_stop.nth) return;
+        if (!holds(m_stop, heard.about()) || ++m_met < m_stop.nth) return;
         m_found = now;
         throw RunStopped{};
     }
@@ -102,7 +59,6 @@ private:
     std::uint64_t            m_seen = 0, m_met = 0;
     std::optional<StepIndex> m_found;
 };
-static_assert(observesAll<StopRecorder, FrameFinished, PyramidAsked>);
 
 Error wrong(const std::string& file, int line, std::string sentence)
 {
@@ -219,11 +175,12 @@ try {
                                  *count - 1));
     }
     if (const auto plan = planFrame(request); !plan) return at(file, stop.fileLine, plan.error());
-    Frame         frame;
-    StripeScratch scratch;
-    StopRecorder  recorder(stop);
+    Frame          frame;
+    plain::Scratch scratch;
+    StopRecorder   recorder(stop);
     try {
-        HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch, Listening(recorder));
+        Listening listening(recorder);
+        drawObserved(request, frame, scratch, listening);
     } catch (const RunStopped&) {}
     if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "the lesson was cancelled"};
     if (recorder.found()) return *recorder.found();

@@ -1,5 +1,3 @@
-#define HWY_COMPILE_ONLY_SCALAR
-
 #include "core/lesson/pixel_changes.h"
 
 #include <algorithm>
@@ -7,9 +5,14 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/frame/serial_run-inl.h"
+#include "core/frame/frame_plan.h"
+#include "core/frame/observed_run.h"
 #include "core/geometry/geometry_events.h"
-#include "core/sweep/edge_table.h"
+#include "core/lesson/step_state.h"
+#include "core/method/intervals.h"
+#include "core/plain/active_edges.h"
+#include "core/probe/recorders.h"
+#include "core/sweep/blend_events.h"
 
 namespace zscope {
 
@@ -31,16 +34,11 @@ public:
         : m_grain(grain), m_pixel(pixel), m_visible(visible)
     {}
 
-    template <class Event>
-    requires isStep<Event> || std::is_same_v<Event, PixelBlended>
-    void observe(const Event& e)
+    void hear(const Heard& heard)
     {
-        if constexpr (std::is_same_v<Event, PixelBlended>)
-            m_isBlended = m_isBlended || (e.x == m_pixel.x && e.y == m_pixel.y && e.before != e.after);
-        if constexpr (isStep<Event>) {
-            if (Event::grain > m_grain) return;
-            look(StepIndex{m_seen++});
-        }
+        if (const auto* e = heard.as<PixelBlended>())
+            m_isBlended = m_isBlended || (e->x == m_pixel.x && e->y == m_pixel.y && e->before != e->after);
+        if (heard.isStepOf(m_grain)) look(StepIndex{m_seen++});
     }
 
     std::vector<PixelChange>& changes() { return m_changes; }
@@ -72,7 +70,6 @@ private:
     bool                     m_isBlended = false;
     std::vector<PixelChange> m_changes;
 };
-static_assert(observesAll<ChangeRecorder, PixelTested, PixelBlended, FrameFinished>);
 
 /// Knows which steps hit a breakpoint, and ends the run when it has heard enough.
 class BreakpointRecorder {
@@ -89,8 +86,18 @@ public:
         }
     }
 
-    void observe(const NodeRecalled& e) { onNode(e.place), step(e); }
-    void observe(const NodeJudged& e) { onNode(e.place), step(e); }
+    using Events =
+        Wants<NodeRecalled, NodeJudged, TriangleSetUp, TriangleHidden, TriangleReached, plain::EdgeTableReady,
+              plain::EdgeEntered, plain::LineReady, PixelTested, SpanFilled, plain::IntervalDecided, PixelBlended>;
+
+    void hear(const Heard& heard)
+    {
+        passOn(heard, *this, Events());
+        if (heard.isStepOf(m_grain)) step();
+    }
+
+    void observe(const NodeRecalled& e) { onNode(e.place); }
+    void observe(const NodeJudged& e) { onNode(e.place); }
     void observe(const TriangleSetUp& e)
     {
         if (e.fate != SetUp::Drawn) onTriangle(e.triangle);
@@ -101,50 +108,34 @@ public:
         onTriangle(e.triangle.id);
         m_line = -1;
     }
-    void observe(const EdgeTableReady& e) { m_table = &e.table; }
-    void observe(const EdgeEntered& e) { onTriangle(m_table->parts()[e.part].id); }
-    void observe(const ScanlineReady& e)
+    void observe(const plain::EdgeTableReady& e) { m_table = &e.table; }
+    void observe(const plain::EdgeEntered& e) { onTriangle(m_table->polygons()[e.edge.polygon].id); }
+    void observe(const plain::LineReady& e)
     {
         m_isSweep = true;
         onLine(e.y);
-        step(e);
     }
     void observe(const PixelTested& e)
     {
         onPixel(e.y, e.x, e.x + 1);
         if (!m_isSweep && e.y != m_line) onLine(e.y);
         m_line = e.y;
-        step(e);
     }
     void observe(const SpanFilled& e)
     {
         if (m_isSweep) onTriangle(e.triangle);
-        step(e);
     }
-    void observe(const IntervalResolved& e)
+    void observe(const plain::IntervalDecided& e)
     {
         if (e.winner) onPixel(e.y, e.x0, e.x1);
-        step(e);
     }
-    void observe(const PixelBlended& e)
-    {
-        onPixel(e.y, e.x, e.x + 1);
-        step(e);
-    }
-    /// Of all others nothing but their count matters.
-    template <isStep Event>
-    void observe(const Event& e)
-    {
-        step(e);
-    }
+    void observe(const PixelBlended& e) { onPixel(e.y, e.x, e.x + 1); }
 
     const std::optional<Stop>& found() const { return m_found; }
 
 private:
-    template <class Event>
-    void step(const Event&)
+    void step()
     {
-        if (Event::grain > m_grain) return;
         const StepIndex now{m_seen++};
         const auto      hit = std::exchange(m_hit, std::nullopt);
         if (m_direction == Direction::Back) {
@@ -200,15 +191,13 @@ private:
     Direction                  m_direction;
     std::vector<Breakpoint>    m_breakpoints;
     std::vector<FaceOf>        m_faces;              // of triangles that are drawn as part of a face
-    const EdgeTable*           m_table   = nullptr;  // of the run; outlives it
+    const plain::EdgeTable*    m_table   = nullptr;  // of the run; outlives it
     bool                       m_isSweep = false;
     int                        m_line    = -1;  // on which the triangle at hand was tested last
     std::uint64_t              m_seen    = 0;
     std::optional<std::size_t> m_hit;  // since the last step
     std::optional<Stop>        m_found;
 };
-static_assert(
-    observesAll<BreakpointRecorder, NodeJudged, TriangleSetUp, EdgeEntered, PixelTested, TileTested, FrameFinished>);
 
 Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to run this frame"}; }
 
@@ -224,9 +213,10 @@ try {
         return Error{Trouble::Usage, "there is no pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y)
                                          + " in this picture"};
     Frame          frame;
-    StripeScratch  scratch;
+    plain::Scratch scratch;
     ChangeRecorder changes(grain, pixel, frame.visible);
-    HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch, Listening(changes));
+    Listening      listening(changes);
+    drawObserved(request, frame, scratch, listening);
     if (wasCancelled(request)) return Error{Trouble::Cancelled, "the search was cancelled"};
     return std::move(changes.changes());
 } catch (const std::bad_alloc&) {
@@ -239,11 +229,12 @@ try {
     const DrawRequest request = repeatable(asked);
     if (const auto error = cannotLook(request, grain)) return *error;
     Frame              frame;
-    StripeScratch      scratch;
+    plain::Scratch     scratch;
     BreakpointRecorder recorder(grain, from, breakpoints, direction, request.scene->scene(),
                                 drawsFaces(request.pipeline));
     try {
-        HWY_STATIC_DISPATCH(runSerially)(request, frame, scratch, Listening(recorder));
+        Listening listening(recorder);
+        drawObserved(request, frame, scratch, listening);
     } catch (const RunStopped&) {}
     if (wasCancelled(request)) return Error{Trouble::Cancelled, "the search was cancelled"};
     return recorder.found();

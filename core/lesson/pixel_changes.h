@@ -1,10 +1,10 @@
-// Which steps change a pixel, and where a run stops that has breakpoints. Both run the frame once more with a probe;
+// Which steps change a pixel, and where a run stops that has breakpoints. Both run the frame once more with an observer;
 // nothing is logged.
 //
 // Changed    the picture of step K shows another id or another depth at the pixel than that of step K - 1, or a blended
 //            colour
 // Hit        step K is the first of its grain whose state shows that the run has come to a breakpoint, see Breakpoint
-// Cost       one serial one-lane run, up to the step found
+// Cost       one run of plain text, up to the step found
 #pragma once
 
 #include <atomic>

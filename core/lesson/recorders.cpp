@@ -9,30 +9,31 @@ namespace zscope {
 namespace {
 
 /// The edge as a lesson shows it on line y, one that it crosses.
-EdgeRow rowOf(const EdgeTable& table, const ActiveEdge& edge, int y)
+EdgeRow rowOf(const plain::EdgeTable& table, const plain::Edge& edge, int y)
 {
-    const ScreenSide& side = table.sideOf(edge);
+    const ScreenSide& side = edge.side;
     auto              dx   = static_cast<std::int64_t>(side.xb) - static_cast<std::int64_t>(side.xa);
     auto              dy   = static_cast<std::int64_t>(side.yb) - static_cast<std::int64_t>(side.ya);
     if (dy < 0) dx = -dx, dy = -dy;
     const std::int64_t common   = std::gcd(dx, dy);
-    const auto         crossing = ActiveEdge::stepper<std::int64_t>(side, y, y);
+    const auto         crossing = edge.closes() ? EdgeStepper<std::int64_t>(side.xa, side.ya, side.xb, side.yb, y, y)
+                                                : EdgeStepper<std::int64_t>(side.xb, side.yb, side.xa, side.ya, y, y);
 
     EdgeRow row;
-    row.polygon    = table.parts()[edge.polygon()].id;
+    row.polygon    = table.polygons()[edge.polygon].id;
     row.xSubpixels = crossing.x();
     row.x          = (static_cast<double>(crossing.x())
              + static_cast<double>(crossing.fraction()) / static_cast<double>(crossing.dy()))
             / kSubpixels;
     row.dx        = {dx / common, dy / common};
-    row.firstLine = table.linesOf(side, std::min(side.ya, side.yb), ExactRules{}).first;
-    row.lastLine  = edge.lastLine();
+    row.firstLine = edge.firstLine;
+    row.lastLine  = edge.lastLine;
     return row;
 }
 
 }  // namespace
 
-void SweepRecorder::observe(const EdgeTableReady& e) { m_table = &e.table; }
+void SweepRecorder::observe(const plain::EdgeTableReady& e) { m_table = &e.table; }
 
 void SweepRecorder::beginLineIfOver()
 {
@@ -43,19 +44,19 @@ void SweepRecorder::beginLineIfOver()
     m_spans.clear();
 }
 
-void SweepRecorder::observe(const EdgeLeft& e)
+void SweepRecorder::observe(const plain::EdgeLeft& e)
 {
     beginLineIfOver();
     m_left.push_back(e.edge);
 }
 
-void SweepRecorder::observe(const EdgeEntered& e)
+void SweepRecorder::observe(const plain::EdgeEntered& e)
 {
     beginLineIfOver();
     m_entered.push_back(e.edge);
 }
 
-void SweepRecorder::observe(const ScanlineReady& e)
+void SweepRecorder::observe(const plain::LineReady& e)
 {
     beginLineIfOver();
     m_y = e.y;
@@ -70,14 +71,14 @@ std::optional<SweepState> SweepRecorder::state() const
     SweepState state;
     state.y     = m_y;
     state.spans = m_spans;
-    for (const ActiveEdge& edge : m_active) state.activeEdges.push_back(rowOf(*m_table, edge, m_y));
-    for (const ActiveEdge& edge : m_active) state.activePolygons.push_back(m_table->parts()[edge.polygon()].id);
+    for (const plain::Edge& edge : m_active) state.activeEdges.push_back(rowOf(*m_table, edge, m_y));
+    for (const plain::Edge& edge : m_active) state.activePolygons.push_back(m_table->polygons()[edge.polygon].id);
     std::ranges::sort(state.activePolygons);
     // Not std::ranges::unique: clang 14 cannot compile the standard library's.
     state.activePolygons.erase(std::unique(state.activePolygons.begin(), state.activePolygons.end()),
                                state.activePolygons.end());
-    for (const ActiveEdge& edge : m_entered) state.entered.push_back(rowOf(*m_table, edge, m_y));
-    for (const ActiveEdge& edge : m_left) state.left.push_back(rowOf(*m_table, edge, edge.lastLine()));
+    for (const plain::Edge& edge : m_entered) state.entered.push_back(rowOf(*m_table, edge, m_y));
+    for (const plain::Edge& edge : m_left) state.left.push_back(rowOf(*m_table, edge, edge.lastLine));
     for (int y = m_table->firstLine(); y < m_table->endLine(); ++y)
         state.edgesStarting.push_back(static_cast<int>(m_table->startingAt(y).size()));
     return state;
@@ -108,7 +109,7 @@ void PixelRecorder::observe(const PixelTested& e)
     m_pixel = pixel;
 }
 
-void IntervalRecorder::observe(const IntervalResolved& e)
+void IntervalRecorder::observe(const plain::IntervalDecided& e)
 {
     IntervalState interval{e.y, e.x0, e.x1, {}, std::nullopt, e.reason};
     for (const std::uint32_t part : e.open) interval.open.push_back(e.polygons[part].id);

@@ -11,47 +11,50 @@
 #include "core/cull/cull_events.h"
 #include "core/frame/frame_events.h"
 #include "core/lesson/step_state.h"
-#include "core/probe/probe.h"
+#include "core/method/intervals.h"
+#include "core/plain/edge_table.h"
+#include "core/probe/recorders.h"
 #include "core/scan/pixel_events.h"
 #include "core/sweep/blend_events.h"
-#include "core/sweep/edge_table.h"
-#include "core/sweep/sweep_events.h"
 
 namespace zscope {
 
 /// Keeps the sweep's structures for the line the run has reached.
 class SweepRecorder {
 public:
-    void observe(const EdgeTableReady& e);
-    void observe(const EdgeLeft& e);
-    void observe(const EdgeEntered& e);
-    void observe(const ScanlineReady& e);
+    using Events = Wants<plain::EdgeTableReady, plain::EdgeLeft, plain::EdgeEntered, plain::LineReady, SpanFilled,
+                         plain::LineFinished>;
+
+    void observe(const plain::EdgeTableReady& e);
+    void observe(const plain::EdgeLeft& e);
+    void observe(const plain::EdgeEntered& e);
+    void observe(const plain::LineReady& e);
     void observe(const SpanFilled& e);
-    void observe(const ScanlineFinished&) { m_lineIsOver = true; }
+    void observe(const plain::LineFinished&) { m_lineIsOver = true; }
 
     /// Nothing before the edge table was ready.
     std::optional<SweepState> state() const;
     std::size_t               bytes() const
     {
-        return (m_active.capacity() + m_entered.capacity() + m_left.capacity()) * sizeof(ActiveEdge)
+        return (m_active.capacity() + m_entered.capacity() + m_left.capacity()) * sizeof(plain::Edge)
                + m_spans.capacity() * sizeof(SpanRow);
     }
 
 private:
     void beginLineIfOver();
 
-    const EdgeTable*        m_table      = nullptr;  // of the run; outlives it
-    bool                    m_lineIsOver = false;
-    int                     m_y          = -1;
-    std::vector<ActiveEdge> m_active, m_entered, m_left;
-    std::vector<SpanRow>    m_spans;
+    const plain::EdgeTable*  m_table      = nullptr;  // of the run; outlives it
+    bool                     m_lineIsOver = false;
+    int                      m_y          = -1;
+    std::vector<plain::Edge> m_active, m_entered, m_left;
+    std::vector<SpanRow>     m_spans;
 };
-static_assert(
-    observesAll<SweepRecorder, EdgeTableReady, EdgeLeft, EdgeEntered, ScanlineReady, SpanFilled, ScanlineFinished>);
 
 /// Keeps the triangle a stream method is working on and how many pixels it has won.
 class TriangleRecorder {
 public:
+    using Events = Wants<TriangleReached, PixelTested>;
+
     void observe(const TriangleReached& e);
     void observe(const PixelTested& e);
 
@@ -60,16 +63,17 @@ public:
 private:
     std::optional<TriangleState> m_triangle;
 };
-static_assert(observesAll<TriangleRecorder, TriangleReached, PixelTested>);
 
 /// Keeps the last span, the last tile and the last pixel's test; a new triangle or line makes both old.
 class PixelRecorder {
 public:
+    using Events = Wants<SpanFilled, PixelTested, TileTested, TriangleReached, plain::LineReady>;
+
     void observe(const SpanFilled& e) { m_span = SpanRow{e.x0, e.x1, e.triangle}; }
     void observe(const PixelTested& e);
     void observe(const TileTested& e) { m_tile = e; }
     void observe(const TriangleReached&) { m_span.reset(); }
-    void observe(const ScanlineReady&) { m_span.reset(); }
+    void observe(const plain::LineReady&) { m_span.reset(); }
 
     std::optional<SpanRow>    span() const { return m_span; }
     std::optional<PixelState> pixel() const { return m_pixel; }
@@ -80,25 +84,28 @@ private:
     std::optional<PixelState> m_pixel;
     std::optional<TileTested> m_tile;
 };
-static_assert(observesAll<PixelRecorder, SpanFilled, PixelTested, TileTested, TriangleReached, ScanlineReady>);
 
 /// Keeps the last interval decided; a new line makes it old.
 class IntervalRecorder {
 public:
-    void observe(const IntervalResolved& e);
-    void observe(const ScanlineReady&) { m_interval.reset(); }
+    using Events = Wants<plain::IntervalDecided, plain::LineReady>;
+
+    void observe(const plain::IntervalDecided& e);
+    void observe(const plain::LineReady&) { m_interval.reset(); }
 
     std::optional<IntervalState> state() const { return m_interval; }
 
 private:
     std::optional<IntervalState> m_interval;
 };
-static_assert(observesAll<IntervalRecorder, IntervalResolved, ScanlineReady>);
 
 /// Keeps the nodes of the hierarchy as they become known and are judged, the last question to the pyramid, and the
 /// cell of it that was written last.
 class HierarchyRecorder {
 public:
+    using Events =
+        Wants<StageStarted, NodeJudged, PassStarted, NodeRecalled, NodeOpened, NodeDrawn, PyramidAsked, CellUpdated>;
+
     /// A pre-pass visits the tree too, but what it met is forgotten when the visit that counts begins.
     void observe(const StageStarted& e);
     void observe(const PassStarted& e) { m_state.pass = e.pass; }
@@ -124,12 +131,12 @@ private:
     std::map<std::pair<std::int64_t, const TreeNode*>, int> m_ids;  // (instance or -1, node) to row
     int m_instanceNode = -1;  // of the tree over the instances: the one whose instances are being visited
 };
-static_assert(observesAll<HierarchyRecorder, StageStarted, NodeJudged, PassStarted, NodeRecalled, NodeOpened, NodeDrawn,
-                          PyramidAsked, CellUpdated>);
 
 /// Counts the depth tests of every pixel, those of a pre-pass included.
 class TestCounter {
 public:
+    using Events = Wants<PixelTested>;
+
     TestCounter(int width, int height) : m_tests(width, height, 0) {}
 
     void observe(const PixelTested& e) { ++m_tests.at(e.x, e.y); }
@@ -141,11 +148,14 @@ public:
 private:
     Grid<std::uint32_t> m_tests;
 };
-static_assert(observes<TestCounter, PixelTested>);
 
 /// Keeps which stage the run is in, and what the last step was.
 class MomentRecorder {
 public:
+    using Events = Wants<StageStarted, StageFinished, NodeRecalled, NodeJudged, TriangleFinished, PyramidAsked,
+                         plain::LineReady, plain::LineFinished, plain::IntervalDecided, SpanFilled, CellUpdated,
+                         TileTested, PixelTested, PixelBlended, FrameFinished>;
+
     enum class Moment {
         None,
         StageOver,
@@ -169,9 +179,9 @@ public:
     void observe(const NodeJudged&) { m_moment = Moment::NodeOver; }
     void observe(const TriangleFinished&) { m_moment = Moment::TriangleOver; }
     void observe(const PyramidAsked&) { m_moment = Moment::QueryOver; }
-    void observe(const ScanlineReady&) { m_moment = Moment::LineReady; }
-    void observe(const ScanlineFinished&) { m_moment = Moment::LineOver; }
-    void observe(const IntervalResolved&) { m_moment = Moment::IntervalOver; }
+    void observe(const plain::LineReady&) { m_moment = Moment::LineReady; }
+    void observe(const plain::LineFinished&) { m_moment = Moment::LineOver; }
+    void observe(const plain::IntervalDecided&) { m_moment = Moment::IntervalOver; }
     void observe(const SpanFilled&) { m_moment = Moment::SpanOver; }
     void observe(const CellUpdated&) { m_moment = Moment::UpdateOver; }
     void observe(const TileTested&) { m_moment = Moment::TileOver; }

@@ -1,6 +1,4 @@
-// Stepping: the frame again, serially and with one lane, stopped right after the wanted event.
-#define HWY_COMPILE_ONLY_SCALAR
-
+// Stepping: the frame again, by plain text, stopped right after the wanted event.
 #include "core/lesson/replay.h"
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 #include <new>
 #include <utility>
 
-#include "core/frame/serial_run-inl.h"
+#include "core/frame/frame_plan.h"
+#include "core/frame/observed_run.h"
 #include "core/lesson/checkpoints.h"
 #include "core/lesson/recorders.h"
 #include "core/lesson/sentences.h"
@@ -38,6 +37,8 @@ struct StageBegin {
 /// Notes where the stages begin; hears every event after the counter of steps.
 class StageRecorder {
 public:
+    using Events = Wants<StageStarted>;
+
     explicit StageRecorder(const StepCounter& steps) : m_steps(steps) {}
 
     void observe(const StageStarted& e) { m_begun.push_back({e.stage, m_steps}); }
@@ -48,7 +49,6 @@ private:
     const StepCounter&      m_steps;
     std::vector<StageBegin> m_begun;
 };
-static_assert(observes<StageRecorder, StageStarted>);
 
 std::optional<Error> cannotStep(const DrawRequest& request, Grain grain)
 {
@@ -73,10 +73,11 @@ bool isSweep(Scan scan)
     return scan == Scan::SweepZLine || scan == Scan::SweepIntervals || scan == Scan::SweepPolygons;
 }
 
-/// One run with everything that listens to it. It stays where it is: its parts know each other.
-struct Run {
+/// One run with everything that observes it. It stays where it is: its parts know each other.
+class Run final : public Observer {
+public:
     /// Up to a step, in memory that outlives it.
-    Run(const DrawRequest& request, Grain grain, std::uint64_t step, StripeScratch& memory)
+    Run(const DrawRequest& request, Grain grain, std::uint64_t step, plain::Scratch& memory)
         : recorders(request.camera.width, request.camera.height), stages(recorders.steps), stop(grain, step),
           scratch(memory), keeper({recorders, frame, scratch, stop, grain}, isSweep(repeatable(request).pipeline.scan))
     {
@@ -89,18 +90,30 @@ struct Run {
     void perform(const DrawRequest& request)
     {
         try {
-            HWY_STATIC_DISPATCH(runSerially)
-            (request, frame, scratch,
-             Listening(keeper, recorders.steps, recorders.sweep, recorders.interval, recorders.hierarchy,
-                       recorders.triangle, recorders.pixel, recorders.tests, recorders.moment, stages, stop));
+            drawObserved(request, frame, scratch, *this);
         } catch (const RunStopped&) {}
+    }
+
+    void hear(const Heard& heard) override
+    {
+        if (keeper.isOnTheWay()) return;
+        keeper.hear(heard);
+        recorders.hear(heard);
+        passOn(heard, stages);
+        stop.hear(heard);
+    }
+    bool               isOnTheWay() const override { return keeper.isOnTheWay(); }
+    bool               leavesOut(Checkpoint at) override { return keeper.passesBy(at); }
+    std::optional<int> knownVerdict() override
+    {
+        return keeper.isOnTheWay() ? std::optional(static_cast<int>(keeper.knownVerdict())) : std::nullopt;
     }
 
     RunRecorders     recorders;
     StageRecorder    stages;
     StopAt           stop;
     Frame            frame;
-    StripeScratch&   scratch;
+    plain::Scratch&  scratch;
     CheckpointKeeper keeper;
 };
 
@@ -111,9 +124,9 @@ struct Replay::Survey {
     StepCounter             steps;  // of the whole run
     std::vector<StageBegin> stages;
     Checkpoints             checkpoints;
-    StripeScratch           scratch;  // with the edge table that the checkpoints go on with
+    plain::Scratch          scratch;  // with the edge table that the checkpoints go on with
     // of runs that fill an edge table themselves: they stop before the first checkpoint
-    StripeScratch        before;
+    plain::Scratch       before;
     std::unique_ptr<Run> latest;  // stopped after a step
 
     /// Whether `latest` stands right after this step.
@@ -159,7 +172,7 @@ std::optional<Error> Replay::runTo(Grain grain, StepIndex step)
     if (from) run->keeper.beginAt(*from, m_survey->checkpoints);
     run->perform(m_request);
     if (isCancelled()) return wasCancelled();
-    if (run->frame.colour.height() == 0) HWY_STATIC_DISPATCH(shadeWhole)(m_request, run->frame);
+    if (run->frame.colour.height() == 0) shadePicture(m_request, run->frame);
     m_survey->latest = std::move(run);
     return std::nullopt;
 }
@@ -216,6 +229,8 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.step          = step;
         state.count         = m_survey->steps.seen(grain);
         state.event         = run.stop.lastGrain();
+        state.method        = run.stop.method();
+        state.part          = run.stop.part();
         state.stage         = moment.stage();
         state.sweep         = recorders.sweep.state();
         const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;

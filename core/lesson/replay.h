@@ -4,7 +4,7 @@
 // Steps      counted from 0 within a grain; state K is the state right after event K of the grain or a coarser one;
 //            K = count - 1 is the finished picture
 // Promise    the state at K is the same however K was reached; the picture at count - 1 is the one draw() makes
-// Cost       the first question of all: one serial one-lane run, which counts the steps of every grain and keeps copies
+// Cost       the first question of all: one run of plain text, which counts the steps of every grain and keeps copies
 //            of the structures at checkpoints. Then a run from the last checkpoint before the event
 //            (core/lesson/checkpoints.h)
 // Memory     at most CheckpointSpacing::bytes of copies, and the edge table of sweep methods: one for the steps before
@@ -39,7 +39,7 @@ struct StageMark {
 struct CheckpointSpacing {
     std::uint64_t events = 500'000;  // heard by the recorders: 10 to 40 ms of a run
     // of all of them; where they are more, the checkpoints are farther apart
-    std::size_t bytes = std::size_t{192} << 20;
+    std::size_t bytes = std::size_t{256} << 20;
 };
 
 class Replay {

@@ -1,14 +1,19 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/lesson/interval_reason.h"
 #include "core/lesson/replay.h"
+#include "core/sweep/interval_reason.h"
 
 namespace zscope {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+Json toJson(const SourceLine& line)
+{
+    return {{"file", line.fileFromRoot()}, {"line", line.line}, {"function", line.function}};
+}
 
 Json toJson(const EdgeRow& edge)
 {
@@ -147,6 +152,7 @@ std::string stateToJson(const StepState& state, PyramidCells cells)
     Json json{{"algorithm", state.algorithm}, {"grain", wordOf(state.grain)}, {"step", state.step.value},
               {"count", state.count},         {"sentence", state.sentence},   {"event", wordOf(state.event)},
               {"stage", wordOf(state.stage)}};
+    json["source"] = {{"method", toJson(state.method)}, {"part", toJson(state.part)}};
     if (state.sweep) addSweep(json, *state.sweep);
     if (state.hierarchy) addHierarchy(json, *state.hierarchy, cells);
     if (state.triangle) json["triangle"] = toJson(*state.triangle);

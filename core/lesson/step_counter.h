@@ -7,16 +7,15 @@
 #include <numeric>
 
 #include "core/lesson/explanation.h"
-#include "core/probe/probe.h"
+#include "core/probe/recorders.h"
 
 namespace zscope {
 
 class StepCounter {
 public:
-    template <isStep Event>
-    void observe(const Event&)
+    void hear(const Heard& heard)
     {
-        ++m_events[static_cast<std::size_t>(Event::grain)];
+        if (heard.kind.grain) ++m_events[static_cast<std::size_t>(*heard.kind.grain)];
     }
 
     /// How many steps of a grain there have been.

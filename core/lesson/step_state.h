@@ -15,9 +15,10 @@
 #include "core/frame/renderer.h"
 #include "core/hierarchy/tree.h"
 #include "core/probe/grain.h"
+#include "core/probe/source_line.h"
 #include "core/scan/pixel_events.h"
 #include "core/scene/mesh.h"
-#include "core/sweep/sweep_events.h"
+#include "core/sweep/interval_reason.h"
 
 namespace zscope {
 
@@ -135,18 +136,20 @@ struct StepState {
     Grain                         grain = Grain::Frame;
     StepIndex                     step;
     std::uint64_t                 count = 0;
-    std::string                   sentence;              // one sentence with live numbers and the rule applied
-    Grain                         event = Grain::Frame;  // grain of the event the run stopped at
-    Stage                         stage = Stage::Clear;  // the stage the run is in
-    std::optional<SweepState>     sweep;                 // sweep methods only
-    std::optional<HierarchyState> hierarchy;             // methods that visit a tree or ask a pyramid only
-    std::optional<TriangleState>  triangle;              // stream methods, once a triangle was reached
-    std::optional<PixelState>     pixel;                 // if the last event was a pixel
-    std::optional<SpanRow>        span;                  // the last span filled
-    std::optional<IntervalState>  interval;              // interval method only: the last interval of the line
-    std::optional<TileTested>     tile;                  // if the last event was a tile
-    std::optional<BlendState>     blend;                 // if the last event was a pixel blended
-    Frame                         frame;                 // as the run left it, shaded
+    std::string                   sentence;               // one sentence with live numbers and the rule applied
+    Grain                         event  = Grain::Frame;  // grain of the event the run stopped at
+    SourceLine                    method = {};            // the call in core/method that made the step
+    SourceLine                    part   = {};            // the statement that reported it
+    Stage                         stage  = Stage::Clear;  // the stage the run is in
+    std::optional<SweepState>     sweep;                  // sweep methods only
+    std::optional<HierarchyState> hierarchy;              // methods that visit a tree or ask a pyramid only
+    std::optional<TriangleState>  triangle;               // stream methods, once a triangle was reached
+    std::optional<PixelState>     pixel;                  // if the last event was a pixel
+    std::optional<SpanRow>        span;                   // the last span filled
+    std::optional<IntervalState>  interval;               // interval method only: the last interval of the line
+    std::optional<TileTested>     tile;                   // if the last event was a tile
+    std::optional<BlendState>     blend;                  // if the last event was a pixel blended
+    Frame                         frame;                  // as the run left it, shaded
     Grid<std::uint32_t>           tests;  // per pixel: how many fragments have been offered to its depth test
 };
 

@@ -98,8 +98,9 @@ private:
 
         const Result<FrameReport> first = run.renderer->draw(run.draw, m_frame);
         if (!first) return first.error();
-        row.threads = first->threads;
-        row.simd    = first->simd;
+        row.threads   = first->threads;
+        row.simd      = first->simd;
+        row.shortcuts = m_request.shortcuts;
         if (const auto done = judge(algorithm, row); !done) return done.error();
         bool isTrial = first->isTrial;
         for (int frame = 0; frame < m_request.warmUp || isTrial; ++frame) {
@@ -302,12 +303,15 @@ std::string benchToJson(std::span<const BenchRow> rows)
         }
         Json counters = Json::object();
         for (const NamedCount& counter : row.counters) counters[counter.name] = counter.value;
+        Json tallies = Json::object();
+        for (const NamedCount& tally : row.tallies) tallies[tally.name] = tally.value;
         list.push_back({{"scene", row.scene},
                         {"algorithm", row.algorithm},
                         {"claim", wordOf(row.claim)},
                         {"chosen", row.chosen.empty() ? Json(nullptr) : Json(row.chosen)},
                         {"threads", row.threads},
                         {"simd", wordOf(row.simd)},
+                        {"shortcuts", wordOf(row.shortcuts)},
                         {"shaded", row.shaded},
                         {"verified", row.wrongPixels ? Json(*row.wrongPixels == 0) : Json(nullptr)},
                         {"wrong_pixels", row.wrongPixels ? Json(*row.wrongPixels) : Json(nullptr)},
@@ -329,6 +333,7 @@ std::string benchToJson(std::span<const BenchRow> rows)
                         {"stage_quartiles", std::move(quartiles)},
                         {"round_ms", row.roundMs},
                         {"series", row.series ? toJson(*row.series) : Json(nullptr)},
+                        {"tallies", std::move(tallies)},
                         {"counters", std::move(counters)}});
     }
     return list.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

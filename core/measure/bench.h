@@ -1,4 +1,4 @@
-// Times algorithms on a scene: verified first, then timed without a probe, then explained by counters.
+// Times algorithms on a scene: verified first, then timed without an observer, then explained by counters.
 //
 // Runs       every algorithm with every thread count and vector target, shaded, or ids and depth alone, or both; each
 //            has warm-up frames, then `frames` timed ones, or as many as `leastMs` wants; one that chooses by trials
@@ -50,10 +50,11 @@ struct BenchRequest {
     Camera                       camera;
     FaceCulling                  faceCulling = FaceCulling::None;
     std::vector<BenchAlgorithm>  algorithms;
-    std::vector<int>             threads = {0};  // 0: one per core
-    std::vector<Simd>            simd    = {Simd::Auto};
-    int                          warmUp  = 3;   // frames before the timed ones
-    int                          frames  = 30;  // timed, at least 1
+    std::vector<int>             threads   = {0};  // 0: one per core
+    std::vector<Simd>            simd      = {Simd::Auto};
+    Shortcuts                    shortcuts = Shortcuts::All;
+    int                          warmUp    = 3;   // frames before the timed ones
+    int                          frames    = 30;  // timed, at least 1
     // that the timed frames of a run take together: more frames, if need be
     double                       leastMs     = 0;
     int                          rounds      = 1;  // 1 to frames; each has its part of both
@@ -81,10 +82,11 @@ struct BenchRow {
     std::string scene;
     std::string algorithm;
     Claim       claim = Claim::Exact;
-    std::string chosen;       // `auto`: by which preset the last timed frame was drawn
-    int         threads = 1;  // as used
-    Simd        simd    = Simd::Scalar;
-    bool        shaded  = true;  // false: ids and depth only
+    std::string chosen;         // `auto`: by which preset the last timed frame was drawn
+    int         threads   = 1;  // as used
+    Simd        simd      = Simd::Scalar;
+    Shortcuts   shortcuts = Shortcuts::All;
+    bool        shaded    = true;  // false: ids and depth only
 
     /// Pixels whose id or depth bits differ from the reference, or, of a method that is exact by face, its holes and
     /// spills; nothing: no reference was asked for.
@@ -103,7 +105,8 @@ struct BenchRow {
 
     std::array<double, kStages.size()>         stageMs{};         // of the median frame
     std::array<StageQuartiles, kStages.size()> stageQuartiles{};  // of each stage by itself
-    std::vector<NamedCount>                    counters;          // the work behind the times
+    std::vector<NamedCount>                    tallies;           // of the median frame: what it did, in its own units
+    std::vector<NamedCount>                    counters;          // the textbook method's work, of a run of its own
     std::vector<double>                        roundMs;           // the median frame of each round
     std::optional<Series>                      series;            // along a camera path: frame by frame
 

@@ -68,6 +68,8 @@ BenchRow rowOf(const Json& json)
     if (const Json& chosen = json.at("chosen"); chosen.is_string()) chosen.get_to(row.chosen);
     row.threads = wholeOf<int>(json.at("threads"));
     row.simd    = valueOf(json.at("simd"), std::array{Simd::Auto, Simd::Scalar, Simd::Sse4, Simd::Avx2, Simd::Avx512});
+    if (json.contains("shortcuts"))  // older records have none
+        row.shortcuts = valueOf(json.at("shortcuts"), std::array{Shortcuts::All, Shortcuts::None});
     json.at("shaded").get_to(row.shaded);
     row.pixels = wholeOf<std::uint64_t>(json.at("pixels"));
     if (const Json& wrong = json.at("wrong_pixels"); !wrong.is_null()) row.wrongPixels = wholeOf<std::uint64_t>(wrong);
@@ -94,6 +96,9 @@ BenchRow rowOf(const Json& json)
     }
     for (const auto& [name, value] : json.at("counters").items())
         row.counters.push_back({name, wholeOf<std::uint64_t>(value)});
+    if (json.contains("tallies"))  // older records have none
+        for (const auto& [name, value] : json.at("tallies").items())
+            row.tallies.push_back({name, wholeOf<std::uint64_t>(value)});
     for (const Json& each : listOf(json.at("round_ms"))) row.roundMs.push_back(amountOf(each));
     // older records have none
     if (json.contains("series") && !json.at("series").is_null()) row.series = seriesOf(json.at("series"));

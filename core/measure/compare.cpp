@@ -112,6 +112,7 @@ try {
         draw.pipeline    = algorithm.pipeline;
         draw.threads     = request.threads;
         draw.simd        = request.simd;
+        draw.shortcuts   = request.shortcuts;
         draw.memoryLimit = request.memoryLimit;
         draw.cancel      = request.progress.cancel;
         if (const auto done = drawTimed(draw, std::max(1, request.frames), compared); !done) return done.error();

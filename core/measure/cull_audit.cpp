@@ -1,13 +1,17 @@
-#define HWY_COMPILE_ONLY_SCALAR
-
 #include "core/measure/cull_audit.h"
 
 #include <algorithm>
 #include <cassert>
 #include <vector>
 
+#include "core/cull/cull_events.h"
 #include "core/cull/node_reach.h"
-#include "core/frame/serial_run-inl.h"
+#include "core/frame/frame_events.h"
+#include "core/frame/frame_plan.h"
+#include "core/frame/observed_run.h"
+#include "core/geometry/geometry_events.h"
+#include "core/probe/recorders.h"
+#include "core/scan/pixel_events.h"
 
 namespace zscope {
 
@@ -60,6 +64,8 @@ private:
 
 class CullJudge {
 public:
+    using Events = Wants<NodeJudged, TriangleSetUp, TriangleHidden, TriangleReached, StageStarted>;
+
     CullJudge(const DrawRequest& request, const VisibilityBuffer& finished, std::span<const std::int64_t> visible)
         : m_scene(request.scene->scene()), m_finished(finished), m_projection(request.camera),
           m_encoding(request.pipeline.approximation.format, request.camera.near, request.camera.far), m_visible(visible)
@@ -184,7 +190,6 @@ private:
     bool                    m_allBehind   = true;   // all of its parts that were drawn
     TriangleId              m_triangle;
 };
-static_assert(observesAll<CullJudge, NodeJudged, TriangleSetUp, TriangleHidden, TriangleReached, StageStarted>);
 
 }  // namespace
 
@@ -198,12 +203,13 @@ Result<CullAudit> auditCulls(const DrawRequest& request, const VisibilityBuffer&
     const Result<FramePlan> plan = planFrame(request);
     if (!plan) return plan.error();
     try {
-        Frame         frame;
-        StripeScratch scratch;
-        CullJudge     judge(request, finished, visible);
-        DrawRequest   unshaded = request;
-        unshaded.shade         = false;
-        HWY_STATIC_DISPATCH(runSerially)(unshaded, frame, scratch, Listening(judge));
+        Frame          frame;
+        plain::Scratch scratch;
+        CullJudge      judge(request, finished, visible);
+        DrawRequest    unshaded = request;
+        unshaded.shade          = false;
+        Listening listening(judge);
+        drawObserved(unshaded, frame, scratch, listening);
         if (request.cancel && request.cancel->load()) return Error{Trouble::Cancelled, "the audit was cancelled"};
         return judge.finish();
     } catch (const std::bad_alloc&) {

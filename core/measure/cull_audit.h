@@ -7,7 +7,7 @@
 // Missed cull  a node that was entered, or a triangle that was drawn, although a perfect test of the same box and
 //              nearest depth against the finished depth would have hidden it. A node that reaches before the near plane
 //              has no such bounds and is never missed; one that covers no pixel centre always is
-// How          the frame runs again, one thread and one lane, with a probe that looks at every verdict; the perfect
+// How          the frame runs again, by plain text, with an observer that looks at every verdict; the perfect
 //              test reads the pixels, not the pyramid that it judges
 // Cost         a serial run, plus per node and triangle drawn its pixels up to the first that does not hide it; a byte
 //              and an id per visible triangle

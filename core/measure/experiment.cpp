@@ -46,6 +46,7 @@ private:
                                part.hasSize, part.faceCulling ? static_cast<int>(*part.faceCulling) : -1, part.frames,
                                part.rounds, part.shade.value_or(true));
             if (!part.path.empty()) all += fmt::format("path {}|", part.path);
+            if (part.shortcuts == Shortcuts::None) all += "shortcuts none|";
             if (part.samples) all += fmt::format("sample {}|", *part.samples);
             if (part.peers) all += fmt::format("peers {}|", part.shade.has_value());
             for (const int threads : part.threads) all += fmt::format("{},", threads);
@@ -142,8 +143,8 @@ private:
     bool onePart(const JsonValue& value, ExperimentPart& part)
     {
         if (!knows(value, "a part",
-                   {"title", "scenes", "algorithms", "threads", "size", "cull", "frames", "rounds", "shade", "x",
-                    "path", "sample", "peers"}))
+                   {"title", "scenes", "algorithms", "threads", "size", "cull", "shortcuts", "frames", "rounds",
+                    "shade", "x", "path", "sample", "peers"}))
             return false;
         const auto algorithm = [&](const JsonValue& each) {
             if (!each.text() || each.text()->empty()) return fail(each, "an algorithm is a text");
@@ -155,7 +156,8 @@ private:
             || !list(value, "algorithms", algorithm))
             return false;
         if (!list(value, "scenes", [&](const JsonValue& each) { return oneScene(each, part); })) return false;
-        if (!size(value, part) || !culling(value, part) || !threads(value, part)) return false;
+        if (!size(value, part) || !culling(value, part) || !shortcuts(value, part) || !threads(value, part))
+            return false;
         if (const JsonValue* path = find(value, "path")) part.pathLine = path->line;
         if (!word(value, "path", part.path) || !truth(value, "shade", part.shade)) return false;
         std::optional<bool> peers;
@@ -263,6 +265,16 @@ private:
         if (said == "back") part.faceCulling = FaceCulling::Back;
         if (said == "none") part.faceCulling = FaceCulling::None;
         return said.empty() || part.faceCulling ? true : fail(*find(value, "cull"), "'cull' is none or back");
+    }
+
+    bool shortcuts(const JsonValue& value, ExperimentPart& part)
+    {
+        std::string said;
+        if (!word(value, "shortcuts", said)) return false;
+        if (said == "none") part.shortcuts = Shortcuts::None;
+        return said.empty() || said == wordOf(part.shortcuts)
+                   ? true
+                   : fail(*find(value, "shortcuts"), "'shortcuts' is all or none");
     }
 
     bool threads(const JsonValue& value, ExperimentPart& part)

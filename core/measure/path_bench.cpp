@@ -94,8 +94,9 @@ private:
             for (Run& run : m_runs) {
                 const auto report = draw(run, frame);
                 if (!report) return report.error();
-                run.row.threads = report->threads;
-                run.row.simd    = report->simd;
+                run.row.threads   = report->threads;
+                run.row.simd      = report->simd;
+                run.row.shortcuts = m_request.shortcuts;
                 if (!m_request.verify) continue;
                 if (const auto done = judge(run, frame); !done) return done.error();
             }

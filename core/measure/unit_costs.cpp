@@ -3,26 +3,17 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/tally.h"
+
 namespace zscope {
 namespace {
 
 constexpr double kNsPerMs = 1e6;
 
-std::uint64_t counted(const BenchRow& row, std::string_view name)
+std::uint64_t talliedOf(const BenchRow& row, Unit unit)
 {
-    const auto found = std::ranges::find(row.counters, name, &NamedCount::name);
-    return found == row.counters.end() ? 0 : found->value;
-}
-
-/// Every triangle that a batch handed to set-up, whatever became of it there.
-std::uint64_t trianglesSetUp(const BenchRow& row)
-{
-    constexpr std::array kFates{
-        "triangles_clipped_away", "triangles_back_facing", "triangles_degenerate", "triangles_no_pixel_centre",
-        "triangles_out_of_range", "triangles_hidden",      "triangles_drawn"};
-    std::uint64_t all = 0;
-    for (const char* fate : kFates) all += counted(row, fate);
-    return all;
+    const auto found = std::ranges::find(row.tallies, wordOf(unit), &NamedCount::name);
+    return found == row.tallies.end() ? 0 : found->value;
 }
 
 struct Divisor {
@@ -32,27 +23,32 @@ struct Divisor {
 
 std::vector<Divisor> divisorsOf(const BenchRow& row, Stage stage)
 {
-    const std::uint64_t edges      = counted(row, "edges");
-    const bool          hasPrepass = counted(row, "prepass_pixels_tested") > 0;
+    const auto tallied = [&row](Unit unit) { return talliedOf(row, unit); };
+    // What a pre-pass transforms, sets up and draws is counted with the rest, and its time is not.
+    const bool hasPrepass = row.stageQuartiles[static_cast<std::size_t>(Stage::Prepass)].median > 0;
     switch (stage) {
-        case Stage::Transform:  // of a pre-pass the vertices are counted here, and their time is not
+        case Stage::Transform:
             if (hasPrepass) return {};
-            return {{WorkUnit::Vertex, counted(row, "vertices_transformed")}};
+            return {{WorkUnit::Vertex, tallied(Unit::Vertices)}};
         case Stage::Setup:
-            if (edges > 0) return {{WorkUnit::Edge, edges}};
-            return {{WorkUnit::Triangle, trianglesSetUp(row)}};
+            if (hasPrepass) return {};
+            if (tallied(Unit::Edges) > 0) return {{WorkUnit::Edge, tallied(Unit::Edges)}};
+            return {{WorkUnit::Triangle, tallied(Unit::TrianglesSetUp)}};
         case Stage::Cull:
-            return {{WorkUnit::Node, counted(row, "nodes_visited")}};
+            return {{WorkUnit::Node, tallied(Unit::Nodes)}};
         case Stage::Prepass:
-            return {{WorkUnit::Pixel, counted(row, "prepass_pixels_tested")}};
+            return {{WorkUnit::Pixel, tallied(Unit::PrepassPixels)}};
         case Stage::Raster:
-            return {{WorkUnit::ActiveEdge, counted(row, "active_edge_lines")},
-                    {WorkUnit::Pixel, counted(row, "pixels_tested")}};
+            if (hasPrepass) return {{WorkUnit::Pixel, tallied(Unit::Pixels)}};
+            return {{WorkUnit::ActiveEdge, tallied(Unit::ActiveEdges)},
+                    {WorkUnit::Pixel, tallied(Unit::Pixels)},
+                    {WorkUnit::Triangle, tallied(Unit::TrianglesDrawn)},
+                    {WorkUnit::Window, tallied(Unit::Windows)}};
         case Stage::Upkeep:
-            return {{WorkUnit::Cell, counted(row, "pyramid_writes")}};
+            return {{WorkUnit::Cell, tallied(Unit::CellsWritten)}};
         case Stage::Shade:  // what blends transparent surfaces is in the same time
-            if (counted(row, "fragments_transparent") > 0) return {};
-            return {{WorkUnit::Pixel, counted(row, "fragments_shaded")}};
+            if (tallied(Unit::Transparent) > 0) return {};
+            return {{WorkUnit::Pixel, tallied(Unit::Fragments) + tallied(Unit::PicturePixels)}};
         case Stage::Clear:
         case Stage::Build:
         case Stage::Other:
@@ -75,8 +71,8 @@ std::vector<UnitCost> shared(double ms, const std::vector<Divisor>& divisors)
 
 std::string_view wordOf(WorkUnit unit)
 {
-    constexpr std::array<std::string_view, 7> words{"vertex",      "triangle", "pixel", "edge",
-                                                    "active edge", "node",     "cell"};
+    constexpr std::array<std::string_view, 8> words{"vertex",      "triangle", "pixel", "edge",
+                                                    "active edge", "node",     "cell",  "window"};
     return words[static_cast<std::size_t>(unit)];
 }
 

@@ -1,14 +1,14 @@
 // What one piece of work cost: the time of a stage divided by how many of the things it works on there were. Two
 // algorithms that meet different amounts of work can then be held against each other, stage by stage.
 //
-// Divisors   transform: vertices; setup: triangles, or of a sweep the edges of its edge table; cull: nodes; prepass,
-//            raster: pixels tested; raster of a sweep also active edges, each once per line; upkeep: pyramid cells;
-//            shade: fragments
+// Divisors   the tallies of the timed run itself (core/base/tally.h). Transform: vertices; setup: triangles, or of a
+//            sweep the edges of its edge table; cull: nodes; raster of a sweep: active edges, each once per line.
+//            Where plain text draws also prepass, raster: pixels tested; upkeep: pyramid cells; shade: fragments.
+//            Where shortcuts draw raster: triangles and windows; shade: pixels of the picture
 // Left out   clear, build and other work on nothing that is counted. A divisor of 0, a stage that took no time, and a
-//            stage whose counter counts another stage too give no figure rather than a misleading one
+//            stage whose tally counts another stage too give no figure rather than a misleading one
 // Times      wall time with the row's threads: a stage that two threads share costs half as much per piece
-// Counters   come from a serial run of the same choices; of a measured choice (`auto`) they may be those of another
-//            preset than the one that was timed, so it has no figures but those of the frame
+// Auto       a measured choice draws its frames by several presets, so it has no figures but those of the frame
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace zscope {
 
-enum class WorkUnit { Vertex, Triangle, Pixel, Edge, ActiveEdge, Node, Cell };
+enum class WorkUnit { Vertex, Triangle, Pixel, Edge, ActiveEdge, Node, Cell, Window };
 
 std::string_view wordOf(WorkUnit unit);
 

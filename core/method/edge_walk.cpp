@@ -33,6 +33,7 @@ void walkBetween(Work& work, const Pass& pass, const ScreenTriangle& triangle, c
         if (left < right) {
             test.beginLine(y, left);
             for (int x = left; x < right; ++x) test.offer(x);
+            work.tally.add(Unit::Spans);
             work.tell(SpanFilled{y, left, right, triangle.id});
         }
         longSide.nextLine();

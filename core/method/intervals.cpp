@@ -75,7 +75,10 @@ void tellRuns(const Work& work, int y, int x0, int x1)
     for (int x = x0; x < x1;) {
         int end = x + 1;
         while (end < x1 && rank(end) == rank(x)) ++end;
-        if (rank(x) != 0) work.tell(SpanFilled{y, x, end, TriangleId{rank(x) - 1}});
+        if (rank(x) != 0) {
+            work.tally.add(Unit::Spans);
+            work.tell(SpanFilled{y, x, end, TriangleId{rank(x) - 1}});
+        }
         x = end;
     }
 }
@@ -89,12 +92,13 @@ void decide(Work& work, int y, int x0, int x1)
         DepthTest  test(work, nearest, leader.polygon->depth, leader.polygon->id, false);
         test.beginLine(y, x0);
         for (int x = x0; x < x1; ++x) test.store(x);
+        work.tally.add(Unit::Spans);
         work.tell(SpanFilled{y, x0, x1, leader.polygon->id});
     } else {
         for (const std::uint32_t polygon : work.scratch.open) offerSpan(work, polygons[polygon], y, x0, x1);
-        if (work.observer) tellRuns(work, y, x0, x1);
+        tellRuns(work, y, x0, x1);
     }
-    work.tell(IntervalDecided{y, x0, x1, work.scratch.open, leader.polygon, leader.reason});
+    work.tell(IntervalDecided{y, x0, x1, work.scratch.open, polygons, leader.polygon, leader.reason});
 }
 
 /// Passing the edge opens or closes its polygon, or (a face with a hole) does neither.
@@ -114,7 +118,6 @@ void pass(Work& work, const Edge& edge)
 void closeAll(Work& work)
 {
     for (const std::uint32_t polygon : work.scratch.open) work.scratch.active.spanOf(polygon) = {};
-    work.scratch.open.clear();
 }
 
 bool isCrowded(Work& work)
@@ -139,6 +142,7 @@ bool isCrowded(Work& work)
 void resolveByIntervals(Call work, int y)
 {
     if (isCrowded(*work)) return resolveByDepth(work, y);
+    work->scratch.open.clear();
     int from = 0;
     for (const Edge& edge : work->scratch.active.edges()) {
         const int to = firstPixelRightOf(edge, work->stripe.visible.width(), work->rules);

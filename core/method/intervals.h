@@ -23,9 +23,12 @@ void resolveByIntervals(Call work, int y);
 struct IntervalDecided {
     static constexpr Grain         grain = Grain::Interval;
     int                            y, x0, x1;
-    std::span<const std::uint32_t> open;    // polygons of the edge table; valid only during the call, like the next
+    std::span<const std::uint32_t> open;  // polygons of the edge table; valid only during the call, like the next
+    std::span<const Polygon>       polygons;
     const Polygon*                 winner;  // nullptr: the open polygons were compared pixel by pixel
     IntervalReason                 reason;
+
+    About about() const { return {.line = y, .pixels = PixelBox{x0, y, x1, y + 1}, .interval = wordOf(reason)}; }
 };
 
 }  // namespace zscope::plain

@@ -15,7 +15,7 @@ void scanline(Work& work, const Parts& parts)
     active.begin(edges);
     for (const int y : LinesOf(work)) {
         active.retireBefore(y, work);
-        active.admit(edges.startingAt(y), work);
+        active.admit(edges, y, work);
         active.sortByX(work);
         work.tell(LineReady{y, active.edges()});
         parts.resolveLine(work, y);
@@ -47,6 +47,7 @@ void resolveByDepth(Call work, int y)
     forEachSpan(*work, [&](std::uint32_t polygon, int x0, int x1) {
         const Polygon& of = work->scratch.edges.polygons()[polygon];
         offerSpan(*work, of, y, x0, x1);
+        work->tally.add(Unit::Spans);
         work->tell(SpanFilled{y, x0, x1, of.id});
     });
 }

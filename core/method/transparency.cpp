@@ -56,6 +56,7 @@ public:
         }
         auto& fragments = m_work.scratch.fragments;
         collect(x0, x1);
+        m_work.tally.add(Unit::Transparent, static_cast<std::uint64_t>(count));
         m_work.tell(
             FragmentsJudged{static_cast<std::uint64_t>(count), static_cast<std::uint64_t>(count) - fragments.size()});
         std::ranges::sort(fragments, [this](const BlendFragment& a, const BlendFragment& b) {
@@ -109,6 +110,7 @@ private:
         }
         const std::uint32_t after = 0xFF000000u | rounded(red) << 16 | rounded(green) << 8 | rounded(blue);
         m_colour.at(x, m_y)       = after;
+        m_work.tally.add(Unit::PixelsBlended);
         m_work.tell(PixelBlended{x, m_y, static_cast<std::uint32_t>(fragments.size()), before, after});
     }
 
@@ -130,8 +132,8 @@ void blendTransparent(Work& work, const Parts& parts, const TransparentSurfaces&
 {
     EdgeTable&   edges  = work.scratch.edges;
     ActiveEdges& active = work.scratch.active;
-    Work         quiet  = work;  // what is reported is the blending
-    quiet.observer      = nullptr;
+    Tally        ofSweep;  // what is reported and counted is the blending, not the sweep beneath it
+    Work         quiet{work.stripe, work.rules, work.scratch, work.clock, ofSweep};
     edges.clear(work.stripe.firstRow, work.stripe.endRow, work.stripe.memory);
     for (const BatchPlace& batch : BatchesInView(quiet, &surfaces)) {
         parts.setUp(quiet, batch);
@@ -141,7 +143,7 @@ void blendTransparent(Work& work, const Parts& parts, const TransparentSurfaces&
     active.begin(edges);
     for (int y = work.stripe.firstRow; y < work.stripe.endRow && !work.isCancelled(); ++y) {
         active.retireBefore(y, quiet);
-        active.admit(edges.startingAt(y), quiet);
+        active.admit(edges, y, quiet);
         active.sortByX(quiet);
         BlendedLine(work, order, colour, y).blend(0, work.stripe.visible.width());
         active.advance();

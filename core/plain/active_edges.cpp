@@ -12,32 +12,38 @@ void ActiveEdges::begin(const EdgeTable& table)
     m_spans.assign(table.polygons().size(), {});
 }
 
-void ActiveEdges::retireBefore(int y, Work& work)
+void ActiveEdges::retireBefore(int y, Call work)
 {
     std::erase_if(m_edges, [&](const Edge& edge) {
         if (edge.lastLine >= y) return false;
-        work.tell(EdgeLeft{edge});
+        work->tell(EdgeLeft{edge});
         return true;
     });
 }
 
-void ActiveEdges::admit(std::span<const Edge> starting, Work& work)
+void ActiveEdges::admit(const EdgeTable& table, int y, Call work)
 {
-    for (const Edge& edge : starting) {
-        m_edges.push_back(edge);
-        work.tell(EdgeEntered{edge});
+    for (const std::uint32_t place : table.startingAt(y)) {
+        m_edges.push_back(table.edge(place));
+        work->tell(EdgeEntered{m_edges.back()});
     }
 }
 
-void ActiveEdges::sortByX(Work& work)
+void ActiveEdges::sortByX(Call work)
 {
-    if (!work.rules.sortsActiveEdges()) return;  // a fault
+    work->tally.add(Unit::ActiveEdges, m_edges.size());
+    if (!work->rules.sortsActiveEdges()) return;  // a fault
     std::ranges::stable_sort(m_edges, [](const Edge& a, const Edge& b) { return a.isLeftOf(b); });
 }
 
 void ActiveEdges::advance()
 {
     for (Edge& edge : m_edges) edge.crossing.nextLine();
+}
+
+std::size_t ActiveEdges::bytes() const
+{
+    return m_edges.capacity() * sizeof(Edge) + m_spans.capacity() * sizeof(PolygonSpan);
 }
 
 int firstPixelRightOf(const Edge& edge, int width, const ChosenRules& rules)

@@ -1,7 +1,7 @@
 // The active edge table: the edges that cross the line at hand, from left to right; and how far the line has come in
 // each polygon.
 //
-// Line       retireBefore(y), admit(the bucket of y), sortByX(): the table stands at line y. advance() moves every edge
+// Line       retireBefore(y), admit(the bucket of y), sortByX(): the active edges stand at line y. advance() moves every edge
 //            to the next line by its constant step
 // Cost       per line a sort of what is nearly sorted
 #pragma once
@@ -11,11 +11,13 @@
 #include <vector>
 
 #include "core/plain/edge_table.h"
+#include "core/probe/about.h"
 #include "core/probe/grain.h"
 
 namespace zscope::plain {
 
 struct Work;
+class Call;
 
 /// Where the pixels of a polygon begin on the line at hand.
 struct PolygonSpan {
@@ -30,12 +32,13 @@ public:
     /// No edge is active and every polygon of the table is closed.
     void begin(const EdgeTable& table);
 
-    void retireBefore(int y, Work& work);
-    void admit(std::span<const Edge> starting, Work& work);
-    void sortByX(Work& work);
+    void retireBefore(int y, Call work);
+    void admit(const EdgeTable& table, int y, Call work);
+    void sortByX(Call work);
     void advance();
 
     std::span<const Edge> edges() const { return m_edges; }
+    std::size_t           bytes() const;
     PolygonSpan&          spanOf(std::uint32_t polygon) { return m_spans[polygon]; }
 
 private:
@@ -63,11 +66,15 @@ struct LineReady {
     static constexpr Grain grain = Grain::Span;
     int                    y;       // 0 is the top line
     std::span<const Edge>  active;  // sorted by x; valid only during the call
+
+    About about() const { return {.line = y}; }
 };
 /// Line y is drawn; the active edge table still stands at it.
 struct LineFinished {
     static constexpr Grain grain = Grain::Line;
     int                    y;
+
+    About about() const { return {.line = y}; }
 };
 
 }  // namespace zscope::plain

@@ -12,6 +12,14 @@ DepthTest::DepthTest(Work& work, const Pass& pass, const DepthPlane& plane, Tria
     if (patterned) m_pattern = patternPlaneOf(work.stripe.scene.scene(), work.stripe.projection, id);
 }
 
+DepthTest::~DepthTest()
+{
+    const bool isPrepass = m_pass.keep == Keep::DepthOnly;
+    m_work.tally.add(isPrepass ? Unit::PrepassPixels : Unit::Pixels, m_tested);
+    m_work.tally.add(Unit::PixelsWon, isPrepass ? 0 : m_won);
+    m_work.tally.add(Unit::Fragments, m_shaded);
+}
+
 void DepthTest::beginLine(int y, int first)
 {
     m_y       = y;
@@ -45,6 +53,9 @@ void DepthTest::offer(int x)
     const bool shades =
         shadesFirst || (m_pass.shading == ShadingMoment::AfterTest && (m_pattern ? looked && exists : won));
     if (shades && won) shade(x);
+    ++m_tested;
+    m_won += won;
+    m_shaded += shades;
     m_work.tell(PixelTested{.x            = x,
                             .y            = m_y,
                             .triangle     = TriangleId{m_rank - 1},

@@ -24,6 +24,10 @@ class DepthTest {
 public:
     /// Of the fragments of a triangle, or of a polygon of a sweep, with this plane.
     DepthTest(Work& work, const Pass& pass, const DepthPlane& plane, TriangleId id, bool patterned);
+    /// Adds what it has tested to the tally.
+    ~DepthTest();
+    DepthTest(const DepthTest&)            = delete;
+    DepthTest& operator=(const DepthTest&) = delete;
 
     /// The fragments that follow lie on line y, at pixel `first` and to its right, from left to right.
     void beginLine(int y, int first);
@@ -51,6 +55,7 @@ private:
     double                      m_line    = 0;  // b*(y + 0.5) + c
     int                         m_carried = 0;  // accumulated depths: the pixel that m_carry belongs to
     float                       m_carry   = 0;
+    std::uint64_t               m_tested = 0, m_won = 0, m_shaded = 0;
 };
 
 }  // namespace zscope::plain

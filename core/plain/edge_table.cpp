@@ -23,6 +23,7 @@ void EdgeTable::clear(int firstLine, int endLine, std::uint64_t memory)
     m_memory    = memory;
     m_polygons.clear();
     m_edges.clear();
+    m_places.clear();
 }
 
 void EdgeTable::add(const Polygon& polygon, Inside inside, std::span<const ScreenSide> sides, double top,
@@ -61,25 +62,25 @@ void EdgeTable::add(const ScreenTriangle& triangle, const ChosenRules& rules)
 
 void EdgeTable::fillBuckets()
 {
-    std::ranges::stable_sort(m_edges, {}, &Edge::firstLine);
+    const auto bucketOf = [this](const Edge& edge) { return static_cast<std::size_t>(edge.firstLine - m_firstLine); };
     m_buckets.assign(static_cast<std::size_t>(m_endLine - m_firstLine) + 1, 0);
-    std::size_t at = 0;
-    for (std::size_t line = 0; line < m_buckets.size(); ++line) {
-        while (at < m_edges.size() && m_edges[at].firstLine < m_firstLine + static_cast<int>(line)) ++at;
-        m_buckets[line] = static_cast<std::uint32_t>(at);
-    }
+    for (const Edge& edge : m_edges) ++m_buckets[bucketOf(edge) + 1];
+    for (std::size_t line = 1; line < m_buckets.size(); ++line) m_buckets[line] += m_buckets[line - 1];
+    std::vector<std::uint32_t> next(m_buckets.begin(), m_buckets.end() - 1);  // free place of each bucket
+    m_places.resize(m_edges.size());
+    for (std::uint32_t i = 0; i < m_edges.size(); ++i) m_places[next[bucketOf(m_edges[i])]++] = i;
 }
 
-std::span<const Edge> EdgeTable::startingAt(int line) const
+std::span<const std::uint32_t> EdgeTable::startingAt(int line) const
 {
     const auto bucket = static_cast<std::size_t>(line - m_firstLine);
-    return std::span(m_edges).subspan(m_buckets[bucket], m_buckets[bucket + 1] - m_buckets[bucket]);
+    return std::span(m_places).subspan(m_buckets[bucket], m_buckets[bucket + 1] - m_buckets[bucket]);
 }
 
 std::size_t EdgeTable::bytes() const
 {
     return m_polygons.capacity() * sizeof(Polygon) + m_edges.capacity() * sizeof(Edge)
-           + m_buckets.capacity() * sizeof(std::uint32_t);
+           + (m_places.capacity() + m_buckets.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace zscope::plain

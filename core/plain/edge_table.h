@@ -5,7 +5,7 @@
 // Position   exact: whole subpixels and a remainder (EdgeStepper), so that line 10,000 is as exact as line 0
 // Band       the lines [firstLine, endLine) of the stripe; an edge that begins above them starts on the first
 // Polygons   triangles after set-up (one that the near plane cut in two is two polygons with one id), or whole faces
-// Cost       buckets are filled by one stable sort: edges times the logarithm of edges
+// Cost       buckets hold places of edges, in the order of entry, and are filled by counting: no edge is moved
 // Errors     std::bad_alloc where it would take more bytes than the stripe may
 // Source     Wylie, Romney, Evans, Erdahl: Half-tone perspective drawings by computer, FJCC 1967
 #pragma once
@@ -58,22 +58,26 @@ public:
     void add(const Polygon& polygon, Inside inside, std::span<const ScreenSide> sides, double top,
              const ChosenRules& rules);
     void add(const ScreenTriangle& triangle, const ChosenRules& rules);
-    /// Sorts the edges into their buckets; call once, after the last add().
+    /// Puts the edges into their buckets; call once, after the last add().
     void fillBuckets();
 
-    int                      firstLine() const { return m_firstLine; }
-    int                      endLine() const { return m_endLine; }
-    std::span<const Edge>    startingAt(int line) const;
-    std::span<const Polygon> polygons() const { return m_polygons; }
-    std::span<Polygon>       polygons() { return m_polygons; }
-    std::size_t              bytes() const;
+    int firstLine() const { return m_firstLine; }
+    int endLine() const { return m_endLine; }
+    /// The bucket of a line: places of edges, see edge().
+    std::span<const std::uint32_t> startingAt(int line) const;
+    const Edge&                    edge(std::uint32_t place) const { return m_edges[place]; }
+    std::size_t                    edgeCount() const { return m_edges.size(); }
+    std::span<const Polygon>       polygons() const { return m_polygons; }
+    std::span<Polygon>             polygons() { return m_polygons; }
+    std::size_t                    bytes() const;
 
 private:
     int                        m_firstLine = 0, m_endLine = 0;
     std::uint64_t              m_memory = 0;
     std::vector<Polygon>       m_polygons;
-    std::vector<Edge>          m_edges;    // by their first line once the buckets are filled
-    std::vector<std::uint32_t> m_buckets;  // lines + 1 entries: where each bucket begins in m_edges
+    std::vector<Edge>          m_edges;    // in the order of entry
+    std::vector<std::uint32_t> m_places;   // of edges, bucket by bucket
+    std::vector<std::uint32_t> m_buckets;  // lines + 1 entries: where each bucket begins in m_places
 };
 
 }  // namespace zscope::plain

@@ -9,8 +9,9 @@ namespace {
 
 /// Reports what set-up finds.
 struct Tell {
-    static constexpr bool listens = true;
-    const Work&           work;
+    const Work& work;
+
+    bool isHeard() const { return work.observer != nullptr; }
 
     template <class Event>
     void operator()(const Event& event) const
@@ -62,6 +63,9 @@ void enterFaces(Work& work)
             }
             if (work.leavesOut(Checkpoint::Batch)) continue;
             work.tell(BatchTransformed{InstanceId{i}, batch.vertexCount});
+            work.tally.add(Unit::Batches);
+            work.tally.add(Unit::Vertices, batch.vertexCount);
+            work.tally.add(Unit::TrianglesSetUp, batch.triangleCount);
             const FacePlace place{mesh, b, toWorld, scene.firstTriangle[i]};
             FaceSetUp(place, stripe.projection, stripe.culling, stripe.region(), work.scratch.faces, enter, work.rules,
                       tell)

@@ -11,16 +11,24 @@ namespace {
 /// Reports each cell that the pyramid computes anew.
 struct TellCells {
     const Work& work;
-    void        operator()(const CellWrite& write) const { work.tell(CellUpdated{write}); }
+    void        operator()(const CellWrite& write) const
+    {
+        work.tally.add(Unit::CellsWritten);
+        work.tell(CellUpdated{write});
+    }
 };
 
 template <class Shape>
 PyramidQuery ask(Work& work, const PixelBox& box, double nearest, const Shape& shape)
 {
-    Pyramid&    pyramid = work.scratch.pyramid;
-    const float depth   = work.rules.stored(nearest);
-    if (work.rules.asksOneLevel()) return pyramid.askOneLevel(box, depth, TellCells{work});  // an approximation
-    return pyramid.ask(box, depth, shape, TellCells{work});
+    Pyramid&           pyramid = work.scratch.pyramid;
+    const float        depth   = work.rules.stored(nearest);
+    const PyramidQuery query   = work.rules.asksOneLevel()  // an approximation
+                                     ? pyramid.askOneLevel(box, depth, TellCells{work})
+                                     : pyramid.ask(box, depth, shape, TellCells{work});
+    work.tally.add(Unit::Questions);
+    work.tally.add(Unit::CellsRead, static_cast<std::uint64_t>(query.cells));
+    return query;
 }
 
 }  // namespace
@@ -31,6 +39,7 @@ Verdict judgeNode(Call call, const Pass& pass, TreeVisit& visit, PlacedNode& nod
     if (work.observer)
         if (const std::optional<int> known = work.observer->knownVerdict()) return static_cast<Verdict>(*known);
 
+    if (pass.keep != Keep::DepthOnly) work.tally.add(Unit::Nodes);
     const PlacedTree& placed = visit.treeOf(node);
     const auto        tell   = [&](Verdict verdict, const PyramidQuery* query = nullptr) {
         work.tell(NodeJudged{placed.place(*node.node), verdict, query});

@@ -52,6 +52,9 @@ void setUpBatch(Call work, const BatchPlace& place)
     const Scene& scene = work->stripe.scene.scene();
     if (place.batch.triangleCount > 0)
         work->tell(BatchTransformed{scene.instanceOf(place.idOf(place.batch.firstTriangle)), place.batch.vertexCount});
+    work->tally.add(Unit::Batches);
+    work->tally.add(Unit::Vertices, place.batch.vertexCount);
+    work->tally.add(Unit::TrianglesSetUp, place.batch.triangleCount);
     work->clock.lap(Stage::Transform);
 
     const Facing facing{work->stripe.culling, place.isMirrored()};

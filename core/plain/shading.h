@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "core/base/tally.h"
 #include "core/shade/painter.h"
 
 namespace zscope::plain {
@@ -28,11 +29,14 @@ inline std::uint32_t colourOfFragment(const Painter& painter, std::uint32_t rank
 }
 
 /// The stripe's lines once they are finished: each pixel from the triangle that won it.
-inline void shadeLines(const Painter& painter, const VisibilityBuffer& visible, int first, int end)
+inline void shadeLines(const Painter& painter, const VisibilityBuffer& visible, int first, int end, Tally& tally)
 {
     for (int y = first; y < end; ++y)
-        for (int x = 0; x < visible.width(); ++x)
-            painter.colour.at(x, y) = colourOfFragment(painter, visible.rankAt(x, y), x, y);
+        for (int x = 0; x < visible.width(); ++x) {
+            const std::uint32_t rank = visible.rankAt(x, y);
+            painter.colour.at(x, y)  = colourOfFragment(painter, rank, x, y);
+            tally.add(Unit::Fragments, rank != 0);
+        }
 }
 
 }  // namespace zscope::plain

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/base/stage_clock.h"
+#include "core/base/tally.h"
 #include "core/geometry/rules.h"
 #include "core/plain/scratch.h"
 #include "core/plain/stripe.h"
@@ -19,6 +20,7 @@ struct Work {
     const ChosenRules& rules;
     Scratch&           scratch;
     StageClock&        clock;
+    Tally&             tally;
     Observer*          observer = nullptr;  // nullptr: the run is not observed
 
     SourceLine call = SourceLine::here();  // of the part at work, in the method

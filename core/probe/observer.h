@@ -1,7 +1,7 @@
 // An Observer hears the events that methods and parts report. A run at full speed has none.
 //
 // Event      a small aggregate of values already at hand, declared beside the text that makes it. One with a static
-//            member `grain` is a step; any other is a fact for counters and recorders
+//            member `grain` is a step, and about() says what it is about; any other is a fact for counters and recorders
 // Kind       one static object per type of event: an observer compares addresses to find the events that it wants
 // Source     each event carries two lines: the method's call, and the part's statement that reported it
 // Stopping   an observer may throw RunStopped out of hear(): the run unwinds, and every buffer, left as it is, is the
@@ -10,26 +10,36 @@
 //            run ahead to one: on the way nothing is drawn or told, and verdicts are looked up
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 
+#include "core/probe/about.h"
 #include "core/probe/grain.h"
-#include "core/probe/probe.h"
 #include "core/probe/source_line.h"
 
 namespace zscope {
 
+template <class Event>
+concept isStep = requires
+{
+    {
+        Event::grain
+        } -> std::convertible_to<Grain>;
+};
+
 struct EventKind {
     std::optional<Grain> grain;  // nothing: not a step
+    About (*about)(const void* event);
 };
 
 template <class Event>
 constexpr EventKind eventKind()
 {
     if constexpr (isStep<Event>)
-        return {Event::grain};
+        return {Event::grain, [](const void* event) { return static_cast<const Event*>(event)->about(); }};
     else
-        return {};
+        return {{}, [](const void*) { return About(); }};
 }
 template <class Event>
 inline constexpr EventKind kEventKind = eventKind<Event>();
@@ -47,6 +57,15 @@ struct Heard {
     {
         return &kind == &kEventKind<Event> ? static_cast<const Event*>(event) : nullptr;
     }
+    About about() const { return kind.about(event); }
+    /// Whether it is a step of this grain or of a coarser one.
+    bool isStepOf(Grain grain) const { return kind.grain && *kind.grain <= grain; }
+};
+
+enum class Checkpoint {
+    Batch,      // before the vertices of a batch are transformed
+    EdgeTable,  // every bucket of the edge table is filled
+    Line,       // before a line is swept
 };
 
 class Observer {
@@ -62,5 +81,8 @@ public:
     /// On the way: the verdict of the next node, as the first run found it (an enumerator of Verdict).
     virtual std::optional<int> knownVerdict() { return std::nullopt; }
 };
+
+/// Thrown out of hear() to unwind a run; caught where the run was started.
+struct RunStopped {};
 
 }  // namespace zscope

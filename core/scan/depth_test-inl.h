@@ -126,12 +126,12 @@ public:
 
     /// Offers the covered lanes at row[0..]; they are the pixels x, x + 1, ... of line y. Returns what is held there
     /// now.
-    template <class Fragments, class Probe>
+    template <class Fragments>
     Keys offer(Vec64 column, Vec64 line, hn::Mask<F64> covered, PixelKey* row, [[maybe_unused]] int x,
-               [[maybe_unused]] int y, [[maybe_unused]] const Fragments& fragments, const Probe& probe) const
+               [[maybe_unused]] int y, [[maybe_unused]] const Fragments& fragments) const
     {
         if constexpr (Fragments::kPatterned) {
-            return offerPatterned(column, line, covered, row, x, y, fragments, probe);
+            return offerPatterned(column, line, covered, row, x, y, fragments);
         } else {
             constexpr ShadingMoment kShading = Fragments::kMoment;
             const U32               u32;
@@ -141,7 +141,7 @@ public:
             if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
 
             const auto held = hn::LoadU(I64(), row);
-            if constexpr (kNormal && kShading == ShadingMoment::Never && !Probe::listens) {
+            if constexpr (kNormal && kShading == ShadingMoment::Never) {
                 const auto kept = nearerOf<kNormal>(hn::IfThenElseZero(hn::RebindMask(I64(), covered), offered), held);
                 hn::StoreU(kept, I64(), row);
                 return kept;
@@ -156,22 +156,6 @@ public:
                 if (!hn::AllFalse(I64(), won)) fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
             }
 
-            if constexpr (Probe::listens) {
-                static_assert(!Probe::listens || hn::MaxLanes(F64()) == 1, "a run that is listened to uses one lane");
-                if (hn::AllFalse(F64(), covered)) return kept;
-                const bool     wins  = !hn::AllFalse(I64(), won);
-                const PixelKey rival = hn::GetLane(held);
-                probe(PixelTested{
-                    .x          = x,
-                    .y          = y,
-                    .triangle   = TriangleId{m_rank - 1},
-                    .depth      = depthOf(hn::GetLane(offered)),
-                    .won        = wins,
-                    .rivalRank  = rankOf(rival),
-                    .rivalDepth = depthOf(rival),
-                    .keep       = kKeep,
-                    .shaded = kShading == ShadingMoment::BeforeTest || (kShading == ShadingMoment::AfterTest && wins)});
-            }
             return kept;
         }
     }
@@ -189,9 +173,9 @@ public:
 private:
     /// offer() for fragments that a pattern may discard or move. It never moves them nearer, so if a fragment fails
     /// where its triangle is, it fails; if it passes there, the pattern is looked up and it is tested where it is.
-    template <class Fragments, class Probe>
+    template <class Fragments>
     Keys offerPatterned(Vec64 column, Vec64 line, hn::Mask<F64> covered, PixelKey* row, int x, int y,
-                        const Fragments& fragments, const Probe& probe) const
+                        const Fragments& fragments) const
     {
         constexpr bool kShadesFirst = Fragments::kMoment == ShadingMoment::BeforeTest;
         const F64      d64;
@@ -217,23 +201,6 @@ private:
                     fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
         }
 
-        if constexpr (Probe::listens) {
-            if (hn::AllFalse(d64, covered)) return kept;
-            const bool     isLookedAt = !hn::AllFalse(I64(), looked), isThere = !hn::AllFalse(I64(), exists);
-            const PixelKey rival = hn::GetLane(held);
-            probe(PixelTested{.x            = x,
-                              .y            = y,
-                              .triangle     = TriangleId{m_rank - 1},
-                              .depth        = depthOf(hn::GetLane(offered)),
-                              .won          = !hn::AllFalse(I64(), won),
-                              .rivalRank    = rankOf(rival),
-                              .rivalDepth   = depthOf(rival),
-                              .keep         = kKeep,
-                              .shaded       = kShadesFirst || (Fragments::kMoment != ShadingMoment::Never && isThere),
-                              .discarded    = isLookedAt && !isThere,
-                              .moved        = isThere && moves,
-                              .unmovedDepth = depthOf(hn::GetLane(bound))});
-        }
         return kept;
     }
 
@@ -252,18 +219,7 @@ private:
             return wins(offered, held);
     }
 
-    hn::Mask<I64> wins(Keys offered, Keys held) const
-    {
-        if constexpr (!Rules::kExact && kKeep != Keep::DepthOnly) {
-            if (m_rules.firstComerKeepsTie()) {
-                if constexpr (kKeep == Keep::Equal)
-                    return hn::And(winners<kKeep>(offered, held, m_empty), isNobodys(held));
-                else
-                    return hn::AndNot(hn::Set(I64(), 0xFFFFFFFF), offered) > held;  // the lowest key of its depth
-            }
-        }
-        return winners<kKeep>(offered, held, m_empty);
-    }
+    hn::Mask<I64> wins(Keys offered, Keys held) const { return winners<kKeep>(offered, held, m_empty); }
 
     Vec64 limited(Vec64 z) const { return hn::Min(hn::Max(z, hn::Set(F64(), m_farthest)), hn::Set(F64(), m_nearest)); }
 
@@ -336,27 +292,26 @@ private:
 };
 
 /// Tests the pixels [x0, x1) of line y, all of them covered; they lie inside the picture.
-template <Keep kKeep = Keep::Nearest, class Fragments = UnshadedFragments, class Rules, class Probe>
+template <Keep kKeep = Keep::Nearest, class Fragments = UnshadedFragments, class Rules>
 void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
-              const Rules& rules, const Probe& probe, const Fragments& fragments = {})
+              const Rules& rules, const Fragments& fragments = {})
 {
     const DepthTest<kKeep, Rules> test(plane, rankOfSpan, visible.empty(), rules);
     const auto                    line = LineDepths(plane, y, rules).here();
     PixelKey*                     row  = visible.row(y);
     for (int x = x0; x < x1; x += laneCount()) {
         const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
-        test.offer(test.column(x, x0), line, covered, row + x, x, y, fragments, probe);
+        test.offer(test.column(x, x0), line, covered, row + x, x, y, fragments);
     }
 }
 
 /// testSpan(), and tells that the span was filled.
-template <Keep kKeep = Keep::Nearest, class Fragments = UnshadedFragments, class Rules, class Probe>
+template <Keep kKeep = Keep::Nearest, class Fragments = UnshadedFragments, class Rules>
 void fillSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, int x1, VisibilityBuffer& visible,
-              const Rules& rules, const Probe& probe, const Fragments& fragments = {})
+              const Rules& rules, const Fragments& fragments = {})
 {
     if (x0 >= x1) return;
-    testSpan<kKeep>(plane, rankOfSpan, y, x0, x1, visible, rules, probe, fragments);
-    probe(SpanFilled{y, x0, x1, TriangleId{rankOfSpan - 1}});
+    testSpan<kKeep>(plane, rankOfSpan, y, x0, x1, visible, rules, fragments);
 }
 
 /// Stores the pixels [x0, x1) of line y without a test: the caller knows that nothing there is nearer.

@@ -21,9 +21,9 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 struct EdgeWalk {
-    template <Keep kKeep, class Fragments, class Rules, class Probe>
+    template <Keep kKeep, class Fragments, class Rules>
     static void fill(const ScreenTriangle& triangle, const Fragments& fragments, VisibilityBuffer& visible,
-                     const Rules& rules, const Probe& probe)
+                     const Rules& rules)
     {
         // From top to bottom: the long side joins the first and the last, the short sides meet in the middle.
         std::array<std::size_t, 3> at{0, 1, 2};
@@ -35,11 +35,11 @@ struct EdgeWalk {
         orderByY(0, 1);
 
         const PixelBox& box    = triangle.box;
-        const int       first  = std::max(rules.firstLineOfTriangle(triangle.y[at[0]]), box.y0);
+        const int       first  = std::max(rules.firstCentreFrom(triangle.y[at[0]]), box.y0);
         const int       middle = std::clamp(firstLineFrom(triangle.y[at[1]]), box.y0, box.y1);
         const auto      both   = [&]<class Stepper>() {
-            walk<kKeep, Stepper>(triangle, at, 0, 1, first, middle, fragments, visible, rules, probe);
-            walk<kKeep, Stepper>(triangle, at, 1, 2, std::max(first, middle), box.y1, fragments, visible, rules, probe);
+            walk<kKeep, Stepper>(triangle, at, 0, 1, first, middle, fragments, visible, rules);
+            walk<kKeep, Stepper>(triangle, at, 1, 2, std::max(first, middle), box.y1, fragments, visible, rules);
         };
         if (rules.accumulatesEdges())
             both.template operator()<AccumulatedEdge>();
@@ -51,22 +51,21 @@ struct EdgeWalk {
 
 private:
     /// Lines [first, end) between the long side and the short side from corner `top` to `bottom` (in order of y).
-    template <Keep kKeep, class Stepper, class Fragments, class Rules, class Probe>
+    template <Keep kKeep, class Stepper, class Fragments, class Rules>
     static void walk(const ScreenTriangle& triangle, const std::array<std::size_t, 3>& at, std::size_t top,
                      std::size_t bottom, int first, int end, const Fragments& fragments, VisibilityBuffer& visible,
-                     const Rules& rules, const Probe& probe)
+                     const Rules& rules)
     {
         if (first >= end) return;
-        if (rules.isSkippedAsHorizontal(triangle.x[at[top]], triangle.x[at[bottom]])) return;
         const auto edge = [&](std::size_t a, std::size_t b) {
             return Stepper(triangle.x[at[a]], triangle.y[at[a]], triangle.x[at[b]], triangle.y[at[b]], first, end - 1);
         };
         Stepper longSide = edge(0, 2), shortSide = edge(top, bottom);
         for (int y = first; y < end; ++y) {
-            const int one   = rules.firstPixel(longSide.firstPixel(), longSide.x());
-            const int other = rules.firstPixel(shortSide.firstPixel(), shortSide.x());
+            const int one   = longSide.firstPixel();
+            const int other = shortSide.firstPixel();
             fillSpan<kKeep>(triangle.depth, triangle.rank(), y, std::max(std::min(one, other), triangle.box.x0),
-                            std::min(std::max(one, other), triangle.box.x1), visible, rules, probe, fragments);
+                            std::min(std::max(one, other), triangle.box.x1), visible, rules, fragments);
             longSide.nextLine();
             shortSide.nextLine();
         }

@@ -7,15 +7,13 @@
 //            something is drawn to it, and those along the pyramid's, which are judged side by side. A tile wholly on
 //            the outer side of one edge is skipped, and one that is covered whole may be kept as a plane
 //            (tile_plane-inl.h)
-// Full speed where only keys are stored, and nobody listens, large-inl.h finds all of a triangle's tiles first
-// Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped (at full
-//            speed; whoever listens sees its pixels lose), and one whose pixels are all gone over tells its farthest
-//            depth, which was in registers anyway
+// Keys       where only keys are stored, large-inl.h finds all of a triangle's tiles first
+// Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped, and one
+//            whose pixels are all gone over tells its farthest depth, which was in registers anyway
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot
 //            win is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no
 //            pixel writes to it
-// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits (at full speed only where
-//            that matters); those beyond kWidestByTiles are handed to EdgeWalk, which finds the same pixels
+// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits (where rules are exact); those beyond kWidestByTiles are handed to EdgeWalk, which finds the same pixels
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #if defined(ZSCOPE_HALF_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_HALF_SPACE_INL_H
@@ -45,26 +43,24 @@ namespace zscope::HWY_NAMESPACE {
 struct HalfSpace {
     /// `upkeep` (TileUpkeep) is asked whether the pyramid's tiles hide the triangle and told what becomes of them.
     /// Opens what is drawn to.
-    template <Keep kKeep, class Fragments, class Upkeep, class Rules, class Probe>
+    template <Keep kKeep, class Fragments, class Upkeep, class Rules>
     static void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep,
-                     VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+                     VisibilityBuffer& visible, const Rules& rules)
     {
         if constexpr (kComparesAsFloats && Rules::kExact && kKeep != Keep::Equal
                       && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned)
-            if (areNormal(visible.empty()))
-                return fillBox<kKeep, true>(triangle, fragments, upkeep, visible, rules, probe);
-        fillBox<kKeep, false>(triangle, fragments, upkeep, visible, rules, probe);
+            if (areNormal(visible.empty())) return fillBox<kKeep, true>(triangle, fragments, upkeep, visible, rules);
+        fillBox<kKeep, false>(triangle, fragments, upkeep, visible, rules);
     }
 
     /// The same, tile by tile of `tiles`, which is told what may have changed; `told` hears what it brings up to date.
-    template <Keep kKeep, class Fragments, class Told, class Rules, class Probe>
+    template <Keep kKeep, class Fragments, class Told, class Rules>
     static void fillByTiles(const ScreenTriangle& triangle, Pyramid& tiles, const Told& told,
-                            const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules,
-                            const Probe& probe)
+                            const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules)
     {
         visible.open(triangle.box);
         if (triangle.wide) {
-            EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules, probe);
+            EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules);
             tiles.touched(triangle.box);
             return;
         }
@@ -80,11 +76,10 @@ struct HalfSpace {
                                     std::min(top + kTile, box.y1)};
                 const float      nearest = nearestIn(triangle.depth, here, rules);
                 const TileAnswer answer  = tiles.askTile(left, top, nearest, told);
-                probe(TileTested{here, triangle.id, nearest, answer.farthest, answer.hidden});
                 if (answer.hidden) continue;
                 for (int x = left; x < here.x1; x += laneCount())
                     fillTile(triangle, edges, test, test.column(x, box.x0), x, here.y0, here.y1, false, fragments,
-                             visible, rules, probe);
+                             visible, rules);
                 tiles.touched(here);
             }
         }
@@ -129,40 +124,28 @@ private:
     }
 
     /// fill(); `kNormal` as in DepthTest.
-    template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules, class Probe>
+    template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules>
     static void fillBox(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep,
-                        VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+                        VisibilityBuffer& visible, const Rules& rules)
     {
         const PixelBox& box = triangle.box;
         if (triangle.wide && !(Rules::kExact && fitsTiles(triangle))) {
             visible.open(box);
-            EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules, probe);
+            EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules);
             upkeep.touched(box);
             return;
         }
         const HalfPlanes                       fromBox{halfPlanesOf(triangle, rules.notOwned()), box.x0, box.y0};
         const DepthTest<kKeep, Rules, kNormal> test(triangle.depth, triangle.rank(), visible.empty(), rules);
-        // in the order of windows, so that a step shows the same pixel whether fragments are shaded or not
-        if constexpr (kLanes == 1) {
-            if (isShownByWindows(triangle)) {
-                visible.open(box);
-                forEachPixelByWindows(box, [&](int x, int y) {
-                    fillTile(triangle, fromBox, test, test.column(x, box.x0), x, y, y + 1, false, fragments, visible,
-                             rules, probe);
-                });
-                upkeep.touched(box);
-                return;
-            }
-        }
-        const auto fillTiles = [&](const PixelBox& pixels) {
+        const auto                             fillTiles = [&](const PixelBox& pixels) {
             forEachTile(pixels, [&](const PixelBox& here) {
                 const int left = VisibilityBuffer::leftOfTile(here.x0), top = VisibilityBuffer::topOfTile(here.y0);
                 const HalfPlanes edges =
                     triangle.wide ? HalfPlanes{wideHalfPlanesOf(triangle, left, top), left, top} : fromBox;
-                fillStoredTile(here, triangle, edges, test, fragments, upkeep, visible, rules, probe);
+                fillStoredTile(here, triangle, edges, test, fragments, upkeep, visible, rules);
             });
         };
-        if constexpr (takesParts<Fragments, Rules, Probe>())
+        if constexpr (takesParts<Fragments, Rules>())
             LargeTriangle<kKeep, kNormal, Upkeep>(triangle, fromBox, upkeep, visible).draw(fillTiles);
         else
             fillTiles(box);
@@ -180,14 +163,14 @@ private:
     }
 
     /// The part of the triangle's box in one tile of the visibility buffer, by tiles of the pyramid.
-    template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules, class Probe>
+    template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules>
     static void fillStoredTile(const PixelBox& stored, const ScreenTriangle& triangle, const HalfPlanes& edges,
                                const DepthTest<kKeep, Rules, kNormal>& test, const Fragments& fragments,
-                               const Upkeep& upkeep, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+                               const Upkeep& upkeep, VisibilityBuffer& visible, const Rules& rules)
     {
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
         if (edges.areOutside(stored)) return;
-        if constexpr (keepsPlanes<kKeep, Fragments, Rules, Probe>())
+        if constexpr (keepsPlanes<kKeep, Fragments, Rules>())
             if (upkeep.takesPlanes && isKeptAsPlane(stored, edges.areInside(stored), triangle, upkeep, visible)) return;
         const auto nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
         bool       isOpen  = false;
@@ -204,7 +187,7 @@ private:
             auto       least = hn::Set(I64(), kNearestKey);
             for (int x = from; x < end; x += laneCount())
                 least = fartherOf(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0,
-                                                  here.y1, sees, fragments, visible, rules, probe));
+                                                  here.y1, sees, fragments, visible, rules));
             if (sees)
                 upkeep.drawnTile(left, here.y0, farthestOf(least, visible));
             else
@@ -212,29 +195,19 @@ private:
         }
     }
 
-    /// True if such fragments are tested part by part, in passes: nobody listens, and a key is all that they store.
-    template <class Fragments, class Rules, class Probe>
+    /// True if such fragments are tested part by part, in passes: a key is all that they store.
+    template <class Fragments, class Rules>
     static constexpr bool takesParts()
     {
-        return kLanes > 1 && Rules::kExact && !Probe::listens && Fragments::kMoment == ShadingMoment::Never
-               && !Fragments::kPatterned;
+        return kLanes > 1 && Rules::kExact && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned;
     }
 
-    /// True if planes say of such fragments all there is to say, at full speed. Whoever listens sees pixels.
-    template <Keep kKeep, class Fragments, class Rules, class Probe>
+    /// True if planes say of such fragments all there is to say.
+    template <Keep kKeep, class Fragments, class Rules>
     static constexpr bool keepsPlanes()
     {
-        return kKeep == Keep::Nearest && Rules::kExact && !Probe::listens && Fragments::kMoment == ShadingMoment::Never
+        return kKeep == Keep::Nearest && Rules::kExact && Fragments::kMoment == ShadingMoment::Never
                && !Fragments::kPatterned;
-    }
-
-    template <class Each>
-    static void forEachPixelByWindows(const PixelBox& box, const Each& each)
-    {
-        for (int top = box.y0; top < box.y1; top += kWindowSide)
-            for (int left = box.x0; left < box.x1; left += kWindowSide)
-                for (int y = top; y < std::min(top + kWindowSide, box.y1); ++y)
-                    for (int x = left; x < std::min(left + kWindowSide, box.x1); ++x) each(x, y);
     }
 
     /// The nearest depth that the triangle could store in `box`.
@@ -247,10 +220,10 @@ private:
 
     /// Lines [y, end) of the column of pixels x, x + 1, ... Returns keys with the farthest depth that each of its
     /// columns holds then, in lines that the triangle misses only if the caller `sees` all.
-    template <Keep kKeep, bool kNormal, class Fragments, class Rules, class Probe>
+    template <Keep kKeep, bool kNormal, class Fragments, class Rules>
     static Keys fillTile(const ScreenTriangle& triangle, const HalfPlanes& edges,
                          const DepthTest<kKeep, Rules, kNormal>& test, Vec64 column, int x, int y, int end, bool sees,
-                         const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules, const Probe& probe)
+                         const Fragments& fragments, VisibilityBuffer& visible, const Rules& rules)
     {
         const F64   d64;
         const auto& planes = edges.planes;
@@ -268,7 +241,7 @@ private:
         for (; y < end; ++y, row += stride, lines.toNext()) {
             const auto inside = hn::Min(hn::Min(e0, e1), e2) >= hn::Zero(d64);
             if (!hn::AllFalse(d64, inside))
-                least = fartherOf(least, test.offer(column, lines.here(), inside, row, x, y, fragments, probe));
+                least = fartherOf(least, test.offer(column, lines.here(), inside, row, x, y, fragments));
             else if (sees)
                 least = fartherOf(least, hn::LoadU(I64(), row));
             e0 = e0 + down0;

@@ -38,7 +38,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// A triangle whose fragments store nothing but keys, by exact rules, with nobody who listens. `kNormal` as in
+/// A triangle whose fragments store nothing but keys, by exact rules. `kNormal` as in
 /// DepthTest; `Upkeep`: TileUpkeep.
 template <Keep kKeep, bool kNormal, class Upkeep>
 class LargeTriangle {

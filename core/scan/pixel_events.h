@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/geometry/screen_triangle.h"
+#include "core/probe/about.h"
 #include "core/probe/grain.h"
 
 namespace zscope {
@@ -24,6 +25,8 @@ struct TriangleReached {
 struct TriangleFinished {
     static constexpr Grain grain = Grain::Triangle;
     TriangleId             triangle;
+
+    About about() const { return {.triangle = triangle}; }
 };
 
 /// Pixels [x0, x1) of line y have been offered to the triangle's depth test; never empty.
@@ -31,6 +34,8 @@ struct SpanFilled {
     static constexpr Grain grain = Grain::Span;
     int                    y, x0, x1;
     TriangleId             triangle;
+
+    About about() const { return {.line = y, .pixels = PixelBox{x0, y, x1, y + 1}, .triangle = triangle}; }
 };
 
 /// One covered pixel has been tested against the winner so far.
@@ -49,6 +54,11 @@ struct PixelTested {
     // its material's relief was asked: before the test, or after it passed unmoved
     bool  moved        = false;
     float unmovedDepth = 0;  // if moved: where its triangle is
+
+    About about() const
+    {
+        return {.line = y, .pixels = PixelBox{x, y, x + 1, y + 1}, .triangle = triangle, .won = won};
+    }
 };
 
 /// A tile that the triangle may cover has been compared as a whole: the nearest that the triangle could be inside `box`
@@ -60,6 +70,8 @@ struct TileTested {
     float                  nearest;
     float                  farthest;
     bool                   rejected;
+
+    About about() const { return {.pixels = box, .triangle = triangle, .hidden = rejected}; }
 };
 
 }  // namespace zscope

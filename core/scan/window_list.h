@@ -55,6 +55,13 @@ struct WindowList {
     std::size_t                 manyCount = 0;
     Some::Column<std::uint32_t> many;
 
+    /// How many windows are listed.
+    std::size_t windows() const
+    {
+        std::size_t all = 0;
+        for (std::size_t i = 0; i < inUse; ++i) all += chunks[i].count;
+        return all;
+    }
     void clear()
     {
         for (std::size_t i = 0; i < inUse; ++i) chunks[i].count = 0;

@@ -170,9 +170,8 @@ struct WindowTarget {
 
 /// Tests the window of triangle t that has its first pixel at `corner`, and stores what it wins. `kNormal` as in
 /// DepthTest.
-template <Keep kKeep, bool kNormal, class Probe>
-HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::uint32_t corner, const WindowTarget& to,
-                           [[maybe_unused]] const Probe& probe)
+template <Keep kKeep, bool kNormal>
+HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::uint32_t corner, const WindowTarget& to)
 {
     const F64                        d64;
     const Pass32                     f32;
@@ -215,14 +214,8 @@ HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::ui
             const auto z = hn::Min(hn::Max(depth(0), farthest), nearest);
             const auto offered =
                 hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id(t).value + 1)));
-            const PixelKey rival = *row;
             offerKeys<kKeep, kNormal>(offered, to.empty, row, to.stride);
-            probe(PixelTested{static_cast<int>(x) + column, static_cast<int>(y) + line, triangles.id(t),
-                              depthOf(hn::GetLane(offered)),
-                              !hn::AllFalse(I64(), winners<kKeep>(offered, hn::Set(I64(), rival), to.empty)),
-                              rankOf(rival), depthOf(rival), kKeep, false, false});
 #else
-            static_assert(!Probe::listens, "a run that is listened to uses one lane");
             const auto z    = hn::Min(hn::Max(fromColumns(depth(0), depth(1)), farthest), nearest);
             const auto keys = keysOf(onlyCovered < kNormal && kKeep != Keep::Equal > (z, covered),
                                      lowerHalves<kKeep>(triangles.notRank[t]));
@@ -278,9 +271,9 @@ HWY_INLINE hn::Vec<I32> halfOf(V all, [[maybe_unused]] std::size_t from)
 }
 
 /// The tiny triangles among [first, end), from their edges to the picture.
-template <Keep kKeep, class Probe>
+template <Keep kKeep>
 void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples,
-              VisibilityBuffer& visible, [[maybe_unused]] const Probe& probe)
+              VisibilityBuffer& visible)
 {
     const F64                          d64;
     const F32                          half;
@@ -363,16 +356,7 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         const PixelKey offered = keys[i];
         PixelKey&      held    = picture[places[i]];
         const bool     won     = wins<kKeep>(offered, held, empty);
-        if constexpr (Probe::listens) {
-            assert(end - first == 1);
-            const PixelKey rival = held;
-            if (won) held = offered;
-            probe(PixelTested{static_cast<int>(places[i] % stride), static_cast<int>(places[i] / stride),
-                              triangles.id(first), depthOf(offered), won, rankOf(rival), depthOf(rival), kKeep, false,
-                              false});
-        } else {
-            held = won ? offered : held;
-        }
+        held                   = won ? offered : held;
     }
 }
 
@@ -386,8 +370,8 @@ HWY_INLINE void fetch(const PixelKey* first, std::ptrdiff_t stride)
 }
 
 /// Works the list off and empties it. `kNormal` as in DepthTest.
-template <Keep kKeep, bool kNormal, class Probe>
-void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Probe& probe)
+template <Keep kKeep, bool kNormal>
+void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible)
 {
     list.knowCentres(static_cast<std::size_t>(std::max(visible.width(), visible.height())));
     const WindowTarget to{visible.row(0), visible.stride(), list.centres.data(), visible.empty(), visible.width()};
@@ -399,18 +383,18 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
                     chunk.corners[count - 1]);
         for (std::size_t i = 0; i < count; ++i) {
             fetch(to.at(chunk.corners[i + WindowChunk::kAhead]), to.stride);
-            testWindow<kKeep, kNormal>(triangles, chunk.owners[i], chunk.corners[i], to, probe);
+            testWindow<kKeep, kNormal>(triangles, chunk.owners[i], chunk.corners[i], to);
         }
     }
     list.clear();
 }
 
-template <Keep kKeep, class Probe>
-void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Probe& probe)
+template <Keep kKeep>
+void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible)
 {
     if constexpr (kComparesAsFloats && kKeep != Keep::Equal)
-        if (areNormal(visible.empty())) return testWindows<kKeep, true>(triangles, list, visible, probe);
-    testWindows<kKeep, false>(triangles, list, visible, probe);
+        if (areNormal(visible.empty())) return testWindows<kKeep, true>(triangles, list, visible);
+    testWindows<kKeep, false>(triangles, list, visible);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

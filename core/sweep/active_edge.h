@@ -82,14 +82,8 @@ public:
     /// Of a shared edge: the part that it opens.
     std::uint32_t opens() const { return m_place & kMaxPlace; }
 
-    bool isLeftOf(const ActiveEdge& other) const { return m_crossing.isLeftOf(other.m_crossing); }
-    int  firstPixel() const { return m_crossing.firstPixel(); }
-    template <class Rules>
-    int firstPixel(const Rules& rules) const
-    {
-        if constexpr (Rules::kExact) return m_crossing.firstPixel();
-        return rules.firstPixel(m_crossing.firstPixel(), m_crossing.x());
-    }
+    bool          isLeftOf(const ActiveEdge& other) const { return m_crossing.isLeftOf(other.m_crossing); }
+    int           firstPixel() const { return m_crossing.firstPixel(); }
     std::uint32_t side() const { return m_place & kMaxPlace; }
     int           lastLine() const { return m_lastLine; }  // inclusive
     bool          isWide() const { return (m_place & kWide) != 0; }

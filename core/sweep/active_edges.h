@@ -17,7 +17,6 @@
 
 #include "core/sweep/active_edge.h"
 #include "core/sweep/edge_table.h"
-#include "core/sweep/sweep_events.h"
 
 namespace zscope {
 
@@ -27,26 +26,20 @@ public:
 
     /// Moves on to line y: edges whose last line lies above it leave, the others step, those of the table's bucket for
     /// the line enter, and all stand from left to right.
-    template <class Rules, class Probe>
-    void advanceTo(int y, const EdgeTable& table, const Rules& rules, const Probe& probe)
+    void advanceTo(int y, const EdgeTable& table)
     {
-        const bool                        sorts    = rules.sortsActiveEdges();
-        const std::span<const ActiveEdge> entering = inOrder(table, y, sorts);
-        NearlySorted                      order(m_next, m_edges.count + entering.size(), sorts);
+        const std::span<const ActiveEdge> entering = inOrder(table, y);
+        NearlySorted                      order(m_next, m_edges.count + entering.size());
         std::size_t                       entered = 0;
         const auto                        enter   = [&] {
-            probe(EdgeEntered{entering[entered], entering[entered].polygon()});
             order.append(entering[entered], entering[entered].crossing());
             ++entered;
         };
         for (const ActiveEdge& edge : m_edges.view()) {
-            if (edge.lastLine() < y) {
-                probe(EdgeLeft{edge, edge.polygon()});
-                continue;
-            }
+            if (edge.lastLine() < y) continue;
             const LineCrossing now =
                 edge.isWide() ? ActiveEdge::placed(table.sideOf(edge), y) : edge.crossing().onNextLine();
-            while (sorts && entered < entering.size() && entering[entered].crossing().isLeftOf(now)) enter();
+            while (entered < entering.size() && entering[entered].crossing().isLeftOf(now)) enter();
             order.append(edge, now);
         }
         while (entered < entering.size()) enter();
@@ -77,21 +70,18 @@ private:
     class NearlySorted {
     public:
         /// Fills `list` anew with at most `most` edges.
-        NearlySorted(List& list, std::size_t most, bool sorts) : m_list(list), m_movesLeft(4 * most + 1), m_sorts(sorts)
-        {
-            list.begin(most);
-        }
+        NearlySorted(List& list, std::size_t most) : m_list(list), m_movesLeft(4 * most + 1) { list.begin(most); }
 
         void append(const ActiveEdge& edge, LineCrossing crossing)
         {
             ActiveEdge* const place = m_list.edges.data() + m_list.count++;
             *place                  = edge;
             place->standAt(crossing);
-            if (m_list.count > 1 && crossing.isLeftOf(place[-1].crossing()) && m_sorts) moveLeft(m_list.count - 1);
+            if (m_list.count > 1 && crossing.isLeftOf(place[-1].crossing())) moveLeft(m_list.count - 1);
         }
         void finish()
         {
-            if (m_movesLeft > 0 || !m_sorts) return;
+            if (m_movesLeft > 0) return;
             std::ranges::sort(m_list.edges.begin(), m_list.edges.begin() + static_cast<std::ptrdiff_t>(m_list.count),
                               [](const ActiveEdge& a, const ActiveEdge& b) { return a.isLeftOf(b); });
         }
@@ -108,16 +98,15 @@ private:
 
         List&       m_list;
         std::size_t m_movesLeft;
-        bool        m_sorts;
     };
 
     /// The edges of a bucket, which stand by pixels, by their places.
-    std::span<const ActiveEdge> inOrder(const EdgeTable& table, int y, bool sorts)
+    std::span<const ActiveEdge> inOrder(const EdgeTable& table, int y)
     {
         if (y + 1 < table.endLine())  // they lie anywhere in the table: those of the next line are fetched meanwhile
             for (const std::uint32_t edge : table.startingAt(y + 1)) hwy::Prefetch(&table[edge]);
         const std::span<const std::uint32_t> bucket = table.startingAt(y);
-        NearlySorted                         order(m_entering, bucket.size(), sorts);
+        NearlySorted                         order(m_entering, bucket.size());
         for (const std::uint32_t edge : bucket) order.append(table[edge], table[edge].crossing());
         order.finish();
         return m_entering.view();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/probe/about.h"
 #include "core/probe/grain.h"
 
 namespace zscope {
@@ -13,6 +14,8 @@ struct PixelBlended {
     int                    x, y;
     std::uint32_t          surfaces;       // blended, farthest first
     std::uint32_t          before, after;  // its colour, 0xAARRGGBB
+
+    About about() const { return {.line = y, .pixels = PixelBox{x, y, x + 1, y + 1}}; }
 };
 
 /// Fragments of one line that were found, and how many of them the opaque surface hides.

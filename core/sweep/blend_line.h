@@ -16,27 +16,26 @@
 
 #include "core/base/blend_order.h"
 #include "core/base/grid.h"
+#include "core/base/tally.h"
 #include "core/depth/visibility_buffer.h"
-#include "core/sweep/blend_events.h"
 #include "core/sweep/blend_scratch.h"
 #include "core/sweep/line_spans.h"
 
 namespace zscope {
 
-template <class Rules, class Teller>
+template <class Rules>
 class BlendLine {
 public:
-    /// `visible` holds the opaque picture; `colour` has its size and holds its colours. `tell` is the probe.
+    /// `visible` holds the opaque picture; `colour` has its size and holds its colours.
     BlendLine(const VisibilityBuffer& visible, GridView<std::uint32_t> colour, BlendOrder order, BlendScratch& scratch,
-              const Rules& rules, const Teller& tell)
-        : m_visible(visible), m_colour(colour), m_order(order), m_scratch(scratch), m_rules(rules), m_tell(tell)
+              const Rules& rules, Tally& tally)
+        : m_visible(visible), m_colour(colour), m_order(order), m_scratch(scratch), m_rules(rules), m_tally(tally)
     {}
 
-    template <class Probe>
-    void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe&)
+    void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons)
     {
         m_scratch.spans.clear();
-        forEachSpan(active, polygons, m_visible.width(), m_rules, [this](std::uint32_t part, int x0, int x1) {
+        forEachSpan(active, polygons, m_visible.width(), [this](std::uint32_t part, int x0, int x1) {
             m_scratch.spans.push_back({part, x0, x1});
         });
         if (!m_scratch.spans.empty()) blendBetween(y, 0, m_visible.width(), polygons);
@@ -56,9 +55,8 @@ private:
             blendBetween(y, middle, x1, polygons);
             return;
         }
+        m_tally.add(Unit::Transparent, static_cast<std::uint64_t>(count));
         collect(y, x0, x1, polygons);
-        m_tell(FragmentsJudged{static_cast<std::uint64_t>(count),
-                               static_cast<std::uint64_t>(count) - m_scratch.fragments.size()});
         for (std::size_t column = 0; column + 1 < m_scratch.columns.size(); ++column) {
             const std::size_t first = m_scratch.columns[column], end = m_scratch.columns[column + 1];
             if (first == end) continue;
@@ -105,6 +103,7 @@ private:
 
     void blendPixel(int y, std::span<const BlendScratch::Fragment> fragments)
     {
+        m_tally.add(Unit::PixelsBlended);
         const int           x      = fragments.front().x;
         const std::uint32_t before = m_colour.at(x, y);
         float               red = channel(before, 16), green = channel(before, 8), blue = channel(before, 0);
@@ -114,9 +113,7 @@ private:
             green += (channel(paint.colour, 8) - green) * paint.opacity;
             blue += (channel(paint.colour, 0) - blue) * paint.opacity;
         }
-        const std::uint32_t after = 0xFF000000u | rounded(red) << 16 | rounded(green) << 8 | rounded(blue);
-        m_colour.at(x, y)         = after;
-        m_tell(PixelBlended{x, y, static_cast<std::uint32_t>(fragments.size()), before, after});
+        m_colour.at(x, y) = 0xFF000000u | rounded(red) << 16 | rounded(green) << 8 | rounded(blue);
     }
 
     static float channel(std::uint32_t colour, int shift) { return static_cast<float>(colour >> shift & 0xFFu); }
@@ -127,7 +124,7 @@ private:
     BlendOrder              m_order;
     BlendScratch&           m_scratch;
     const Rules&            m_rules;
-    const Teller&           m_tell;
+    Tally&                  m_tally;
 };
 
 }  // namespace zscope

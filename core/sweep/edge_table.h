@@ -145,14 +145,12 @@ public:
     struct Lines {
         int first, end;  // [first, end)
     };
-    /// The lines of this band whose centres the side crosses. `topOfPolygon` is the least y of its polygon.
-    template <class Rules>
-    Lines linesOf(const ScreenSide& side, double topOfPolygon, const Rules& rules) const
+    /// The lines of this band whose centres the side crosses.
+    Lines linesOf(const ScreenSide& side) const
     {
         const double top = std::min(side.ya, side.yb);
-        if (rules.isSkippedAsHorizontal(side.xa, side.xb)) return {0, 0};
-        const int first = top == topOfPolygon ? rules.firstLineOfTriangle(top) : firstLineFrom(top);
-        return {std::max(m_firstLine, first), std::min(m_endLine, firstLineFrom(std::max(side.ya, side.yb)))};
+        return {std::max(m_firstLine, firstLineFrom(top)),
+                std::min(m_endLine, firstLineFrom(std::max(side.ya, side.yb)))};
     }
 
 private:

@@ -88,17 +88,16 @@ HWY_INLINE Crossings<D> crossingsOf(D d, const Falling<V>& edge, V line, hn::Mas
     return {inUnits(d, dx * down, dy, inverse, edge.xTop) + bias, inUnits(d, dx * pixel, dy, inverse, hn::Zero(d))};
 }
 
-/// Enters polygons, of which `rules` tell the lines.
-template <class Rules>
+/// Enters polygons.
 class EdgeEntry {
 public:
-    EdgeEntry(EdgeTable& table, const Rules& rules) : m_table(table), m_rules(rules) {}
+    explicit EdgeEntry(EdgeTable& table) : m_table(table) {}
 
     /// They must have been set up for the lines of the table.
     void operator()(const TriangleList& triangles) const
     {
         m_table.reserve(triangles.count, 3 * triangles.count);
-        if (Rules::kExact && !m_table.keepsSides()) {
+        if (!m_table.keepsSides()) {
             const SharedSides sides(triangles);
             for (std::size_t i = 0; i < triangles.count; i += hn::Lanes(D())) several(triangles, sides, i);
         } else {
@@ -110,7 +109,7 @@ public:
     {
         m_table.reserve(1, sides.size());
         const Inside rule = face.isMended ? Inside::EvenOdd : Inside::AnyWinding;
-        enter(SweepPolygon{face.depth, face.id, face.patterned}, rule, face.wide, sides, face.top);
+        enter(SweepPolygon{face.depth, face.id, face.patterned}, rule, face.wide, sides);
     }
 
 private:
@@ -239,17 +238,15 @@ private:
         const auto &                    x = part.x, &y = part.y;
         const std::array<ScreenSide, 3> sides{
             {{x[0], y[0], x[1], y[1]}, {x[1], y[1], x[2], y[2]}, {x[2], y[2], x[0], y[0]}}};
-        enter(SweepPolygon{part.depth, part.id, part.patterned}, Inside::EvenOdd, part.wide, sides,
-              std::min({y[0], y[1], y[2]}));
+        enter(SweepPolygon{part.depth, part.id, part.patterned}, Inside::EvenOdd, part.wide, sides);
     }
 
-    HWY_ATTR void enter(const SweepPolygon& polygon, Inside rule, bool wide, std::span<const ScreenSide> sides,
-                        double top) const
+    HWY_ATTR void enter(const SweepPolygon& polygon, Inside rule, bool wide, std::span<const ScreenSide> sides) const
     {
         const One           d;
         const std::uint32_t part = m_table.add(polygon);
         for (const ScreenSide& side : sides) {
-            const auto [first, end] = m_table.linesOf(side, top, m_rules);
+            const auto [first, end] = m_table.linesOf(side);
             if (first >= end) continue;
             const bool          runsDown = side.ya < side.yb, isWide = wide || ActiveEdge::isTooTall(side);
             const std::uint32_t winding = ActiveEdge::windingOf(rule, runsDown);
@@ -268,8 +265,7 @@ private:
         }
     }
 
-    EdgeTable&   m_table;
-    const Rules& m_rules;
+    EdgeTable& m_table;
 };
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -1,6 +1,8 @@
 // How the pixels between two neighbouring active edges were decided.
 #pragma once
 
+#include <string_view>
+
 namespace zscope {
 
 /// Why an interval went to one polygon as a whole, or could not.
@@ -14,5 +16,28 @@ enum class IntervalReason {
     NoClearLead,   // nobody leads at both ends: they cross, touch or are equally near
     NotByEnds,     // depths as they are stored are not affine (an approximation)
 };
+
+constexpr std::string_view wordOf(IntervalReason reason)
+{
+    switch (reason) {
+        case IntervalReason::Alone:
+            return "alone";
+        case IntervalReason::Leads:
+            return "leads";
+        case IntervalReason::TestedOnce:
+            return "tested-once";
+        case IntervalReason::BeyondFar:
+            return "beyond-far";
+        case IntervalReason::DepthLimited:
+            return "depth-limited";
+        case IntervalReason::HasPattern:
+            return "has-pattern";
+        case IntervalReason::NoClearLead:
+            return "no-clear-lead";
+        case IntervalReason::NotByEnds:
+            return "not-by-ends";
+    }
+    return {};
+}
 
 }  // namespace zscope

@@ -25,7 +25,6 @@
 
 #include "core/scan/depth_test-inl.h"
 #include "core/sweep/line_zbuffer-inl.h"
-#include "core/sweep/sweep_events.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
@@ -37,34 +36,30 @@ public:
         : m_visible(visible), m_patterns(patterns), m_rules(rules)
     {}
 
-    template <class Probe>
-    void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
+    void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons)
     {
         LineZBuffer byPixels(m_visible, m_patterns, m_rules);
-        // Who listens sees such a line resolved in one way from end to end, and what wrong rules store may win over
-        // what is right.
-        constexpr bool kLooksFirst = Probe::listens || !Rules::kExact;
-        if (kLooksFirst && isCrowded(active, polygons)) return byPixels.line(y, active, polygons, probe);
+        // What approximate rules store may win over what is right, so such a line is resolved in one way from end to
+        // end.
+        if (!Rules::kExact && isCrowded(active, polygons)) return byPixels.line(y, active, polygons);
         Open open;
         int  from = 0;
         for (const ActiveEdge& edge : active) {
-            const int to = std::clamp(edge.firstPixel(m_rules), 0, m_visible.width());
-            if (from < to && open.count > 0) resolve(y, from, to, open.view(), polygons, probe);
+            const int to = std::clamp(edge.firstPixel(), 0, m_visible.width());
+            if (from < to && open.count > 0) resolve(y, from, to, open.view(), polygons);
             from = to;
             if (edge.isShared())
                 passShared(polygons, edge, open);
             else
                 pass(polygons, edge, edge.polygon(), open);
-            if (!kLooksFirst && open.count > kCrowd) {  // seen on the way: what has been stored wins again
+            if (Rules::kExact && open.count > kCrowd) {  // seen on the way: what has been stored wins again
                 for (const ActiveEdge& passed : active) {
                     polygons.spanOf(passed.polygon()) = {};
                     if (passed.isShared()) polygons.spanOf(passed.opens()) = {};
                 }
-                return byPixels.line(y, active, polygons, probe);
+                return byPixels.line(y, active, polygons);
             }
         }
-        // a fault has lost the edge that closes it
-        for (const std::uint32_t polygon : open.view()) polygons.spanOf(polygon) = {};
     }
 
 private:
@@ -109,8 +104,6 @@ private:
             open += span.pass(edge);
             most = std::max(most, open);
         }
-        if (open > 0)  // a fault has lost edges that close
-            for (const ActiveEdge& edge : active) polygons.spanOf(edge.polygon()) = {};
         return most > kCrowd;
     }
 
@@ -144,39 +137,27 @@ private:
         open.polygon[static_cast<std::size_t>(opens.openAt)] = edge.opens();
     }
 
-    template <class Probe>
-    void resolve(int y, int x0, int x1, std::span<const std::uint32_t> open, const ActivePolygons& polygons,
-                 const Probe& probe)
+    void resolve(int y, int x0, int x1, std::span<const std::uint32_t> open, const ActivePolygons& polygons)
     {
-        const Leader leader = leaderOf(y, x0, x1, open, polygons);
-        if (const SweepPolygon* nearest = leader.polygon) {
+        if (const SweepPolygon* nearest = leaderOf(y, x0, x1, open, polygons)) {
             storeSpan(nearest->depth, nearest->rank(), y, x0, x1, m_visible, m_rules);
-            probe(SpanFilled{y, x0, x1, nearest->id});
         } else {
             for (const std::uint32_t polygon : open)
-                testPolygonSpan(polygons[polygon], y, x0, x1, m_visible, m_patterns, m_rules, probe);
-            tellRuns(y, x0, x1, probe);
+                testPolygonSpan(polygons[polygon], y, x0, x1, m_visible, m_patterns, m_rules);
         }
-        probe(IntervalResolved{y, x0, x1, open, polygons, leader.polygon, leader.reason});
     }
 
-    struct Leader {
-        const SweepPolygon* polygon;  // nullptr: none leads for certain
-        IntervalReason      reason;
-    };
-
-    /// The polygon that leads all other open ones all over [x0, x1), if one does for certain.
-    Leader leaderOf(int y, int x0, int x1, std::span<const std::uint32_t> open, const ActivePolygons& polygons) const
+    /// The polygon that leads all other open ones all over [x0, x1), if one does for certain; else nullptr.
+    const SweepPolygon* leaderOf(int y, int x0, int x1, std::span<const std::uint32_t> open,
+                                 const ActivePolygons& polygons) const
     {
-        if (!m_rules.comparesByEnds()) return {nullptr, IntervalReason::NotByEnds};
+        if (!m_rules.comparesByEnds()) return nullptr;
         const SweepPolygon* best = &polygons[open[0]];
-        if (open.size() == 1 && !best->patterned && best->depth.farthest > m_visible.empty())
-            return {best, IntervalReason::Alone};
+        if (open.size() == 1 && !best->patterned && best->depth.farthest > m_visible.empty()) return best;
         EndDepth bestLeft = depthAt(best->depth, x0, y);
         if (open.size() == 1) {
-            if (best->patterned) return {nullptr, IntervalReason::HasPattern};
             const bool kept = bestLeft.depth > m_visible.empty() && isKept(*best, y, x1 - 1);
-            return kept ? Leader{best, IntervalReason::Alone} : Leader{nullptr, IntervalReason::BeyondFar};
+            return kept && !best->patterned ? best : nullptr;
         }
         for (const std::uint32_t polygon : open) {
             const EndDepth left = depthAt(polygons[polygon].depth, x0, y);
@@ -184,42 +165,24 @@ private:
             best     = &polygons[polygon];
             bestLeft = left;
         }
-        if (best->patterned) return {nullptr, IntervalReason::HasPattern};
-        if (m_rules.testsIntervalOnce()) return {best, IntervalReason::TestedOnce};
+        if (best->patterned) return nullptr;
         const EndDepth bestRight = depthAt(best->depth, x1 - 1, y);
-        if (bestLeft.limited || bestRight.limited) return {nullptr, IntervalReason::DepthLimited};
-        if (bestLeft.depth <= m_visible.empty() || bestRight.depth <= m_visible.empty())
-            return {nullptr, IntervalReason::BeyondFar};
+        if (bestLeft.limited || bestRight.limited) return nullptr;
+        if (bestLeft.depth <= m_visible.empty() || bestRight.depth <= m_visible.empty()) return nullptr;
         for (const std::uint32_t polygon : open) {
             const SweepPolygon& rival = polygons[polygon];
             if (&rival == best) continue;
             const EndDepth left = depthAt(rival.depth, x0, y), right = depthAt(rival.depth, x1 - 1, y);
-            if (left.limited || right.limited) return {nullptr, IntervalReason::DepthLimited};
-            if (!leads(bestLeft.depth, left.depth) || !leads(bestRight.depth, right.depth))
-                return {nullptr, IntervalReason::NoClearLead};
+            if (left.limited || right.limited) return nullptr;
+            if (!leads(bestLeft.depth, left.depth) || !leads(bestRight.depth, right.depth)) return nullptr;
         }
-        return {best, IntervalReason::Leads};
+        return best;
     }
 
     /// The far test at one end; with the other end it holds all over the run, because depth is affine, limited or not.
     bool isKept(const SweepPolygon& polygon, int y, int x) const
     {
         return depthAt(polygon.depth, x, y).depth > m_visible.empty();
-    }
-
-    /// After a comparison pixel by pixel: one event per run of pixels that one polygon won.
-    template <class Probe>
-    void tellRuns(int y, int x0, int x1, const Probe& probe) const
-    {
-        if constexpr (Probe::listens) {
-            const auto rank = [&](int x) { return m_visible.rankAt(x, y); };
-            for (int x = x0; x < x1;) {
-                int end = x + 1;
-                while (end < x1 && rank(end) == rank(x)) ++end;
-                if (rank(x) != 0) probe(SpanFilled{y, x, end, TriangleId{rank(x) - 1}});
-                x = end;
-            }
-        }
     }
 
     VisibilityBuffer& m_visible;

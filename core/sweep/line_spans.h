@@ -12,14 +12,14 @@ namespace zscope {
 /// Calls visit(polygon, x0, x1) for each run of pixels [x0, x1) that a polygon covers, from left to right by where they
 /// end, inside the `width` pixels of a line; never an empty one. Always inlined, so that each instruction set gets it
 /// in its own instructions.
-template <class Rules, class Visit>
+template <class Visit>
 [[gnu::always_inline]] inline void forEachSpan(std::span<const ActiveEdge> active, ActivePolygons& polygons, int width,
-                                               const Rules& rules, const Visit& visit)
+                                               const Visit& visit)
 {
     const auto pass = [&](const ActiveEdge& edge, std::uint32_t polygon) __attribute__((always_inline))
     {
         ActivePolygons::Span& span    = polygons.spanOf(polygon);
-        const int             pixel   = edge.firstPixel(rules);
+        const int             pixel   = edge.firstPixel();
         const bool            wasOpen = span.isOpen();
         if (span.pass(edge) == wasOpen) return;
         if (!wasOpen) {

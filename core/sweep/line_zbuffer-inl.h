@@ -15,7 +15,6 @@
 #include "core/scan/depth_test-inl.h"
 #include "core/scan/pattern-inl.h"
 #include "core/sweep/line_spans.h"
-#include "core/sweep/sweep_events.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
@@ -32,14 +31,14 @@ struct PatternFinder {
 };
 
 /// Tests the pixels [x0, x1) of line y, by the patterns of the polygon, if it has any.
-template <class Rules, class Probe>
+template <class Rules>
 void testPolygonSpan(const SweepPolygon& polygon, int y, int x0, int x1, VisibilityBuffer& visible,
-                     const PatternFinder& patterns, const Rules& rules, const Probe& probe)
+                     const PatternFinder& patterns, const Rules& rules)
 {
     if (polygon.patterned)
-        testSpan(polygon.depth, polygon.rank(), y, x0, x1, visible, rules, probe, patterns.fragmentsOf(polygon));
+        testSpan(polygon.depth, polygon.rank(), y, x0, x1, visible, rules, patterns.fragmentsOf(polygon));
     else
-        testSpan(polygon.depth, polygon.rank(), y, x0, x1, visible, rules, probe);
+        testSpan(polygon.depth, polygon.rank(), y, x0, x1, visible, rules);
 }
 
 template <class Rules>
@@ -49,12 +48,10 @@ public:
         : m_visible(visible), m_patterns(patterns), m_rules(rules)
     {}
 
-    template <class Probe>
-    void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons, const Probe& probe)
+    void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons)
     {
-        forEachSpan(active, polygons, m_visible.width(), m_rules, [&](std::uint32_t polygon, int x0, int x1) HWY_ATTR {
-            testPolygonSpan(polygons[polygon], y, x0, x1, m_visible, m_patterns, m_rules, probe);
-            probe(SpanFilled{y, x0, x1, polygons[polygon].id});
+        forEachSpan(active, polygons, m_visible.width(), [&](std::uint32_t polygon, int x0, int x1) HWY_ATTR {
+            testPolygonSpan(polygons[polygon], y, x0, x1, m_visible, m_patterns, m_rules);
         });
     }
 

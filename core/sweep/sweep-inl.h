@@ -13,25 +13,23 @@
 #endif
 
 #include "core/base/progress.h"
-#include "core/probe/probe.h"
+#include "core/base/tally.h"
 #include "core/sweep/active_edges.h"
 #include "core/sweep/line_zbuffer-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-template <class Resolve, class Rules, class Probe>
+template <class Resolve>
 void sweep(const EdgeTable& edges, ActiveEdges& active, ActivePolygons& polygons, Resolve& resolve,
-           const Progress& progress, const Rules& rules, const Probe& probe)
+           const Progress& progress, Tally& tally)
 {
     active.clear();
     polygons.begin(edges.parts());
     for (int y = edges.firstLine(); y < edges.endLine() && !progress.cancelled(); ++y) {
-        if (probe.leavesOut(Checkpoint::Line)) continue;
-        active.advanceTo(y, edges, rules, probe);
-        probe(ScanlineReady{y, active.view()});
-        resolve.line(y, active.view(), polygons, probe);
-        probe(ScanlineFinished{y});
+        active.advanceTo(y, edges);
+        tally.add(Unit::ActiveEdges, active.view().size());
+        resolve.line(y, active.view(), polygons);
     }
 }
 

@@ -8,12 +8,12 @@
 //            between the octants: it comes before the first octant whose box is farther from the eye. BVH: the nearer
 //            box first. Instances and batches of one node: the nearer box first. Triangles of one batch, where they are
 //            large: the nearer first
-// Inside     at full speed a tree whose box holds the eye is not descended branch by branch: of all nodes that wait the
+// Inside     a tree whose box holds the eye is not descended branch by branch: of all nodes that wait the
 //            nearest is next. From within, much of a branch lies behind what is near in the next one
-// Pixels     at full speed a batch's patches that face away are left out, and those patches and small triangles all of
+// Pixels     a batch's patches that face away are left out, and those patches and small triangles all of
 //            whose pixels hold something nearer than the batch comes (core/geometry/patches.h,
 //            core/depth/hidden_squares.h); of large triangles, patches that the pyramid hides
-// Balls      there, too, a node reaches no farther than a ball around it does: whoever listens sees boxes
+// Balls      a node reaches no farther than a ball around it does
 // Dense      where that is so, questions about nodes below one whose triangles are that small may be left out
 //            (core/cull/sampled_questions.h)
 // Whole      there, too, a small node is drawn with everything below it, and not divided: the squares tell its parts
@@ -66,17 +66,15 @@ struct PlacedTree {
     NodePlace place(const TreeNode& node) const { return {isInstanceTree, instance, tree, node}; }
 };
 
-template <class Consume, class Rules, class Probe>
+template <class Consume, class Rules>
 class FrontToBack {
-    using Planes                       = StripeVolume::Planes;
-    static constexpr bool kAtFullSpeed = Rules::kExact && !Probe::listens;
+    using Planes = StripeVolume::Planes;
 
 public:
     FrontToBack(const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees, const Occlusion& occlusion,
-                StageClock& clock, const Consume& consume, const Rules& rules, const Probe& probe,
-                NodeMemory* memory = nullptr)
+                StageClock& clock, const Consume& consume, const Rules& rules, NodeMemory* memory = nullptr)
         : m_stripe(stripe), m_scene(stripe.scene.scene()), m_scratch(scratch), m_trees(trees), m_occlusion(occlusion),
-          m_clock(clock), m_consume(consume), m_rules(rules), m_probe(probe), m_memory(memory),
+          m_clock(clock), m_consume(consume), m_rules(rules), m_memory(memory),
           m_volume(stripe.projection, stripe.visible.width(), stripe.firstRow, stripe.endRow)
     {}
 
@@ -87,7 +85,6 @@ public:
         const Affine     world;
         const PlacedTree placed = place(instances, world, true, {});
         visit(placed, instances.root(), StripeVolume::kAll, [&](const TreeNode& node, Planes open) {
-            m_probe(NodeDrawn{placed.place(node)});
             auto& waiting = m_scratch.instances;
             waiting.clear();
             for (const std::uint32_t item : instances.ownItems(node))
@@ -111,7 +108,6 @@ public:
                 placed.emplace(place(m_trees.mesh(instance.mesh), instance.toWorld, false, last.instance));
             if (m_memory->isItsTurn(last) || m_volume.misses(placed->view(last.node->bounds))) continue;
             m_memory->drawnAhead(last);
-            m_probe(NodeRecalled{placed->place(*last.node), m_trees.instances(), *last.holder});
             drawOwn(*placed, *last.node);
         }
         m_clock.lap(Stage::Cull);
@@ -137,8 +133,7 @@ private:
         const PlacedTree placed = place(tree, instance.toWorld, false, id);
         visitTree(placed, open, [&](const TreeNode& node, Planes) {
             const bool isDrawnAhead = m_memory && m_memory->isDrawnAhead(id, node);
-            if (!isDrawnAhead) m_probe(NodeDrawn{placed.place(node)});
-            const bool isWorthIt = isDrawnAhead || NodeMemory::isWorthIt(drawOwn(placed, node));
+            const bool isWorthIt    = isDrawnAhead || NodeMemory::isWorthIt(drawOwn(placed, node));
             if (m_memory && isWorthIt) m_memory->remember({id, &holder, &node});
         });
     }
@@ -151,13 +146,9 @@ private:
         const MeshBatches& batches = isWhole ? placed.tree.allBatchesOf(node, mesh) : placed.tree.batchesOf(node, mesh);
         const Affine*      toWorld = placed.toWorld.isIdentity() ? nullptr : &placed.toWorld;
         DrawnTriangles     all;
-        if (!isWhole)
-            m_probe(TransparentLeftOut{placed.instance, static_cast<std::uint32_t>(placed.tree.ownItems(node).size()
-                                                                                   - batches.triangleCount())});
         for (const WaitingBatch& next : inOrder(placed, batches)) {
             const Batch& batch = batches.batches[next.batch];
             if (m_stripe.progress.cancelled()) break;
-            if (m_probe.leavesOut(Checkpoint::Batch)) continue;
             const BatchPlace place{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]};
             if (!setUp(placed, place, all)) continue;
             m_scratch.triangles.startsNearest = m_scratch.triangles.areLarge();
@@ -172,19 +163,19 @@ private:
     /// Whether any triangle may have been left; those that were not seen are added to `all`.
     bool setUp(const PlacedTree& placed, BatchPlace place, DrawnTriangles& all)
     {
-        if constexpr (kAtFullSpeed)
+        if constexpr (Rules::kExact)
             if (m_occlusion.asksPixels) {
                 place.patches = patchesTowardsEye(place, placed.backs, placed.view, m_stripe);
                 m_clock.lap(Stage::Cull);
                 if (place.patches == 0) return false;
                 const LeftOut leftOut =
-                    setUpSeen(place, placed.view, m_stripe, m_scratch, m_patchQuestions, m_clock, m_rules, m_probe);
+                    setUpSeen(place, placed.view, m_stripe, m_scratch, m_patchQuestions, m_clock, m_rules);
                 all.add({.hidden = leftOut.triangles, .hiddenPixels = leftOut.pixels});
                 return true;
             }
-        if (isCulledAsBack(place, placed.backs, placed.view, m_stripe, m_rules, m_probe)) return false;
+        if (isCulledAsBack(place, placed.backs, placed.view, m_stripe, m_rules)) return false;
         m_clock.lap(Stage::Cull);
-        setUpBatch(place, placed.instance, m_stripe, m_scratch, m_clock, m_rules, m_probe);
+        setUpBatch(place, m_stripe, m_scratch, m_clock, m_rules);
         return true;
     }
 
@@ -196,9 +187,8 @@ private:
             const double away = distance(placed.eye, batches.batches[b].bounds);
             waiting.push_back({away >= 0 ? away : 0, b});  // a flat placement has no place for the eye
         }
-        const double sign = m_rules.visitsFarFirst() ? -1 : 1;
-        std::ranges::sort(waiting, [sign](const WaitingBatch& a, const WaitingBatch& b) {
-            return std::pair(sign * a.distance, a.batch) < std::pair(sign * b.distance, b.batch);
+        std::ranges::sort(waiting, [](const WaitingBatch& a, const WaitingBatch& b) {
+            return std::pair(a.distance, a.batch) < std::pair(b.distance, b.batch);
         });
         return waiting;
     }
@@ -207,7 +197,7 @@ private:
     void visitTree(const PlacedTree& placed, Planes open, const DrawItems& drawItems)
     {
         const TreeNode& root = placed.tree.root();
-        if (kAtFullSpeed && distance(placed.eye, root.bounds) == 0 && !m_rules.visitsFarFirst())
+        if (Rules::kExact && distance(placed.eye, root.bounds) == 0)
             visitNearestFirst(placed, {0, &root, open, {}}, drawItems);
         else
             visit(placed, root, open, drawItems);
@@ -248,8 +238,6 @@ private:
         const Tree& tree = placed.tree;
         tree.open(node);
         auto children = inOrder(placed, node);
-        if (m_rules.visitsFarFirst()) std::reverse(children.nodes.begin(), children.nodes.begin() + children.count);
-        m_probe(NodeOpened{placed.place(node), std::span(children.nodes).first(children.count)});
         if (!tree.ownItems(node).empty()) drawItems(node, open);
         for (std::size_t i = 0; i < children.count; ++i) visit(placed, *children.nodes[i], open, drawItems, above);
     }
@@ -259,7 +247,7 @@ private:
     static constexpr std::uint32_t kDrawnWhole = 768;
     bool                           isDrawnWhole(const PlacedTree& placed, const TreeNode& node) const
     {
-        return kAtFullSpeed && m_occlusion.asksPixels && (!m_memory || m_memory->holdsWholeNodes())
+        return Rules::kExact && m_occlusion.asksPixels && (!m_memory || m_memory->holdsWholeNodes())
                && !placed.isInstanceTree && node.size() <= kDrawnWhole;
     }
 
@@ -277,38 +265,26 @@ private:
     /// asked about.
     Verdict judge(const PlacedTree& placed, const TreeNode& node, Planes& open, AskedNode& above)
     {
-        if (const std::optional<Verdict> before = m_probe.template decided<Verdict>()) return *before;
+        m_scratch.tally.add(Unit::Nodes);
         const ViewBox box = placed.view(node.bounds);
-        if (m_volume.misses(box, open)) return tell(placed, node, Verdict::Outside, nullptr);
+        if (m_volume.misses(box, open)) return Verdict::Outside;
         const double smallest = m_rules.smallestNode();
-        if (smallest == 0 && !(m_occlusion.asksNodes && isAsked(placed, node, above)))
-            return tell(placed, node, Verdict::Entered, nullptr);
+        if (smallest == 0 && !(m_occlusion.asksNodes && isAsked(placed, node, above))) return Verdict::Entered;
         NodeReach reach = reachOf(box, m_stripe.projection, m_stripe.region());
-        if (reach.crossesNear) return tell(placed, node, Verdict::Entered, nullptr);
-        if (reach.area < smallest) return tell(placed, node, Verdict::Small, nullptr);
-        if (!m_occlusion.asksNodes) return tell(placed, node, Verdict::Entered, nullptr);
-        if constexpr (kAtFullSpeed)
+        if (reach.crossesNear) return Verdict::Entered;
+        if (reach.area < smallest) return Verdict::Small;
+        if (!m_occlusion.asksNodes) return Verdict::Entered;
+        if constexpr (Rules::kExact)
             reach = narrowedToBall(reach, box, node.radius * placed.view.longest(), m_stripe.projection);
-        if (m_rules.truncatesNodeBoxes()) --reach.pixels.x1, --reach.pixels.y1;
-        if (reach.pixels.isEmpty()) return tell(placed, node, Verdict::Outside, nullptr);
-        const PyramidQuery query =
-            askPyramid(*m_occlusion.pyramid, reach.pixels, reach.nearest, WholeBox{}, m_rules, m_probe);
-        if constexpr (kAtFullSpeed) {
+        if (reach.pixels.isEmpty()) return Verdict::Outside;
+        m_scratch.tally.add(Unit::Questions);
+        const PyramidQuery query = askPyramid(*m_occlusion.pyramid, reach.pixels, reach.nearest, WholeBox{}, m_rules);
+        if constexpr (Rules::kExact) {
             if (above.isDense) m_denseQuestions.answered(query.hidden);
             if (m_occlusion.asksPixels && !placed.isInstanceTree)
                 above = {node.size(), reach.pixels.area() <= kWorthLooking * node.size()};
         }
-        if constexpr (Probe::listens) {
-            const NodePlace asked = placed.place(node);
-            m_probe(PyramidAsked{query, &asked, {}});
-        }
-        return tell(placed, node, query.hidden ? Verdict::Hidden : Verdict::Entered, &query);
-    }
-
-    Verdict tell(const PlacedTree& placed, const TreeNode& node, Verdict verdict, const PyramidQuery* query) const
-    {
-        m_probe(NodeJudged{placed.place(node), verdict, query});
-        return verdict;
+        return query.hidden ? Verdict::Hidden : Verdict::Entered;
     }
 
     struct Child {
@@ -376,7 +352,6 @@ private:
     StageClock&       m_clock;
     const Consume&    m_consume;
     const Rules&      m_rules;
-    const Probe&      m_probe;
     NodeMemory*       m_memory;  // nullptr: nothing is remembered
     StripeVolume      m_volume;
     SampledQuestions  m_denseQuestions, m_patchQuestions{kFirstPatches};

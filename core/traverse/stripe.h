@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/stage_clock.h"
+#include "core/base/tally.h"
 #include "core/depth/hidden_squares.h"
 #include "core/depth/pyramid.h"
 #include "core/depth/visibility_buffer.h"
@@ -65,6 +66,7 @@ struct StripeScratch {
     HiddenSquares  hidden;   // likewise, of the batch at hand
     BlendScratch   blend;    // scenes with transparent surfaces only
     NodeMemory     memory;   // methods with coherence only
+    Tally          tally;    // of the frame
 
     std::vector<WaitingInstance> instances;  // hierarchical methods only, like the next
     std::vector<WaitingBatch>    batches;

@@ -23,7 +23,6 @@
 #include "core/geometry/set_up-inl.h"
 #include "core/geometry/stripe_volume.h"
 #include "core/geometry/transform-inl.h"
-#include "core/probe/probe.h"
 #include "core/traverse/stripe.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -104,10 +103,18 @@ inline BatchSeen seenOf(const BatchPlace& place, const PlacedView& view, const S
     return {reach.patches() & ~hidden, part, leftOut, around};
 }
 
+/// How many triangles of the batch set-up looks at: whole patches of them.
+inline std::uint64_t trianglesIn(const BatchPlace& place)
+{
+    const PatchBits patches = place.patches & place.batch.patches();
+    return std::min<std::uint64_t>(place.batch.triangleCount,
+                                   kPatchTriangles * static_cast<std::uint64_t>(std::popcount(patches)));
+}
+
 /// Transforms one batch and leaves its screen triangles in `scratch.triangles`.
-template <class Rules, class Probe>
-void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stripe, StripeScratch& scratch,
-                StageClock& clock, const Rules& rules, const Probe& probe)
+template <class Rules>
+void setUpBatch(const BatchPlace& place, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                const Rules& rules)
 {
     const std::uint64_t groups =
         place.patches == kAllPatches ? ~std::uint64_t{0} : vertexGroupsOf(place.mesh, place.batch, place.patches);
@@ -116,22 +123,23 @@ void setUpBatch(const BatchPlace& place, InstanceId instance, const Stripe& stri
         transformBatch(place.mesh, place.batch, place.toWorld, stripe.projection, rules, scratch.vertices);
     else
         transformGroups(place.mesh, place.batch, groups, place.toWorld, stripe.projection, rules, scratch.vertices);
-    probe(BatchTransformed{instance, place.batch.vertexCount});
     clock.lap(Stage::Transform);
+    scratch.tally.add(Unit::Batches);
+    scratch.tally.add(Unit::Vertices, place.batch.vertexCount);
+    scratch.tally.add(Unit::TrianglesSetUp, trianglesIn(place));
     scratch.triangles.clear();
-    BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, stripe.region(), rules, scratch.triangles,
-               probe)
+    BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, stripe.region(), rules, scratch.triangles)
         .run();
     clock.lap(Stage::Setup);
 }
 
 /// The same at full speed, but for what can win no pixel any more, because all of its pixels hold something nearer than
 /// the batch comes, or its patch. The pyramid is a wide one.
-template <class Rules, class Probe>
+template <class Rules>
 LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch,
-                  SampledQuestions& patchQuestions, StageClock& clock, const Rules& rules, const Probe& probe)
+                  SampledQuestions& patchQuestions, StageClock& clock, const Rules& rules)
 {
-    static_assert(Rules::kExact && !Probe::listens);
+    static_assert(Rules::kExact);
     scratch.triangles.clear();
     BatchSeen seen = seenOf(whole, view, stripe, scratch, patchQuestions);
     clock.lap(Stage::Setup);
@@ -142,32 +150,29 @@ LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe&
     transformGroups(place.mesh, place.batch, vertexGroupsOf(place.mesh, place.batch, place.patches), place.toWorld,
                     stripe.projection, rules, scratch.vertices, KnownReach{seen.reach});
     clock.lap(Stage::Transform);
+    scratch.tally.add(Unit::Batches);
+    scratch.tally.add(Unit::Vertices, place.batch.vertexCount);
+    scratch.tally.add(Unit::TrianglesSetUp, trianglesIn(place));
     const PixelBox region = stripe.region();
     if (seen.hidden == HiddenPart::Squares) {
         const LeftOut more = BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, region, rules,
-                                        scratch.triangles, probe, HiddenBoxes(scratch.hidden))
+                                        scratch.triangles, HiddenBoxes(scratch.hidden))
                                  .run();
         seen.leftOut.triangles += more.triangles, seen.leftOut.pixels += more.pixels;
     } else {
-        BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, region, rules, scratch.triangles, probe)
-            .run();
+        BatchSetUp(place, scratch.vertices, stripe.projection, stripe.culling, region, rules, scratch.triangles).run();
     }
     clock.lap(Stage::Setup);
     return seen.leftOut;
 }
 
-/// True if the batch need not be set up, because all of its triangles are culled as back faces; their fates are told
-/// then.
-template <class Rules, class Probe>
+/// True if the batch need not be set up, because all of its triangles are culled as back faces.
+template <class Rules>
 bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe,
-                    const Rules&, const Probe& probe)
+                    const Rules&)
 {
-    if (!Rules::kExact || stripe.culling != FaceCulling::Back || !backs.mayHold(place.batch.cone)) return false;
-    if (!backs.hold(place.batch.cone, view(place.batch.bounds))) return false;
-    if constexpr (Probe::listens)
-        for (std::uint32_t t = 0; t < place.batch.triangleCount; ++t)
-            probe(TriangleSetUp{place.idOf(place.batch.firstTriangle + t), SetUp::BackFacing, false, false});
-    return true;
+    return Rules::kExact && stripe.culling == FaceCulling::Back && backs.mayHold(place.batch.cone)
+           && backs.hold(place.batch.cone, view(place.batch.bounds));
 }
 
 /// The patches of the batch that may show a front, if back faces are culled; none of a batch that is seen from behind
@@ -183,53 +188,42 @@ inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& bac
     return hasPatches ? towardsEye(place.mesh, place.batch, *asked) : kAllPatches;
 }
 
-/// Those that are to be set up, of a batch that crosses the stripe's border or does not. Who listens is told of each
-/// triangle of a batch that is seen from behind, and sees all others set up.
-template <class Rules, class Probe>
+/// Those that are to be set up, of a batch that crosses the stripe's border or does not.
+template <class Rules>
 PatchBits patchesWanted(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe,
-                        [[maybe_unused]] bool crossesBorder, const Rules& rules, const Probe& probe)
+                        bool crossesBorder, const Rules&)
 {
-    if constexpr (Rules::kExact && !Probe::listens) {
+    if constexpr (Rules::kExact) {
         const PatchBits wanted = patchesTowardsEye(place, backs, view, stripe);
         if (!crossesBorder || wanted == 0 || place.mesh.patches.empty()) return wanted;
         return PatchReach(place.mesh, place.batch, wanted, view, stripe.projection, stripe.region()).patches();
     }
-    return isCulledAsBack(place, backs, view, stripe, rules, probe) ? 0 : kAllPatches;
+    return kAllPatches;
 }
 
 /// Calls visit(instance, batch, toWorld, patches) for every batch of which `patches` may reach the stripe; the batches
 /// of a mesh are `batchesOf(mesh)`, `batch` is an index into them, `toWorld` nullptr for the identity.
-template <class BatchesOf, class Visit, class Rules, class Probe>
+template <class BatchesOf, class Visit, class Rules>
 void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batchesOf, const Visit& visit,
-                  const Rules& rules, const Probe& probe)
+                  const Rules& rules)
 {
     const Scene&       scene = stripe.scene.scene();
     const StripeVolume volume(stripe.projection, stripe.visible.width(), stripe.firstRow, stripe.endRow);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         if (stripe.progress.cancelled()) return;
-        const Instance&    instance = scene.instances[i];
-        const MeshBatches& mesh     = batchesOf(instance.mesh);
-        const PlacedView   placed(stripe.projection, instance.toWorld);
-        const auto         all = static_cast<std::uint32_t>(mesh.triangleCount());
-        probe(TransparentLeftOut{InstanceId{i},
-                                 static_cast<std::uint32_t>(scene.meshOf(InstanceId{i}).triangles.size()) - all});
+        const Instance&      instance = scene.instances[i];
+        const MeshBatches&   mesh     = batchesOf(instance.mesh);
+        const PlacedView     placed(stripe.projection, instance.toWorld);
         StripeVolume::Planes open = StripeVolume::kAll;
-        if (volume.misses(placed(mesh.bounds), open)) {
-            probe(BatchOutside{InstanceId{i}, all});
-            continue;
-        }
+        if (volume.misses(placed(mesh.bounds), open)) continue;
         const Affine*   toWorld = instance.toWorld.isIdentity() ? nullptr : &instance.toWorld;
         const BackFaces backs(placed, stripe.projection, instance.toWorld.isMirrored());
         for (std::uint32_t b = 0; b < mesh.batches.size(); ++b) {
             if (stripe.progress.cancelled()) return;
             StripeVolume::Planes asked = open;
-            if (open != 0 && mesh.batches.size() > 1 && volume.misses(placed(mesh.batches[b].bounds), asked)) {
-                probe(BatchOutside{InstanceId{i}, mesh.batches[b].triangleCount});
-                continue;
-            }
-            if (probe.leavesOut(Checkpoint::Batch)) continue;
+            if (open != 0 && mesh.batches.size() > 1 && volume.misses(placed(mesh.batches[b].bounds), asked)) continue;
             const BatchPlace place{mesh, mesh.batches[b], toWorld, scene.firstTriangle[i]};
-            const PatchBits  patches = patchesWanted(place, backs, placed, stripe, asked != 0, rules, probe);
+            const PatchBits  patches = patchesWanted(place, backs, placed, stripe, asked != 0, rules);
             clock.lap(Stage::Cull);
             if (patches != 0) visit(InstanceId{i}, b, toWorld, patches);
         }
@@ -239,52 +233,52 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
 
 /// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`; the batches of a mesh
 /// are `batchesOf(mesh)`.
-template <class BatchesOf, class Consume, class Rules, class Probe>
+template <class BatchesOf, class Consume, class Rules>
 void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                    const Consume& consume, const Rules& rules, const Probe& probe)
+                    const Consume& consume, const Rules& rules)
 {
     const Scene& scene = stripe.scene.scene();
     const auto   visit = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld, PatchBits patches) {
         const MeshBatches& mesh = batchesOf(scene.instances[instance.value].mesh);
-        setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value], patches}, instance,
-                     stripe, scratch, clock, rules, probe);
+        setUpBatch(BatchPlace{mesh, mesh.batches[b], toWorld, scene.firstTriangle[instance.value], patches}, stripe,
+                     scratch, clock, rules);
         consume(scratch.triangles);
     };
-    visitBatches(stripe, clock, batchesOf, visit, rules, probe);
+    visitBatches(stripe, clock, batchesOf, visit, rules);
 }
 
-/// Batches that stand patch by patch, for who does not listen, and wants no back faces; else nullptr.
-template <class Rules, class Probe>
+/// Batches that stand patch by patch, where back faces are culled; else nullptr.
+template <class Rules>
 const PatchedBatches* patchedFor(const Stripe& stripe)
 {
-    if constexpr (Rules::kExact && !Probe::listens)
+    if constexpr (Rules::kExact)
         if (stripe.culling == FaceCulling::Back) return &patchedBatchesOf(stripe.scene);
     return nullptr;
 }
 
 /// visitTriangles() of the opaque ones.
-template <class Consume, class Rules, class Probe>
+template <class Consume, class Rules>
 void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
-                      const Rules& rules, const Probe& probe)
+                      const Rules& rules)
 {
-    const PatchedBatches* patched   = patchedFor<Rules, Probe>(stripe);
+    const PatchedBatches* patched   = patchedFor<Rules>(stripe);
     const auto            batchesOf = [&](MeshId mesh) -> const MeshBatches& {
         return patched ? patched->of(mesh) : stripe.scene.batchesOf(mesh);
     };
-    visitTriangles(batchesOf, stripe, scratch, clock, consume, rules, probe);
+    visitTriangles(batchesOf, stripe, scratch, clock, consume, rules);
 }
 
 /// Hands the faces that may reach the stripe, as they were read, to `consume(face, sides)`, and those that are
-/// triangles or drawn as such to `consume(triangle)`; at full speed, of a mesh whose faces are triangles all, to
+/// triangles or drawn as such to `consume(triangle)`; where rules are exact, of a mesh whose faces are triangles all, to
 /// `consume(triangles)`, batch by batch.
-template <class Consume, class Rules, class Probe>
+template <class Consume, class Rules>
 void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
-                           const Rules& rules, const Probe& probe)
+                           const Rules& rules)
 {
     const Scene&          scene       = stripe.scene.scene();
     const SceneFaces&     faces       = facesOf(stripe.scene);
-    const bool            byTriangles = Rules::kExact && !Probe::listens && faces.someAreTriangles();
-    const PatchedBatches* patched     = byTriangles ? patchedFor<Rules, Probe>(stripe) : nullptr;
+    const bool            byTriangles = Rules::kExact && faces.someAreTriangles();
+    const PatchedBatches* patched     = byTriangles ? patchedFor<Rules>(stripe) : nullptr;
     clock.lap(Stage::Build);
     const auto areTriangles = [&](MeshId mesh) { return byTriangles && faces.of(mesh).areTriangles(); };
     const auto batchesOf    = [&](MeshId mesh) -> const MeshBatches& {
@@ -296,7 +290,7 @@ void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageCl
             const MeshBatches& triangles = batchesOf(mesh);
             setUpBatch(
                 BatchPlace{triangles, triangles.batches[b], toWorld, scene.firstTriangle[instance.value], patches},
-                instance, stripe, scratch, clock, rules, probe);
+                stripe, scratch, clock, rules);
             consume(scratch.triangles);
             return;
         }
@@ -304,17 +298,19 @@ void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageCl
         const bool      fits = place.points().vertexCount <= kBatchVertices;  // a single face may have more
         if (fits)
             transformBatch(place.mesh.points, place.points(), toWorld, stripe.projection, rules, scratch.vertices);
-        probe(BatchTransformed{instance, place.points().vertexCount});
+        scratch.tally.add(Unit::Batches);
+        scratch.tally.add(Unit::Vertices, place.points().vertexCount);
+        scratch.tally.add(Unit::TrianglesSetUp, place.points().triangleCount);
         clock.lap(Stage::Transform);
         FaceSetUp faceSetUp(place, stripe.projection, stripe.culling, stripe.region(), scratch.faces, consume, rules,
-                            probe);
+                            NoReport());
         if (fits && scratch.vertices.plain)
             faceSetUp.plainly(scratch.vertices);
         else
             faceSetUp.carefully();
         clock.lap(Stage::Setup);
     };
-    visitBatches(stripe, clock, batchesOf, visit, rules, probe);
+    visitBatches(stripe, clock, batchesOf, visit, rules);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

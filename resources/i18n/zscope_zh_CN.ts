@@ -948,6 +948,10 @@
         <source>%1 / cell</source>
         <translation>%1 / 单元格</translation>
     </message>
+    <message>
+        <source>%1 / window</source>
+        <translation>%1 / 窗口</translation>
+    </message>
 </context>
 <context>
     <name>Verdicts</name>

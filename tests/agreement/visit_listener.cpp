@@ -1,12 +1,13 @@
-#define HWY_COMPILE_ONLY_SCALAR
-
 #include "tests/agreement/visit_listener.h"
 
 #include <map>
 #include <set>
 #include <utility>
 
-#include "core/frame/serial_run-inl.h"
+#include "core/cull/cull_events.h"
+#include "core/frame/observed_run.h"
+#include "core/probe/recorders.h"
+#include "core/scan/pixel_events.h"
 
 namespace zscope::tests {
 
@@ -14,6 +15,8 @@ namespace {
 
 class VisitRecorder {
 public:
+    using Events = Wants<NodeJudged, NodeOpened>;
+
     void observe(const NodeJudged& e) { m_when[keyOf(e.place, e.place.node)] = m_count++; }
     void observe(const NodeOpened& e) { m_opened.push_back({e.place, {e.children.begin(), e.children.end()}, {}}); }
 
@@ -36,10 +39,11 @@ private:
     std::map<Key, std::uint64_t> m_when;
     std::vector<OpenedNode>      m_opened;
 };
-static_assert(observesAll<VisitRecorder, NodeJudged, NodeOpened>);
 
 class AskedRecorder {
 public:
+    using Events = Wants<PyramidAsked, TriangleReached>;
+
     void observe(const PyramidAsked& e)
     {
         if (e.node) return;
@@ -57,17 +61,17 @@ private:
     std::set<std::uint32_t> m_asked;
     AskedTriangles          m_all;
 };
-static_assert(observesAll<AskedRecorder, PyramidAsked, TriangleReached>);
 
 template <class Recorder>
 auto recorded(const DrawRequest& request)
 {
     DrawRequest unshaded = request;
     unshaded.shade       = false;
-    Frame         frame;
-    StripeScratch scratch;
-    Recorder      recorder;
-    HWY_STATIC_DISPATCH(runSerially)(unshaded, frame, scratch, Listening(recorder));
+    Frame          frame;
+    plain::Scratch scratch;
+    Recorder       recorder;
+    Listening      listening(recorder);
+    drawObserved(unshaded, frame, scratch, listening);
     return recorder.finish();
 }
 

@@ -140,7 +140,7 @@ TEST(Architecture, TheTableIsReadAndCanForbid)
     EXPECT_TRUE(mayInclude("app/cli.cpp", "core/frame/renderer.h"));
     EXPECT_FALSE(mayInclude("core/base/result.h", "core/scene/scene.h"));
     EXPECT_FALSE(mayInclude("core/scene/scene.h", "core/frame/renderer.h"));
-    EXPECT_FALSE(mayInclude("core/probe/probe.h", "core/scan/half_space-inl.h"));
+    EXPECT_FALSE(mayInclude("core/probe/observer.h", "core/scan/half_space-inl.h"));
     EXPECT_FALSE(mayInclude("core/lesson/replay.h", "ui/window/main_window.h"));
     EXPECT_FALSE(mayInclude("app/cli/render.cpp", "ui/window/main_window.h"));
     EXPECT_EQ(folderOf("app/cli/peers/a.h"), "app/cli/peers");

@@ -15,11 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-void enterAll(const TriangleList& triangles, EdgeTable& table)
-{
-    const ExactRules rules;
-    EdgeEntry(table, rules)(triangles);
-}
+void enterAll(const TriangleList& triangles, EdgeTable& table) { EdgeEntry{table}(triangles); }
 
 }  // namespace zscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

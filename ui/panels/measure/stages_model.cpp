@@ -34,6 +34,8 @@ QString costText(const UnitCost& cost)
             return Words::tr("%1 / node").arg(ns);
         case WorkUnit::Cell:
             return Words::tr("%1 / cell").arg(ns);
+        case WorkUnit::Window:
+            return Words::tr("%1 / window").arg(ns);
     }
     return {};
 }

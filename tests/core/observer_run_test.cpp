@@ -1,10 +1,10 @@
-// Probes: silence costs nothing, listeners hear what they observe, a stop unwinds after the wanted event.
+// Observers: recorders hear the events that they want, in order; a stop unwinds after the wanted event.
 #include <gtest/gtest.h>
 
-#include <type_traits>
+#include <string_view>
 #include <vector>
 
-#include "core/probe/probe.h"
+#include "core/probe/recorders.h"
 
 namespace zscope {
 namespace {
@@ -12,46 +12,46 @@ namespace {
 struct Coarse {
     static constexpr Grain grain = Grain::Line;
     int                    value;
+
+    About about() const { return {.line = value}; }
 };
 struct Fine {
     static constexpr Grain grain = Grain::Pixel;
     int                    value;
+
+    About about() const { return {.won = value > 20}; }
 };
 struct Fact {
     int value;
 };
-
-static_assert(std::is_empty_v<NoProbe> && std::is_trivial_v<NoProbe> && !NoProbe::listens);
-static_assert(noexcept(NoProbe{}(Coarse{1})) && std::is_void_v<decltype(NoProbe{}(Fact{1}))>);
-static_assert(
-    [] {
-        NoProbe{}(Fine{1});
-        return true;
-    }(),
-    "a silent call is a constant expression: it can do nothing");
 static_assert(isStep<Coarse> && isStep<Fine> && !isStep<Fact>);
-static_assert(observes<StopAt, Coarse> && !observes<StopAt, Fact>);
 
 struct Recorder {
+    using Events = Wants<Coarse, Fact>;
+
     std::vector<int> heard;
     void             observe(const Coarse& e) { heard.push_back(e.value); }
     void             observe(const Fact& e) { heard.push_back(-e.value); }
 };
-static_assert(observes<Recorder, Coarse> && observes<Recorder, Fact> && !observes<Recorder, Fine>);
+
+template <class Event>
+void tell(Observer& observer, const Event& event, SourceLine part = SourceLine::here())
+{
+    observer.hear({kEventKind<Event>, &event, {"method", 1, "method"}, part});
+}
 
 /// Line 1 with pixels 10, 11, line 2 with pixels 20, 21, and so on, the line after its pixels; facts between.
-template <class Probe>
-void run(const Probe& probe)
+void run(Observer&& observer)
 {
     for (int line = 1; line <= 3; ++line) {
-        probe(Fact{line});
-        probe(Fine{line * 10});
-        probe(Fine{line * 10 + 1});
-        probe(Coarse{line});
+        tell(observer, Fact{line});
+        tell(observer, Fine{line * 10});
+        tell(observer, Fine{line * 10 + 1});
+        tell(observer, Coarse{line});
     }
 }
 
-TEST(Probe, ListenersHearWhatTheyObserveInOrder)
+TEST(Observer, RecordersHearWhatTheyWantInOrder)
 {
     Recorder a, b;
     run(Listening(a, b));
@@ -59,7 +59,34 @@ TEST(Probe, ListenersHearWhatTheyObserveInOrder)
     EXPECT_EQ(a.heard, b.heard);
 }
 
-TEST(Probe, StopAtCountsItsGrainAndAllCoarserOnes)
+TEST(Observer, AnEventSaysWhatItIsAboutWhateverItsType)
+{
+    struct Lines {
+        std::vector<int> lines;
+        std::size_t      won = 0;
+
+        void hear(const Heard& heard)
+        {
+            const About about = heard.about();
+            if (about.line) lines.push_back(*about.line);
+            won += about.won.value_or(false);
+        }
+    } recorder;
+    run(Listening(recorder));
+    EXPECT_EQ(recorder.lines, (std::vector{1, 2, 3}));
+    EXPECT_EQ(recorder.won, 3u);
+}
+
+TEST(Observer, AStopKnowsTheLineOfTheStatementAndTheLineOfTheCall)
+{
+    StopAt stop(Grain::Line, 1);
+    EXPECT_THROW(run(Listening(stop)), RunStopped);
+    EXPECT_TRUE(std::string_view(stop.part().file).ends_with("observer_run_test.cpp"));
+    EXPECT_EQ(std::string_view(stop.part().function), "run");
+    EXPECT_EQ(std::string_view(stop.method().file), "method");
+}
+
+TEST(Observer, StopAtCountsItsGrainAndAllCoarserOnes)
 {
     StopAt lines(Grain::Line), pixels(Grain::Pixel), stages(Grain::Stage);
     run(Listening(lines, pixels, stages));
@@ -68,7 +95,7 @@ TEST(Probe, StopAtCountsItsGrainAndAllCoarserOnes)
     EXPECT_EQ(stages.seen(), 0u);
 }
 
-TEST(Probe, StopAtUnwindsRightAfterTheWantedEventAndOthersHaveHeardIt)
+TEST(Observer, StopAtUnwindsRightAfterTheWantedEventAndOthersHaveHeardIt)
 {
     for (std::uint64_t step = 0; step < 3; ++step) {
         Recorder recorder;
@@ -83,7 +110,7 @@ TEST(Probe, StopAtUnwindsRightAfterTheWantedEventAndOthersHaveHeardIt)
     EXPECT_NO_THROW(run(Listening(beyond)));
 }
 
-TEST(Probe, GrainsAreNamedCoarseToFineAndReadBack)
+TEST(Grain, GrainsAreNamedCoarseToFineAndReadBack)
 {
     for (std::size_t i = 0; i < kGrains.size(); ++i) {
         EXPECT_EQ(grainOf(wordOf(kGrains[i])), kGrains[i]);
