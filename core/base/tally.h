@@ -1,4 +1,4 @@
-// Cheap counts that a run keeps of its own work while it is timed, so that a time can be divided by what was done in it.
+// Cheap counts that a run keeps of its own work while it is timed, so that a time can be divided by what was done.
 //
 // Plain      the units of plain text are the counters of an observed run, by the same names: one thread finds the same
 //            numbers

@@ -1,4 +1,4 @@
-// "Why this pixel" and "why is this triangle missing": the frame runs once more, serially and with one lane, and
+// "Why this pixel" and "why is this triangle missing": the frame runs once more, by plain text, and
 // recorders note what becomes of the triangles concerned.
 //
 // Promise    the winner is the picture's; the list holds every triangle that covers the pixel by the definition, and

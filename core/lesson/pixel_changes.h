@@ -1,5 +1,5 @@
-// Which steps change a pixel, and where a run stops that has breakpoints. Both run the frame once more with an observer;
-// nothing is logged.
+// Which steps change a pixel, and where a run stops that has breakpoints. Both run the frame once more with an
+// observer; nothing is logged.
 //
 // Changed    the picture of step K shows another id or another depth at the pixel than that of step K - 1, or a blended
 //            colour

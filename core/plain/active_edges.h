@@ -1,8 +1,8 @@
 // The active edge table: the edges that cross the line at hand, from left to right; and how far the line has come in
 // each polygon.
 //
-// Line       retireBefore(y), admit(the bucket of y), sortByX(): the active edges stand at line y. advance() moves every edge
-//            to the next line by its constant step
+// Line       retireBefore(y), admit(the bucket of y), sortByX(): the active edges stand at line y. advance() moves
+//            every edge to the next line by its constant step
 // Cost       per line a sort of what is nearly sorted
 #pragma once
 

@@ -1,7 +1,8 @@
 // An Observer hears the events that methods and parts report. A run at full speed has none.
 //
 // Event      a small aggregate of values already at hand, declared beside the text that makes it. One with a static
-//            member `grain` is a step, and about() says what it is about; any other is a fact for counters and recorders
+//            member `grain` is a step, and about() says what it is about; any other is a fact for counters and
+//            recorders
 // Kind       one static object per type of event: an observer compares addresses to find the events that it wants
 // Source     each event carries two lines: the method's call, and the part's statement that reported it
 // Stopping   an observer may throw RunStopped out of hear(): the run unwinds, and every buffer, left as it is, is the

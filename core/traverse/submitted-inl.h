@@ -269,8 +269,8 @@ void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& 
 }
 
 /// Hands the faces that may reach the stripe, as they were read, to `consume(face, sides)`, and those that are
-/// triangles or drawn as such to `consume(triangle)`; where rules are exact, of a mesh whose faces are triangles all, to
-/// `consume(triangles)`, batch by batch.
+/// triangles or drawn as such to `consume(triangle)`; where rules are exact, of a mesh whose faces are triangles all,
+/// to `consume(triangles)`, batch by batch.
 template <class Consume, class Rules>
 void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
                            const Rules& rules)
