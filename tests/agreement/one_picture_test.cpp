@@ -280,27 +280,69 @@ TEST(OnePictureOf, BigCoordinates)
     }
 }
 
-/// A mesh far from its own origin that its matrix brings back: in the world nothing is large.
+/// A mesh far from its own origin that its matrix brings back: in the world nothing is large. Narrow strips stand behind
+/// the edges of near ones, so that float32 moves some of them into view.
 TEST(OnePictureOf, InstancesThatBringAFarMeshBack)
 {
-    for (const double away : {1e4, 1e6}) {
+    for (const double away : {1e4, 1e5, 1e6}) {
         const Camera camera = plainCamera(48, 40);
-        const dvec3  offset{away, 0.6 * away, -0.8 * away};
-        Mesh         mesh;
-        const auto   add = [&](double x0, double y0, double x1, double y1, double z) {
-            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-            for (const auto& [x, y] : {std::pair{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}})
+        Scene        parts;
+        const auto   add = [&](double x0, double x1, double z, const dvec3& offset) {
+            Mesh                       mesh;
+            std::vector<std::uint32_t> outline;
+            for (const auto& [x, y] : {std::pair{x0, 0.0}, {x0, 40.0}, {x1, 40.0}, {x1, 0.0}}) {
+                outline.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
                 mesh.positions.push_back(pointAt(camera, x, y, z) + offset);
-            addFan(mesh, std::array{first, first + 1, first + 2});
-            addFan(mesh, std::array{first, first + 2, first + 3});
+            }
+            addFan(mesh, std::array{outline[0], outline[1], outline[2]});
+            addFan(mesh, std::array{outline[0], outline[2], outline[3]});
+            parts.instances.push_back({.mesh    = MeshId{static_cast<std::uint32_t>(parts.meshes.size())},
+                                         .toWorld = Affine::translation(-offset)});
+            parts.meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
         };
-        for (int i = 0; i < 6; ++i) add(8 * i + 0.52, 0, 8 * i + 6.6, 40, 3 + 0.2 * i);
-        std::vector<Affine> places;
-        for (const dvec3& by :
-             {dvec3{0, 0, 0}, {0.1, 0.05, 1}, {-0.3, 0.2, 2}, {0.9, 0, 0.5}, {-2.5, 0, 0}, {2.5, 0, 0}})
-            places.push_back(Affine::translation(by - offset));
-        EXPECT_GT(expectOnePicture(sceneOf(std::move(mesh), places), camera, "away " + std::to_string(away)), 0);
+        for (int i = 0; i < 6; ++i) {
+            add(8 * i, 8 * i + 6, 2, {0, 0, 0});
+            const dvec3 offset{away * (1 + 0.013 * i), 0.6 * away, -0.8 * away};
+            add(8 * i + 0.3, 8 * i + 5.7, 3 + 0.2 * i, offset);
+            add(8 * i - 0.49, 8 * i + 5.9, 5 + 0.1 * i, offset * 1.07);
+        }
+        const auto scene = std::make_shared<const Scene>(assemble(std::move(parts)).value());
+        EXPECT_GT(expectOnePicture(scene, camera, "away " + std::to_string(away)), 0);
     }
+}
+
+/// Triangles with corners thousands of pixels away, inside the guard band: the most bits that an edge value may have.
+TEST(OnePictureOf, LargeTriangles)
+{
+    const Camera  camera = plainCamera(48, 40);
+    std::uint64_t state  = 1;
+    const auto    random = [&state] {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<double>(state >> 11) * 0x1p-53;
+    };
+    std::vector<Corners> triangles;
+    for (int i = 0; i < 40; ++i) {
+        const auto corner = [&] {
+            const double reach = std::ldexp(1.0, 6 + i % 11);
+            const double x = 24 + (2 * random() - 1) * reach, y = 20 + (2 * random() - 1) * reach;
+            return pointAt(camera, x, y, 2 + 8 * random());
+        };
+        const Corners one{corner(), corner(), corner()};
+        triangles.push_back(one);
+        triangles.push_back({one[0], one[2], corner()});
+    }
+    EXPECT_GT(expectOnePicture(sceneOf(triangles), camera, "large triangles", {FaceCulling::None}), 0);
+    // Edges through pixel centres, or past them by the least that 12 bits can tell.
+    triangles.clear();
+    for (int i = 0; i < 30; ++i) {
+        // of many bits; where the step is 0, the edge goes through the centre of pixel (20, line)
+        const double dx = std::floor(random() * 0x1.dp27) / 4096, dy = std::floor(random() * 0x1.dp27) / 4096,
+                     step = (i % 3 - 1) / 4096.0;
+        const double line = 4.5 + i;
+        const auto   at   = [&](double x, double y) { return pointAt(camera, x, y, 2 + i); };
+        triangles.push_back({at(20.5 - dx, line - dy), at(20.5 + dx, line + dy + step), at(20.5 + dy, line - dx)});
+    }
+    EXPECT_GT(expectOnePicture(sceneOf(triangles), camera, "edges through pixel centres", {FaceCulling::Back}), 0);
 }
 
 /// In units so small or so large that float32 underflows or overflows.
