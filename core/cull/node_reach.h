@@ -47,7 +47,7 @@ struct NodeReach {
 [[gnu::always_inline]] inline NodeReach reachOf(const ViewBox& box, const Projection& p, const PixelBox& region)
 {
     const NodeReach anywhere{region, static_cast<float>(p.depthScale), true, 0};
-    const double    error    = PlacedView::kError * box.magnitude;
+    const double    error    = p.displacement.view * box.magnitude;
     const double    nearestZ = box.centre.z - box.spread(0, 0, 1) - error;
     if (!(nearestZ >= p.near)) return anywhere;
 
@@ -62,8 +62,8 @@ struct NodeReach {
             }
     // What an error of the corners, and of the points inside, may move on the screen; then the snapping.
     const double steepest = std::max(std::max(-x0, x1), std::max(-y0, y1)), pixelsPerSlope = p.pixelsPerSlope();
-    const double slip =
-        pixelsPerSlope * ((error + error * steepest) / nearestZ + PlacedView::kError * steepest) + 1 / kSubpixels;
+    const double slip = pixelsPerSlope * ((error + error * steepest) / nearestZ + PlacedView::kError * steepest)
+                        + p.displacement.pixels;
     const double left = p.centreX + x0 * pixelsPerSlope - slip, right = p.centreX + x1 * pixelsPerSlope + slip;
     const double top = p.centreY - y1 * pixelsPerSlope - slip, bottom = p.centreY - y0 * pixelsPerSlope + slip;
     const double area = (right - left) * (bottom - top);

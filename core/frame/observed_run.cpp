@@ -8,6 +8,7 @@
 #include "core/frame/frame_plan.h"
 #include "core/frame/kernels.h"
 #include "core/frame/plain_stripe.h"
+#include "core/geometry/displacement.h"
 #include "core/plain/work.h"
 
 namespace zscope {
@@ -35,7 +36,7 @@ void drawObserved(const DrawRequest& asked, Frame& frame, plain::Scratch& scratc
     const DrawRequest request  = repeatable(asked);
     const Pipeline&   pipeline = request.pipeline;
     const Camera&     camera   = request.camera;
-    const Projection  projection(camera);
+    const Projection  projection(camera, 1, displacementOf(pipeline.approximation, camera, *request.scene));
     frame.visible.resize(camera.width, camera.height, {pipeline.approximation.format, camera.near, camera.far});
     frame.visible.clearRows(0, camera.height);
 

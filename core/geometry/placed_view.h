@@ -2,7 +2,8 @@
 // way, in the arithmetic that defines the picture; a box only has to hold them.
 //
 // Promise    of every point q of a box, what the vertex arithmetic makes of it in view space lies within kError *
-//            magnitude of the parallelepiped centre +- half[0] +- half[1] +- half[2], coordinate by coordinate. Both
+//            magnitude of the parallelepiped centre +- half[0] +- half[1] +- half[2], coordinate by coordinate (of
+//            float32 vertices within Displacement::view * magnitude, core/geometry/displacement.h). Both
 //            ways of computing it, and what is made of the box on the way, err by less than 40 roundings (5e-15) of the
 //            sum of the magnitudes that are added up; `magnitude` bounds that sum: it counts the camera's longest axis
 // Beyond     boxes without points and numbers that run over give NaN or infinities, of which no comparison below holds:
@@ -46,9 +47,10 @@ struct ViewBox {
 
 class PlacedView {
 public:
-    static constexpr double kError = 1e-13;
+    static constexpr double kError = Displacement().view;  // of float64 vertices
 
-    PlacedView(const Projection& p, const Affine& toWorld)
+    /// `before`: magnitudes that are added up before `toWorld` is applied, where the boxes are of placed instances.
+    PlacedView(const Projection& p, const Affine& toWorld, double before = 0)
     {
         const auto& m = toWorld.rows;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -62,7 +64,7 @@ public:
                                       + std::abs(glm::dot(a, m_axes[2])));
         m_longest   = std::sqrt(most) * (1 + 1e-12);
         m_magnitude = std::abs(m[0][3]) + std::abs(m[1][3]) + std::abs(m[2][3]) + std::abs(p.eye.x) + std::abs(p.eye.y)
-                      + std::abs(p.eye.z);
+                      + std::abs(p.eye.z) + before;
         // A camera read from a file may have axes of any length.
         const double axis = std::max({1.0, glm::length(p.right), glm::length(p.up), glm::length(p.forward)});
         m_weight *= axis;

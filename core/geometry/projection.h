@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/affine.h"
+#include "core/geometry/displacement.h"
 #include "core/scene/view.h"
 
 namespace zscope {
@@ -34,11 +35,11 @@ struct ScreenCorner {
 };
 
 struct Projection {
-    explicit Projection(const Camera& camera, double scaleOfDepths = 1)
+    explicit Projection(const Camera& camera, double scaleOfDepths = 1, const Displacement& ofVertices = {})
         : eye(camera.eye), right(camera.right), up(camera.up), forward(camera.forward), near(camera.near),
           depthScale(scaleOfDepths), depthAtOne(camera.near * scaleOfDepths),
           scale(((camera.height * 0.5) * camera.focal) / camera.near / scaleOfDepths), centreX(camera.width * 0.5),
-          centreY(camera.height * 0.5), focalPixels((camera.height * 0.5) * camera.focal)
+          centreY(camera.height * 0.5), focalPixels((camera.height * 0.5) * camera.focal), displacement(ofVertices)
     {}
 
     /// `Real` is the type the arithmetic is done in: double by definition, float as an approximation.
@@ -73,6 +74,8 @@ struct Projection {
     double scale;             // k of the definition: pixels per unit of (v.x * D), where D is at depthScale
     double centreX, centreY;  // of the picture, pixels
     double focalPixels;       // pixels per unit of view x / z
+
+    Displacement displacement;  // of the pipeline's vertices
 };
 
 }  // namespace zscope

@@ -10,6 +10,7 @@
 // Cost       four short dot products per plane that is asked
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +26,8 @@ public:
     static constexpr Planes kAll = 0x1f;
 
     /// Lines [firstRow, endRow) of a picture `width` pixels wide.
-    StripeVolume(const Projection& projection, int width, int firstRow, int endRow) : m_near(projection.near)
+    StripeVolume(const Projection& projection, int width, int firstRow, int endRow)
+        : m_near(projection.near), m_slack(std::max(kSlack, 2 * projection.displacement.view))
     {
         const double k    = projection.pixelsPerSlope();  // X = centreX + v.x / v.z * k
         const double left = projection.centreX + 1, right = width + 1 - projection.centreX;
@@ -42,7 +44,7 @@ public:
     [[gnu::always_inline]] bool misses(const ViewBox& box, Planes& open) const
     {
         if (open == 0) return false;
-        const double slack = kSlack * (box.magnitude + m_near);
+        const double slack = m_slack * (box.magnitude + m_near);
         for (std::size_t i = 0; i < m_inward.size(); ++i) {
             const Planes bit = static_cast<Planes>(1u << i);
             if (!(open & bit)) continue;
@@ -59,6 +61,7 @@ private:
     static constexpr double kSlack = 1e-11;
 
     double               m_near;
+    double               m_slack;
     std::array<dvec3, 5> m_inward;  // points with inward . v >= 0 (first: >= near) may be inside
 };
 

@@ -119,8 +119,8 @@ struct VertexStage {
                     [[maybe_unused]] Reach& reach)
     {
         const F64  d64;
-        const auto near = all(p.near), depthAtOne = all(p.depthAtOne);
-        auto       worst = hn::Zero(d64) > hn::Zero(d64);  // lanes that have met a vertex that is not plain
+        const auto depthAtOne = all(p.depthAtOne);
+        auto       worst      = hn::Zero(d64) > hn::Zero(d64);  // lanes that have met a vertex that is not plain
 
         for (std::size_t i = first; i < end; i += hn::Lanes(d64)) {
             auto x = load(mesh.x.data() + batch.firstVertex + i);
@@ -142,7 +142,7 @@ struct VertexStage {
             const auto sx = wide(all(p.centreX) + (vx * d) * all(p.scale));
             const auto sy = wide(all(p.centreY) - (vy * d) * all(p.scale));
             // NaN compares false, so a vertex without a place is not plain either.
-            auto       plain = hn::RebindMask(d64, wide(vz) >= wide(near));
+            auto       plain = hn::RebindMask(d64, wide(vz) >= hn::Set(d64, p.near));
             const auto keep  = [&](auto fourth) HWY_ATTR {
                 hn::StoreInterleaved4(sx, sy, wide(d), fourth, d64, out.rows.data() + ScreenVertices::kRow * i);
             };

@@ -67,7 +67,9 @@ public:
     using Events = Wants<NodeJudged, TriangleSetUp, TriangleHidden, TriangleReached, StageStarted>;
 
     CullJudge(const DrawRequest& request, const VisibilityBuffer& finished, std::span<const std::int64_t> visible)
-        : m_scene(request.scene->scene()), m_finished(finished), m_projection(request.camera),
+        : m_scene(request.scene->scene()), m_finished(finished),
+          m_projection(request.camera, 1,
+                       displacementOf(request.pipeline.approximation, request.camera, *request.scene)),
           m_encoding(request.pipeline.approximation.format, request.camera.near, request.camera.far), m_visible(visible)
     {}
 
@@ -161,10 +163,11 @@ private:
 
     bool isBehind(const NodePlace& place) const
     {
-        const Affine    world;
-        const Affine&   toWorld = place.isInstanceTree ? world : m_scene.instances[place.instance.value].toWorld;
-        const NodeReach reach =
-            reachOf(place.node.bounds, toWorld, m_projection, {0, 0, m_finished.width(), m_finished.height()});
+        const Affine     world;
+        const Affine&    toWorld = place.isInstanceTree ? world : m_scene.instances[place.instance.value].toWorld;
+        const PlacedView view(m_projection, toWorld, place.isInstanceTree ? m_projection.displacement.instances : 0);
+        const NodeReach  reach =
+            reachOf(view(place.node.bounds), m_projection, {0, 0, m_finished.width(), m_finished.height()});
         return !reach.crossesNear && isBehind(reach.pixels, reach.nearest);
     }
     /// The perfect test: every pixel of the box is nearer than anything in it.

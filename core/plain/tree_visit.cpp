@@ -80,7 +80,9 @@ PlacedTree TreeVisit::placed(const Tree& tree, const Affine& toWorld, bool isIns
     const auto&      m = toWorld.rows;
     const glm::dmat3 linear(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]);
     const dvec3      eye = glm::inverse(linear) * (m_work.stripe.projection.eye - dvec3{m[0][3], m[1][3], m[2][3]});
-    return {tree, toWorld, PlacedView(m_work.stripe.projection, toWorld), eye, instance, isInstanceTree};
+    const PlacedView view(m_work.stripe.projection, toWorld,
+                          isInstanceTree ? m_work.stripe.projection.displacement.instances : 0);
+    return {tree, toWorld, view, eye, instance, isInstanceTree};
 }
 
 std::span<const PlacedNode> TreeVisit::roots()

@@ -119,7 +119,8 @@ private:
         const auto&      m = toWorld.rows;
         const glm::dmat3 linear(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]);
         const dvec3      eye = glm::inverse(linear) * (m_stripe.projection.eye - dvec3{m[0][3], m[1][3], m[2][3]});
-        const PlacedView view(m_stripe.projection, toWorld);
+        const PlacedView view(m_stripe.projection, toWorld,
+                              isInstanceTree ? m_stripe.projection.displacement.instances : 0);
         return {tree, toWorld,        view,    BackFaces(view, m_stripe.projection, toWorld.isMirrored()),
                 eye,  isInstanceTree, instance};
     }

@@ -37,10 +37,8 @@ protected:
     static Subpixels wayTo(Shape shape, Random& random)
     {
         const auto sign  = [&random] { return random.below(2) == 0 ? 1 : -1; };
-        const auto most  = kCompactSide<false>;
-        const auto limit = [&] {
-            return sign() * ((random.below(4) == 0 ? kCompactSide<true> : most) + between(random, -2, 1));
-        };
+        const auto most  = kCompactSide;
+        const auto limit = [&] { return sign() * ((random.below(4) == 0 ? 64 * 256 : most) + between(random, -2, 1)); };
         const bool swaps = random.below(2) == 0;
         Subpixels  way{};
         switch (shape) {
