@@ -1931,8 +1931,8 @@
 <context>
     <name>zscope::ui::CountersModel</name>
     <message>
-        <source>counter</source>
-        <translation>计数器</translation>
+        <source>work of the textbook method</source>
+        <translation>教科书方法的工作量</translation>
     </message>
     <message>
         <source>count</source>

@@ -179,7 +179,7 @@ QVariant CountersModel::headerData(int section, Qt::Orientation orientation, int
     if (orientation != Qt::Horizontal || section < 0 || section > 1) return {};
     if (role == Qt::TextAlignmentRole) return aligned(section == 1);
     if (role != Qt::DisplayRole) return {};
-    return section == 0 ? tr("counter") : tr("count");
+    return section == 0 ? tr("work of the textbook method") : tr("count");
 }
 
 }  // namespace zscope::ui

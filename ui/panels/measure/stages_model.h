@@ -34,7 +34,7 @@ private:
     std::vector<Stage> m_stages;  // that took any time
 };
 
-/// The counters of a run that counted anything, as stats.json names them.
+/// The counters of a run that counted anything, as stats.json names them: the work of the textbook method.
 class CountersModel final : public QAbstractTableModel {
     Q_OBJECT
 
