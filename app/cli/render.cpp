@@ -129,7 +129,7 @@ Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& draw
           {"digest", scene.digest}}},
         {"picture", {{"width", visible.width()}, {"height", visible.height()}, {"covered", coveredPixels(visible)}}},
         {"stages", std::move(stages)},
-        {"tallies", cli::jsonOf(report.tallies)},
+        {"tallies", cli::jsonOf(report.tally.named())},
         {"counters", cli::jsonOf(explained.work.counters)},
         {"hierarchy", std::move(hierarchy)},
         {"pyramid", std::move(pyramid)},

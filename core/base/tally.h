@@ -6,6 +6,7 @@
 // Threads    each stripe has its own tally; what several stripes meet, like a batch, each of them counts
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -40,7 +41,7 @@ enum class Unit {
 
 inline constexpr std::array<std::string_view, 19> kUnitWords{"batches_drawn",
                                                              "vertices_transformed",
-                                                             "triangles_set_up",
+                                                             "triangle_set_ups",
                                                              "nodes_visited",
                                                              "pyramid_queries",
                                                              "pyramid_cells_read",
@@ -54,7 +55,7 @@ inline constexpr std::array<std::string_view, 19> kUnitWords{"batches_drawn",
                                                              "fragments_shaded",
                                                              "fragments_transparent",
                                                              "pixels_blended",
-                                                             "triangles_drawn_to_pixels",
+                                                             "triangle_fills",
                                                              "windows",
                                                              "picture_pixels"};
 
@@ -73,6 +74,7 @@ public:
     std::vector<NamedCount> named() const
     {
         std::vector<NamedCount> all;
+        all.reserve(m_counts.size() - static_cast<std::size_t>(std::ranges::count(m_counts, 0u)));
         for (std::size_t i = 0; i < m_counts.size(); ++i)
             if (m_counts[i] > 0) all.push_back({std::string(kUnitWords[i]), m_counts[i]});
         return all;

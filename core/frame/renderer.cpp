@@ -311,9 +311,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     report.stages  = stageTimes(request, stageMs, builtMs, report.frameMs);
     report.threads = plan->threads;
     report.simd    = plan->simd;
-    Tally all;
-    for (const Tally& each : tallies) all.add(each);
-    report.tallies             = all.named();
+    for (const Tally& each : tallies) report.tally.add(each);
     std::uint64_t scratchBytes = 0;
     for (const StripeScratch& scratch : m_workspace->scratch) scratchBytes += scratch.bytes();
     report.bytes = {{"visibility_buffer", frame.visible.bytes()},

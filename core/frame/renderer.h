@@ -19,6 +19,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/stages.h"
+#include "core/base/tally.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/frame/frame_work.h"
 #include "core/frame/pipeline.h"
@@ -71,9 +72,9 @@ struct Frame {
 
 struct FrameReport {
     double                  frameMs = 0;
-    std::vector<StageTime>  stages;   // all of kStages, in order; their ms add up to frameMs
-    std::vector<NamedCount> bytes;    // of every structure of the frame
-    std::vector<NamedCount> tallies;  // what this very run did, in its own units (core/base/tally.h); none is 0
+    std::vector<StageTime>  stages;  // all of kStages, in order; their ms add up to frameMs
+    std::vector<NamedCount> bytes;   // of every structure of the frame
+    Tally                   tally;   // what this very run did, in its own units
     int                     threads = 1;
     Simd                    simd    = Simd::Scalar;
 

@@ -196,7 +196,7 @@ private:
                 {"triangles_hidden", m_hidden},
                 {"triangles_dropped_with_node", total(&DepthWork::trianglesDropped)},
                 {"triangles_drawn", fate(SetUp::Drawn) - m_hidden},
-                {"triangles_set_up", m_setUp},
+                {"triangle_set_ups", m_setUp},
                 {"triangles_clipped", m_clipped},
                 {"triangles_wide", m_wide},
                 {"batches_drawn", m_batches},

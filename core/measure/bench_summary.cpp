@@ -44,7 +44,7 @@ void summarise(std::vector<FrameReport> reports, BenchRow& row)
     row.q3Ms      = at(0.75).frameMs;
     for (const StageTime& stage : at(0.5).stages) row.stageMs[static_cast<std::size_t>(stage.stage)] = stage.ms;
     for (const NamedCount& part : at(0.5).bytes) row.bytes += part.value;
-    row.tallies = at(0.5).tallies;
+    row.tallies = at(0.5).tally.named();
 
     std::vector<double> times(reports.size());
     for (std::size_t stage = 0; stage < kStages.size(); ++stage) {

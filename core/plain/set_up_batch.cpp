@@ -1,5 +1,6 @@
 #include "core/plain/set_up_batch.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/geometry/facing.h"
@@ -61,6 +62,8 @@ void setUpBatch(Call work, const BatchPlace& place)
     work->scratch.triangles.clear();
     for (std::uint32_t t = 0; t < place.batch.triangleCount; ++t)
         setUpTriangle(*work, place, place.batch.firstTriangle + t, facing);
+    if (work->rules.visitsFarFirst())
+        std::ranges::reverse(work->scratch.triangles);  // a fault: of a node the last first
     work->clock.lap(Stage::Setup);
 }
 

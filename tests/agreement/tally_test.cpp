@@ -49,15 +49,16 @@ TEST_P(Tallies, OfPlainTextAreTheCountsOfAnObservedRun)
             for (int drawn = 0; drawn < 3; ++drawn) {  // what the frames before have left is taken over
                 const auto report = renderer.draw(request, frame);
                 ASSERT_TRUE(report.ok()) << report.error().text();
-                const auto work = renderer.count(request);
+                const auto tallies = report->tally.named();
+                const auto work    = renderer.count(request);
                 ASSERT_TRUE(work.ok());
-                for (const NamedCount& tally : report->tallies) {
+                for (const NamedCount& tally : tallies) {
                     EXPECT_EQ(tally.value, valueOf(work->counters, tally.name)) << tally.name << ", frame " << drawn;
                     ++compared;
                 }
-                for (const char* name : {"vertices_transformed", "triangles_set_up", "pixels_tested", "nodes_visited",
+                for (const char* name : {"vertices_transformed", "triangle_set_ups", "pixels_tested", "nodes_visited",
                                          "pyramid_queries", "spans", "fragments_shaded", "pixels_blended"})
-                    EXPECT_EQ(valueOf(report->tallies, name), valueOf(work->counters, name)) << name;
+                    EXPECT_EQ(valueOf(report->tally.named(), name), valueOf(work->counters, name)) << name;
             }
         }
     EXPECT_GT(compared, 100u);
@@ -86,7 +87,7 @@ TEST(Tallies, OfSeveralStripesAddUp)
     const auto two  = renderer.draw(request, frame);
     ASSERT_TRUE(one.ok() && two.ok());
     for (const char* name : {"active_edge_lines", "spans", "pixels_tested", "fragments_shaded"})
-        EXPECT_EQ(valueOf(one->tallies, name), valueOf(two->tallies, name)) << name;
+        EXPECT_EQ(valueOf(one->tally.named(), name), valueOf(two->tally.named(), name)) << name;
 }
 
 TEST(Tallies, ShortcutsTellWhatTheyDidThemselves)
@@ -97,12 +98,12 @@ TEST(Tallies, ShortcutsTellWhatTheyDidThemselves)
     const auto  talliesOf = [&](const char* preset, Shortcuts shortcuts) {
         request.pipeline  = findPreset(preset)->pipeline;
         request.shortcuts = shortcuts;
-        return renderer.draw(request, frame)->tallies;
+        return renderer.draw(request, frame)->tally.named();
     };
     const auto fast = talliesOf("zbuffer", Shortcuts::All), plain = talliesOf("zbuffer", Shortcuts::None);
     EXPECT_GT(valueOf(fast, "windows"), 0u);
     EXPECT_EQ(valueOf(fast, "pixels_tested"), 0u) << "nobody counts single pixels there";
-    EXPECT_LT(valueOf(fast, "triangles_set_up"), valueOf(plain, "triangles_set_up")) << "patches that face away";
+    EXPECT_LT(valueOf(fast, "triangle_set_ups"), valueOf(plain, "triangle_set_ups")) << "patches that face away";
     EXPECT_LT(valueOf(talliesOf("hzb-octree", Shortcuts::All), "pyramid_queries"),
               valueOf(talliesOf("hzb-octree", Shortcuts::None), "pyramid_queries"))
         << "small triangles are not worth a question";

@@ -200,7 +200,7 @@ TEST(UnitCosts, AreTheStagesMedianOverWhatThatStageWorksOn)
     row.medianMs  = 2;
     row.triangles = 1000;
     row.pixels    = 500;
-    row.tallies   = {{"vertices_transformed", 50}, {"triangles_set_up", 100}, {"nodes_visited", 20},
+    row.tallies   = {{"vertices_transformed", 50}, {"triangle_set_ups", 100}, {"nodes_visited", 20},
                      {"pixels_tested", 400},       {"pyramid_writes", 8},     {"fragments_shaded", 250}};
     for (StageQuartiles& stage : row.stageQuartiles) stage = {0.5, 1, 7};
     row.stageQuartiles[static_cast<std::size_t>(Stage::Prepass)] = {};
