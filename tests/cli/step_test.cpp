@@ -48,10 +48,19 @@ std::vector<unsigned> pixelsOf(const std::string& file)
 
 TEST_F(Cli, EveryGrainHasStepsAndFinerOnesHaveMore)
 {
+    // What two passes drew a frame ago leaves nothing to update in the small scene.
+    const auto countIn = [](const Preset& preset, Grain grain) {
+        const std::string name(preset.name), word(wordOf(grain));
+        if (preset.pipeline.coherence == Coherence::None) return countOf(name, word);
+        const Answer answer =
+            run({"step", "builtin:city?blocks=1", "--size", "96x64", "--algorithm", name, "--grain", word, "--count"});
+        EXPECT_EQ(answer.status, 0) << answer.err;
+        return std::atol(answer.out.c_str());
+    };
     for (const Preset& preset : presets()) {
         long coarser = 0;
         for (const Grain grain : grainsOf(preset.pipeline)) {
-            const long count = countOf(std::string(preset.name), std::string(wordOf(grain)));
+            const long count = countIn(preset, grain);
             EXPECT_GT(count, coarser) << preset.name << ' ' << wordOf(grain);
             coarser = count;
         }
