@@ -115,7 +115,8 @@ private slots:
         drawSheet(*made, scene, sheetWordsOf(*made, scene, request.camera, "zscope-cli compare"), writer);
         QVERIFY(scene.triangleCount() > 999);
         QCOMPARE(std::ranges::count(writer.texts, QString("triangles_in")), 2);
-        QCOMPARE(std::ranges::count(writer.texts, grouped(scene.triangleCount())), 2);
+        // triangles_in and triangle_set_ups, of both algorithms
+        QCOMPARE(std::ranges::count(writer.texts, grouped(scene.triangleCount())), 4);
         // of one of them only, and a dash for the other
         QCOMPARE(std::ranges::count(writer.texts, QString("active_edge_lines")), 2);
         // of neither
