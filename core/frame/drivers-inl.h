@@ -318,7 +318,7 @@ inline bool asksPixels(const Pipeline& pipeline, ShadingMoment shading)
            && shading == ShadingMoment::Never;
 }
 
-/// Lanes read many tiles at once, and whoever asks pixels asks no other levels.
+/// Lanes read many tiles at once. A method that asks pixels asks no other levels.
 template <class Rules>
 PyramidKind pyramidKind(const Pipeline& pipeline, bool asksPixels)
 {

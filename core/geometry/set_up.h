@@ -25,7 +25,7 @@ struct BatchPlace {
     TriangleId idOf(std::uint32_t triangle) const { return {firstTriangle + mesh.meshTriangle[triangle]}; }
 };
 
-/// Where nobody hears what becomes of triangles.
+/// Takes the reports of set-up and drops them.
 struct NoReport {
     static constexpr bool isHeard() { return false; }
     template <class Event>

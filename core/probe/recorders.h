@@ -1,5 +1,5 @@
-// Recorders: what listens to a run. A recorder names the events that it wants in a type `Events`, and has an observe()
-// for each; or it has a hear() for all of them.
+// Recorders: what keeps the reports of a run. A recorder names the events that it wants in a type `Events`, and has an
+// observe() for each; or it has a hear() for all of them.
 //
 // Use        Listening listening(counter, judge); drawObserved(request, frame, scratch, &listening)
 // Order      an event goes to the recorders in the order in which they are given; what stops the run comes last
