@@ -199,7 +199,9 @@ TEST(VisitOrder, ThePlainMethodAsksAboutEveryTriangleThatItDraws)
         request.pipeline               = findPreset(preset)->pipeline;
         const AskedTriangles triangles = askedBy(request);
         EXPECT_GT(triangles.asked.size(), 1000u) << preset;
-        EXPECT_TRUE(triangles.unasked.empty()) << preset;
+        // A pre-pass asks nothing: it reaches every triangle once.
+        const bool hasPrepass = request.pipeline.depth == DepthMoment::Prepass;
+        EXPECT_EQ(triangles.unasked.size(), hasPrepass ? triangles.asked.size() : 0) << preset;
     }
 }
 
