@@ -126,19 +126,35 @@ Checker& Checker::operator=(Checker&&) noexcept = default;
 
 namespace {
 
-/// Of readings that agree nearly as well the one that leaves the fewest pixels wrong, and of equal ones the first.
 struct Best {
     Reading   reading;
     Shown     shown;
     Judgement judgement;
 };
+
+/// A reading with culled back faces is not to be believed where the file shows them.
+bool showsCulledFaces(const Shown& shown, const Truth& truth)
+{
+    const auto covered = static_cast<std::uint64_t>(std::ranges::count(shown.covered.values(), 1));
+    return truth.culling == FaceCulling::Back && 1000 * backFacesIn(shown, truth) > covered;
+}
+
+/// Of readings that agree nearly as well the one that leaves the fewest pixels wrong, and of equal ones the first. Raw
+/// normalised device coordinates come last: with another near plane they are window depths. Without ids, culling must
+/// explain a third of what is wrong: a mistake may hide faces, too.
 Best bestOf(std::vector<Reading> readings, const Foreign& files)
 {
     std::optional<Best> best;
     for (Reading& reading : readings) {
-        Shown     shown     = shownBy(files, reading);
-        Judgement judgement = judge(shown, *reading.truth);
-        if (!best || judgement.wrong.total() < best->judgement.wrong.total())
+        Shown shown = shownBy(files, reading);
+        if (best && showsCulledFaces(shown, *reading.truth)) continue;
+        Judgement  judgement = judge(shown, *reading.truth);
+        const auto rankOf    = [](std::uint64_t wrong, const Reading& of) {
+            return std::pair(wrong, of.conventions.depth == DepthMeaning::Ndc);
+        };
+        std::uint64_t wrong = judgement.wrong.total();
+        if (best && !files.ids && best->reading.truth->culling != reading.truth->culling) wrong += wrong / 2;
+        if (!best || rankOf(wrong, reading) < rankOf(best->judgement.wrong.total(), best->reading))
             best = Best{std::move(reading), std::move(shown), std::move(judgement)};
     }
     return *std::move(best);

@@ -41,7 +41,7 @@ public:
         const std::int64_t id        = m_truth.picture.ids.at(x, y);
         const bool         isCovered = id >= 0, isShown = m_shown.covered.at(x, y) != 0;
         if (!isCovered && !isShown) return {};
-        if (isCovered && !isShown) return judged(Mistake::Hole, mayBeMissing(id, x, y));
+        if (isCovered && !isShown) return judged(Mistake::Hole, !m_shown.isEmpty && mayBeMissing(id, x, y));
         if (!isCovered) return judged(Mistake::Spill, m_shown.ids && mayReach(m_shown.ids->at(x, y), x, y));
         if (m_shown.ids && !isSameSurface(id, m_shown.ids->at(x, y)))
             return judged(Mistake::WrongSurface, mayBeSeenInstead(m_shown.ids->at(x, y), id, x, y));
@@ -249,6 +249,7 @@ Shown shownBy(const Foreign& files, const Reading& reading)
         shown.kind = reading.conventions.ids.value_or(IdKind::Triangles);
         shown.ids.emplace(camera.width, camera.height);
     }
+    shown.isEmpty  = files.ids ? reading.areIdsEmpty : files.depth ? reading.isDepthEmpty : reading.isPictureEmpty;
     const int from = reading.conventions.idsFrom.value_or(0);
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
@@ -282,6 +283,20 @@ Judgement judge(const Shown& shown, const Truth& truth)
     }
     judgement.onEdges = countOnEdges(shown, truth, judgement.verdicts);
     return judgement;
+}
+
+std::uint64_t backFacesIn(const Shown& shown, const Truth& truth)
+{
+    if (!shown.ids || shown.kind != IdKind::Triangles) return 0;
+    const auto    triangles = static_cast<std::int64_t>(truth.scene->scene().triangleCount());
+    std::uint64_t count     = 0;
+#pragma omp parallel for schedule(dynamic) reduction(+ : count)
+    for (int y = 0; y < truth.camera.height; ++y)
+        for (const std::int64_t id : shown.ids->view().row(y))
+            if (id >= 0 && id < triangles)
+                count +=
+                    ExactTriangle(truth.scene->scene(), truth.camera, triangleOf(id), truth.halfStep).isSurelyBack();
+    return count;
 }
 
 }  // namespace zscope::check

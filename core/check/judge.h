@@ -26,6 +26,7 @@ std::string_view wordOf(Mistake mistake);
 
 /// What is to be judged, in the reference's rows and numbers.
 struct Shown {
+    bool                              isEmpty = false;  // background alone: every covered pixel is a hole
     Grid<std::uint8_t>                covered;
     std::optional<Grid<std::int64_t>> ids;  // triangles or faces as `kind` says, from 0; -1: background
     IdKind                            kind = IdKind::Triangles;
@@ -62,5 +63,8 @@ struct Judgement {
 };
 
 Judgement judge(const Shown& shown, const Truth& truth);
+
+/// Pixels that show a triangle whose back the viewer sees, and that no rounding turns over.
+std::uint64_t backFacesIn(const Shown& shown, const Truth& truth);
 
 }  // namespace zscope::check

@@ -92,7 +92,7 @@ TEST_F(Rounding, DoesNotExplainOnePixelThatNobodyCouldHaveDrawn)
         const Picture  right = *referencePicture(scene->scene(), camera, FaceCulling::None);
         std::mt19937   random(7);
         int            changed = 0;
-        while (changed < 60) {
+        while (changed < 21) {
             const int x = static_cast<int>(random() % 200), y = static_cast<int>(random() % 150);
             // In the middle of what is shown there: pixels beside an edge may be drawn otherwise.
             const std::int64_t id      = right.ids.at(x, y);

@@ -1,0 +1,122 @@
+// `check` as scripts call it: words, JSON, exit statuses, reports, and the files that render writes.
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_cli.h"
+
+namespace zscope::cli_test {
+namespace {
+
+using nlohmann::json;
+
+class Check : public Cli {
+protected:
+    /// Writes ids, depth, picture and camera of a view.
+    void draw(const std::string& scene, const std::vector<std::string>& how = {})
+    {
+        const Answer camera = run({"render", scene, "--size", "160x120", "--print-camera"});
+        ASSERT_EQ(camera.status, 0) << camera.err;
+        write("cam.json", camera.out);
+        std::vector<std::string> words{"render",  scene,         "--camera", path("cam.json"), "--ids", path("i.npy"),
+                                       "--depth", path("d.npy"), "-o",       path("p.png")};
+        words.insert(words.end(), how.begin(), how.end());
+        const Answer drawn = run(words);
+        ASSERT_EQ(drawn.status, 0) << drawn.err;
+    }
+    Answer check(const std::string& scene, std::vector<std::string> words) const
+    {
+        words.insert(words.begin(), {"check", scene, "--camera", path("cam.json")});
+        return run(words);
+    }
+};
+
+const std::string kScene = "builtin:city?blocks=4";
+
+TEST_F(Check, OfOurOwnPictureFindsNothingWrong)
+{
+    draw(kScene);
+    const Answer answer = check(kScene, {"--ids", path("i.npy"), "--depth", path("d.npy"), "--json"});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    const json found = json::parse(answer.out);
+    const json none  = {{"holes", 0}, {"spills", 0}, {"wrong_surface", 0}, {"wrong_depth", 0}};
+    const json words = {
+        {"depth", "near/z"}, {"rows", "top-down"}, {"ids", "triangles"}, {"ids_from", 0}, {"cull", "none"}};
+    EXPECT_EQ(found.at("conventions"), words);
+    EXPECT_EQ(found.at("wrong"), none);
+    EXPECT_EQ(found.at("rounding"), none);
+    EXPECT_EQ(found.at("first_wrong"), nullptr);
+    EXPECT_EQ(found.at("causes"), json::array());
+    EXPECT_GT(found.at("covered"), 1000);
+    EXPECT_EQ(found.size(), 7u);
+    EXPECT_EQ(check(kScene, {"--picture", path("p.png")}).status, 0);
+}
+
+TEST_F(Check, NamesTheMistakeAndTheFirstWrongPixel)
+{
+    draw(kScene, {"--algorithm", "scanline", "--fault", "x-truncated"});
+    const Answer answer = check(kScene, {"--ids", path("i.npy"), "--depth", path("d.npy"), "--json"});
+    EXPECT_EQ(answer.status, 1) << answer.err;
+    const json found = json::parse(answer.out);
+    const json cause = found.at("causes").at(0);
+    EXPECT_EQ(cause.at("name"), "x-truncated");
+    EXPECT_EQ(cause.at("explains"), 1.0);
+    EXPECT_EQ(cause.at("adds"), 0);
+    EXPECT_EQ(cause.at("lesson"), "13-holes-and-fill-rules");
+    const json first = found.at("first_wrong");
+    for (const char* key : {"x", "y", "kind", "expected", "found"}) EXPECT_TRUE(first.contains(key)) << key;
+    EXPECT_NE(first.at("expected"), first.at("found"));
+
+    const Answer text = check(kScene, {"--ids", path("i.npy")});
+    EXPECT_EQ(text.status, 1);
+    EXPECT_NE(text.out.find("first wrong pixel ("), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("x-truncated"), std::string::npos);
+    const Answer plain = check(kScene, {"--ids", path("i.npy"), "--no-diagnose", "--json"});
+    EXPECT_EQ(json::parse(plain.out).at("causes"), json::array());
+}
+
+TEST_F(Check, WritesReportsForCourses)
+{
+    draw(kScene, {"--algorithm", "edge-walk", "--fault", "first-line-rounded"});
+    const Answer answer =
+        check(kScene, {"--ids", path("i.npy"), "--junit", path("r.xml"), "--gradescope", path("r.json")});
+    EXPECT_EQ(answer.status, 1) << answer.err;
+    const std::string xml = contentsOf(path("r.xml"));
+    EXPECT_NE(xml.find("<testsuites tests=\"3\" failures=\"2\" errors=\"0\">"), std::string::npos) << xml;
+    EXPECT_NE(xml.find("name=\"depth\""), std::string::npos);
+    EXPECT_NE(xml.find("<skipped"), std::string::npos) << "there is no depth file";
+    const json results = json::parse(contentsOf(path("r.json")));
+    EXPECT_EQ(results.at("tests").size(), 2u);
+    for (const json& test : results.at("tests")) {
+        EXPECT_EQ(test.at("score"), 0);
+        EXPECT_EQ(test.at("max_score"), 1);
+        EXPECT_EQ(test.at("status"), "failed");
+    }
+    EXPECT_FALSE(results.at("output").get<std::string>().empty());
+}
+
+TEST_F(Check, RefusesWhatCannotBeUsed)
+{
+    draw(kScene);
+    const auto status = [&](const std::vector<std::string>& words) {
+        const Answer answer = run(words);
+        EXPECT_TRUE(answer.out.empty()) << answer.out;
+        EXPECT_NE(answer.err.find("error: "), std::string::npos) << answer.err;
+        return answer.status;
+    };
+    const std::string ids = path("i.npy"), camera = path("cam.json");
+    EXPECT_EQ(status({"check", kScene, "--camera", camera}), 2);
+    EXPECT_EQ(status({"check", kScene, "--ids", ids}), 2);
+    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--matrix", camera}), 2);
+    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--size", "160x120"}), 2);
+    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--rows", "sideways"}), 2);
+    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--depth-is", "far"}), 2);
+    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--subpixel-bits", "0"}), 2);
+    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--junit", ids}), 2);
+    EXPECT_EQ(status({"check", kScene, "--ids", path("absent.npy"), "--camera", camera}), 3);
+    EXPECT_EQ(status({"check", kScene, "--depth", ids, "--camera", camera}), 3);
+    EXPECT_EQ(status({"check", kScene, "--dump", ids}), 3);
+    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--matrix", camera, "--size", "160x120"}), 3);
+    EXPECT_EQ(status({"check", kScene, "--picture", ids, "--camera", camera}), 3);
+}
+
+}  // namespace
+}  // namespace zscope::cli_test
