@@ -12,6 +12,13 @@ namespace {
 
 constexpr std::int64_t kFull = 256;  // what one agreement is worth
 
+/// What a pixel is worth that one side covers and the other leaves empty. Where the reference leaves nothing empty, a
+/// value is background if it is a right surface at fewer than half of its pixels.
+std::int64_t worthOfDisagreement(const Truth& truth)
+{
+    return truth.covered == truth.picture.ids.values().size() ? kFull * 3 / 2 : 0;
+}
+
 std::uint64_t keyOf(double value)
 {
     return std::isnan(value) ? ~std::uint64_t{0} : std::bit_cast<std::uint64_t>(value + 0.0);
@@ -102,11 +109,12 @@ struct DepthFit {
 std::int64_t depthScore(const ForeignDepth& file, const Truth& truth, Rows rows, DepthMeaning meaning,
                         const std::optional<double>& background)
 {
-    const DepthScale scale(truth.camera, meaning);
+    const DepthScale   scale(truth.camera, meaning);
+    const std::int64_t disagreement = worthOfDisagreement(truth);
     return sumOver(file.values.width(), file.values.height(), rows, [&](int x, int y, int row) {
         const double found     = file.values.at(x, row);
         const bool   isCovered = truth.picture.ids.at(x, y) >= 0, isShown = !isBackgroundValue(found, background);
-        if (isCovered != isShown) return std::int64_t{0};
+        if (isCovered != isShown) return disagreement;
         if (!isCovered) return kFull;
         const double     depth = truth.picture.depth.at(x, y);
         const DepthValue value = scale.of(depth, x, y);
@@ -140,6 +148,7 @@ IdFit fitIds(const ForeignIds& file, const Truth& truth, const Grid<std::int64_t
              const Conventions& given)
 {
     IdFit                                          best;
+    const std::int64_t                             disagreement = worthOfDisagreement(truth);
     const std::vector<std::optional<std::int64_t>> backgrounds =
         file.areColours ? std::vector<std::optional<std::int64_t>>{-1}
                         : backgroundsOf<std::int64_t>(file.values, truth, rows, {0, 1, -1});
@@ -153,7 +162,7 @@ IdFit fitIds(const ForeignIds& file, const Truth& truth, const Grid<std::int64_t
                     sumOver(file.values.width(), file.values.height(), rows, [&](int x, int y, int row) {
                         const std::int64_t found = file.values.at(x, row), id = right.at(x, y);
                         const bool         isCovered = id >= 0, isShown = !isBackgroundValue(found, background);
-                        if (isCovered != isShown) return std::int64_t{0};
+                        if (isCovered != isShown) return disagreement;
                         return !isCovered ? kFull : found - from == id ? 2 * kFull : kFull;
                     });
                 if (score > best.score) best = {score, background, kind, from};
@@ -171,11 +180,10 @@ std::uint32_t cornerColourOf(const Grid<std::uint32_t>& picture)
 }
 
 /// A file of one value is empty, unless nothing of the picture is and the value is right at most pixels.
-bool isEmptyFile(bool isUniform, const Truth& truth, std::int64_t score)
+template <class T>
+bool isEmptyFile(bool isUniform, const Truth& truth, const std::optional<T>& background)
 {
-    const auto pixels = static_cast<std::int64_t>(truth.picture.ids.values().size());
-    if (!isUniform) return false;
-    return truth.covered < static_cast<std::uint64_t>(pixels) || score < pixels * kFull * 3 / 2;
+    return isUniform && (truth.covered < truth.picture.ids.values().size() || background);
 }
 
 Grid<std::int64_t> faceGrid(const Truth& truth)
@@ -211,14 +219,14 @@ std::vector<Reading> readingsOf(const Foreign& files, const Conventions& given,
             std::int64_t agree = 0;
             if (files.depth) {
                 const DepthFit fit   = fitDepth(*files.depth, *truth, rows, given.depth);
-                reading.isDepthEmpty = isEmptyFile(depthIsUniform, *truth, fit.score);
+                reading.isDepthEmpty = isEmptyFile(depthIsUniform, *truth, fit.background);
                 agree += fit.score;
                 reading.depthBackground = reading.isDepthEmpty ? files.depth->values.values().front() : fit.background;
                 if (!reading.isDepthEmpty) found.depth = fit.meaning;
             }
             if (files.ids) {
                 const IdFit fit     = fitIds(*files.ids, *truth, faces, rows, given);
-                reading.areIdsEmpty = isEmptyFile(idsAreUniform, *truth, fit.score);
+                reading.areIdsEmpty = isEmptyFile(idsAreUniform, *truth, fit.background);
                 agree += fit.score;
                 reading.idBackground = reading.areIdsEmpty ? files.ids->values.values().front() : fit.background;
                 if (!reading.areIdsEmpty) found.ids = fit.kind, found.idsFrom = fit.from;

@@ -220,6 +220,34 @@ TEST_F(Guessed, WhichDepthRangeAMatrixHas)
     }
 }
 
+/// Where the reference leaves nothing empty, holes have to be told from surfaces by their value.
+TEST_F(Guessed, WhatIsEmptyWhereTheReferenceCoversAll)
+{
+    const auto          scene  = preparedScene("builtin:wall-and-city");
+    const Camera        camera = cameraOf(scene->scene(), 97, 61);
+    const Picture       right  = *referencePicture(scene->scene(), camera, FaceCulling::None);
+    check::Checker      checker(scene);
+    check::CheckRequest request;
+    request.camera    = camera;
+    request.diagnoses = false;
+    request.ids       = writeIds("i.npy", right.ids);
+    request.depth     = writeDepth("d.npy", right.depth);
+    EXPECT_EQ(checker.check(request)->covered, 97u * 61u);
+    EXPECT_TRUE(checker.check(request)->isRight());
+    Picture holed = right;
+    for (int x = 20; x < 60; ++x)
+        for (int y = 20; y < 40; ++y) holed.ids.at(x, y) = -1, holed.depth.at(x, y) = 0;
+    request.ids   = writeIds("i.npy", holed.ids);
+    request.depth = writeDepth("d.npy", holed.depth);
+    EXPECT_EQ(checker.check(request)->wrong.of(check::Mistake::Hole)
+                  + checker.check(request)->rounding.of(check::Mistake::Hole),
+              800u);
+    request.ids.reset();
+    EXPECT_EQ(checker.check(request)->wrong.of(check::Mistake::Hole)
+                  + checker.check(request)->rounding.of(check::Mistake::Hole),
+              800u);
+}
+
 TEST_F(Guessed, NothingOfAFileThatHoldsBackgroundAlone)
 {
     const auto     scene  = preparedScene(kScenes[0]);
