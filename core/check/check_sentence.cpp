@@ -9,25 +9,14 @@
 namespace zscope::check {
 namespace {
 
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many)
-{
-    return fmt::format("{} {}", grouped(count, ','), count == 1 ? one : many);
-}
-
 int percentOf(double share) { return static_cast<int>(std::floor(share * 100)); }
 
-/// "3 holes, 1 spill"
+/// "holes: 3, spills: 1, ...", in one form for every number.
 std::string kindsOf(const MistakeCounts& counts)
 {
-    std::string text;
-    const auto  add = [&](Mistake mistake, std::string_view one, std::string_view many) {
-        if (counts.of(mistake) > 0) text += (text.empty() ? "" : ", ") + counted(counts.of(mistake), one, many);
-    };
-    add(Mistake::Hole, "hole", "holes");
-    add(Mistake::Spill, "spill", "spills");
-    add(Mistake::WrongSurface, "wrong surface", "wrong surfaces");
-    add(Mistake::WrongDepth, "wrong depth", "wrong depths");
-    return text;
+    const auto count = [&](Mistake mistake) { return grouped(counts.of(mistake), ','); };
+    return fmt::format("holes: {}, spills: {}, wrong surfaces: {}, wrong depths: {}", count(Mistake::Hole),
+                       count(Mistake::Spill), count(Mistake::WrongSurface), count(Mistake::WrongDepth));
 }
 
 std::string roundingOf(const CheckAnswer& answer)
