@@ -9,6 +9,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/check/check.h"
 #include "core/check/foreign.h"
@@ -39,7 +40,8 @@ protected:
     {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
         m_folder         = std::filesystem::temp_directory_path()
-                   / ("zscope_check_" + std::string(test->test_suite_name()) + "_" + test->name());
+                   / ("zscope_check_" + std::string(test->test_suite_name()) + "_" + test->name() + "_"
+                      + std::to_string(::getpid()));
         std::filesystem::remove_all(m_folder);
         std::filesystem::create_directories(m_folder);
     }
