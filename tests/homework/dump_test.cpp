@@ -1,5 +1,5 @@
-// The dump header compiles without a warning in each language and with each compiler that is there, and what it writes is
-// the file that its head describes, byte for byte.
+// The dump header compiles without a warning in each language and with each compiler that is there, and what it writes
+// is the file that its head describes, byte for byte.
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
