@@ -8,31 +8,32 @@
  * Ids         width * height ints, row after row: which triangle each pixel shows, -1 for background; 0: no ids
  * Matrices    16 doubles each, view (world to eye) and projection (eye to clip space); 0: no matrix
  * Convention  flags from the list below, joined by |; ZScope finds out what is not said
- * Answer      0: the file is complete. 1: an argument is wrong. 2: the file cannot be written. There is no file after 1 and 2
+ * Answer      0: the file is complete. 1: an argument is wrong. 2: the file cannot be written, and is not there
  *
  * One file, nothing to build, no dependency but the C library. C99, C++98 and every later C and C++; 32-bit int,
  * 32-bit float and 64-bit double.
  *
- * File        8 bytes "ZSDUMP1" and a line feed; nine 32-bit numbers: 0x01020304, width, height, contents (1 depth + 2 ids + 4 view
- *             + 8 projection), rows, order of the matrices, depth range, ids from, 0; then view, projection, depth and ids, as far
- *             as they are there. All of it in the byte order of the machine that writes
+ * File        8 bytes "ZSDUMP1" and a line feed; nine 32-bit numbers: 0x01020304, width, height, contents (1 depth +
+ *             2 ids + 4 view + 8 projection), rows, order of the matrices, depth range, ids from, 0; then view,
+ *             projection, depth and ids, as far as they are there. All of it in the writing machine's byte order
  *
  * MIT License
  *
  * Copyright (c) 2026 The ZScope authors
  *
- * Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation
- * files (the "Software"), to deal in the Software without restriction, including without limitation the rights to use, copy,
- * modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the
- * Software is furnished to do so, subject to the following conditions:
+ * Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
+ * documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
+ * rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to
+ * permit persons to whom the Software is furnished to do so, subject to the following conditions:
  *
- * The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
- * Software.
+ * The above copyright notice and this permission notice shall be included in all copies or substantial portions of
+ * the Software.
  *
- * THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
- * WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
- * COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE,
- * ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+ * THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO
+ * THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+ * AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT,
+ * TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+ * SOFTWARE.
  */
 #ifndef ZSCOPE_DUMP_H
 #define ZSCOPE_DUMP_H
