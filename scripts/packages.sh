@@ -3,7 +3,7 @@
 
 packages_to_build=(
     g++ cmake ninja-build pkg-config
-    libglm-dev nlohmann-json3-dev libfmt-dev zlib1g-dev libhwy-dev libmeshoptimizer-dev libtinyobjloader-dev libcli11-dev
+    libglm-dev nlohmann-json3-dev libfmt-dev zlib1g-dev libpng-dev libhwy-dev libmeshoptimizer-dev libtinyobjloader-dev libcli11-dev
     libfreetype-dev libfontconfig-dev fonts-dejavu-core  # the letters of comparison sheets
     libcairo2-dev  # comparison sheets as PDF
 )
@@ -15,7 +15,7 @@ packages_for_the_window=(
 )
 packages_to_compare=(libembree-dev libosmesa6-dev)  # other renderers, for `bench --peers`
 packages_to_test=(
-    libgtest-dev libgmp-dev libpng-dev xvfb xauth parallel poppler-utils
+    libgtest-dev libgmp-dev xvfb xauth parallel poppler-utils
     bubblewrap  # programs that nobody trusts, for `grade`
     clang libomp-dev libclang-rt-14-dev llvm clang-format
 )

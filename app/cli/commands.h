@@ -18,6 +18,7 @@ Command addRender(CLI::App& parent);
 Command addInfo(CLI::App& parent);
 Command addExport(CLI::App& parent);
 Command addVerify(CLI::App& parent);
+Command addCheck(CLI::App& parent);
 Command addStep(CLI::App& parent);
 Command addExplain(CLI::App& parent);
 Command addLesson(CLI::App& parent);

@@ -1,0 +1,171 @@
+// zscope-cli check: what another program drew, judged against the reference, with likely causes of what is wrong.
+#include <algorithm>
+
+#include "app/cli/check_output.h"
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+#include "app/cli/outputs.h"
+#include "app/cli/words.h"
+#include "core/io/file_writer.h"
+#include "core/io/read_file.h"
+
+namespace zscope::cli {
+namespace {
+
+constexpr std::uint64_t kMaxCameraFile = 1 << 20;  // bytes
+
+struct CheckOptions {
+    SceneOption                scene;
+    std::optional<std::string> camera, matrix, size;
+    std::optional<std::string> depth, ids, picture, dump;
+    std::optional<std::string> depthIs, rows, idsAre, idsFrom, cull, subpixelBits;
+    std::optional<std::string> junit, gradescope;
+    bool                       doesNotDiagnose = false;
+    bool                       json            = false;
+};
+
+/// One of a few words, or nothing if none was given.
+template <class Value>
+Result<Done> choose(const std::optional<std::string>& word, const char* option, std::optional<Value>& into,
+                    const std::vector<std::pair<std::string_view, Value>>& choices)
+{
+    if (!word) return Done{};
+    std::vector<std::string> valid;
+    for (const auto& [name, value] : choices) {
+        if (name == *word) {
+            into = value;
+            return Done{};
+        }
+        valid.emplace_back(name);
+    }
+    return unknownWord(std::string("choice of ") + option, *word, valid);
+}
+
+Result<Done> readConventions(const CheckOptions& options, check::CheckRequest& request)
+{
+    std::vector<std::pair<std::string_view, check::DepthMeaning>> meanings;
+    for (const check::DepthMeaning meaning : check::kDepthMeanings)
+        meanings.emplace_back(check::wordOf(meaning), meaning);
+    check::Conventions& given = request.given;
+    for (const Result<Done>& done :
+         {choose(options.depthIs, "--depth-is", given.depth, meanings),
+          choose<check::Rows>(options.rows, "--rows", given.rows,
+                              {{"top-down", check::Rows::TopDown}, {"bottom-up", check::Rows::BottomUp}}),
+          choose<check::IdKind>(options.idsAre, "--ids-are", given.ids,
+                                {{"triangles", check::IdKind::Triangles}, {"faces", check::IdKind::Faces}}),
+          choose<int>(options.idsFrom, "--ids-from", given.idsFrom, {{"0", 0}, {"1", 1}}),
+          choose<FaceCulling>(options.cull, "--cull", given.cull,
+                              {{"none", FaceCulling::None}, {"back", FaceCulling::Back}})})
+        if (!done) return done.error();
+    if (!options.subpixelBits) return Done{};
+    const auto bits = wholeNumber(*options.subpixelBits, "--subpixel-bits", 1, 24);
+    if (!bits) return bits.error();
+    request.subpixelBits = static_cast<int>(*bits);
+    return Done{};
+}
+
+Result<Done> readCamera(const CheckOptions& options, check::CheckRequest& request)
+{
+    const auto usage = [](std::string sentence) { return Error{Trouble::Usage, std::move(sentence)}; };
+    if (options.camera && options.matrix) return usage("--camera and --matrix say the same: give one of them");
+    if (options.matrix && !options.size) return usage("--matrix says nothing of the picture's size: add --size");
+    if (options.size && !options.matrix) return usage("--size belongs to --matrix");
+    if (!options.camera && !options.matrix && !options.dump)
+        return usage("say what the picture was seen with: --camera, --matrix or --dump");
+    if (options.matrix) {
+        const auto size = pictureSize(*options.size, "--size");
+        if (!size) return size.error();
+        ViewRequest view;  // refuses the sizes that any other command refuses
+        view.width = size->width, view.height = size->height;
+        Bounds anyBox;
+        anyBox.include({-1, -1, -1});
+        anyBox.include({1, 1, 1});
+        if (const Result<Camera> possible = makeCamera(view, anyBox); !possible) return possible.error();
+        request.matrix = options.matrix;
+        request.width = size->width, request.height = size->height;
+    }
+    if (options.camera) {
+        const Result<std::string> text = readRegularFile(*options.camera, kMaxCameraFile);
+        if (!text) return text.error();
+        const Result<Camera> camera = cameraFromJson(*text, *options.camera);
+        if (!camera) return camera.error();
+        request.camera = *camera;
+    }
+    return Done{};
+}
+
+Result<Exit> checkFiles(const CheckOptions& options, Session& session)
+{
+    if (!options.depth && !options.ids && !options.picture && !options.dump)
+        return Error{Trouble::Usage, "say what is to be checked: --depth, --ids, --picture or --dump"};
+    const std::vector<Output> outputs{{"--junit", options.junit, {".xml"}},
+                                      {"--gradescope", options.gradescope, {".json"}}};
+    std::vector<std::string>  inputs{options.scene.word()};
+    for (const auto& file : {options.camera, options.matrix, options.depth, options.ids, options.picture, options.dump})
+        if (file) inputs.push_back(*file);
+    if (const auto done = checkOutputs(outputs, inputs); !done) return done.error();
+
+    check::CheckRequest request;
+    if (const auto done = readConventions(options, request); !done) return done.error();
+    if (const auto done = readCamera(options, request); !done) return done.error();
+    request.depth     = options.depth;
+    request.ids       = options.ids;
+    request.picture   = options.picture;
+    request.dump      = options.dump;
+    request.diagnoses = !options.doesNotDiagnose;
+    request.progress  = session.progress();
+
+    const Result<LoadedScene> scene = options.scene.prepare(session, 0);
+    if (!scene) return scene.error();
+    if (const auto done = checkOutputs(outputs, scene->scene->files); !done) return done.error();
+    const auto answer = check::Checker(scene->prepared).check(request);
+    if (!answer) return answer.error();
+
+    session.print(options.json ? textOf(jsonOf(*answer)) : textOf(*answer));
+    if (options.junit)
+        if (const auto done = writeFile(*options.junit, junitOf(*answer, scene->scene->name)); !done)
+            return done.error();
+    if (options.gradescope)
+        if (const auto done = writeFile(*options.gradescope, gradescopeOf(*answer, scene->scene->name)); !done)
+            return done.error();
+    return answer->isRight() ? Exit::Done : Exit::CheckFailed;
+}
+
+}  // namespace
+
+Command addCheck(CLI::App& parent)
+{
+    CLI::App* parser  = parent.add_subcommand("check", "Judge what another program drew, and name likely causes");
+    auto      options = std::make_shared<CheckOptions>();
+    options->scene.add(*parser);
+    const auto option = [&](const char* name, std::optional<std::string>& value, const char* type, const char* help,
+                            const char* group) {
+        parser->add_option(name, value, help)->type_name(type)->group(group);
+    };
+    option("--camera", options->camera, "FILE", "All ten numbers of the camera from a JSON file", "View");
+    option("--matrix", options->matrix, "FILE", "View and projection as 4x4 matrices from a JSON file", "View");
+    option("--size", options->size, "WxH", "Size of the picture in pixels, with --matrix", "View");
+    option("--depth", options->depth, "FILE", "Depth: .npy, .pfm, .png of 16 bits, or .raw", "Files");
+    option("--ids", options->ids, "FILE", "Ids of triangles or faces: .npy, .png (colour = id + 1), or .raw", "Files");
+    option("--picture", options->picture, "FILE", "A picture: .png, .bmp or .ppm; only coverage is judged", "Files");
+    option("--dump", options->dump, "FILE", "All of it in one file, as zscope_dump.h writes it", "Files");
+    const char* conventions = "Conventions (what is not given is found out)";
+    option("--depth-is", options->depthIs, "WORD", "near/z, z, distance, ndc, window, window-reversed or linear",
+           conventions);
+    option("--rows", options->rows, "top-down|bottom-up", "Which row comes first", conventions);
+    option("--ids-are", options->idsAre, "triangles|faces", "What ids number", conventions);
+    option("--ids-from", options->idsFrom, "0|1", "Number of the first triangle or face", conventions);
+    option("--cull", options->cull, "none|back", "Faces that are not drawn", conventions);
+    option("--subpixel-bits", options->subpixelBits, "N", "Corners are snapped to 1/2^N pixel (default 8)",
+           conventions);
+    parser->add_flag("--no-diagnose", options->doesNotDiagnose, "Look for no causes");
+    parser->add_flag("--json", options->json, "JSON instead of text");
+    option("--junit", options->junit, "FILE.xml", "Also write a JUnit report", "Reports");
+    option("--gradescope", options->gradescope, "FILE.json", "Also write results as Gradescope reads them", "Reports");
+    return {parser, [options](Session& session) {
+                const Result<Exit> exit = checkFiles(*options, session);
+                return exit ? *exit : session.fail(exit.error());
+            }};
+}
+
+}  // namespace zscope::cli

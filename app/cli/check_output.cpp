@@ -1,0 +1,217 @@
+#include "app/cli/check_output.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/cli/table.h"
+
+namespace zscope::cli {
+
+using check::CheckAnswer;
+using check::IdKind;
+using check::Mistake;
+using check::Rows;
+
+namespace {
+
+std::string_view wordOf(Rows rows) { return rows == Rows::TopDown ? "top-down" : "bottom-up"; }
+std::string_view wordOf(IdKind kind) { return kind == IdKind::Triangles ? "triangles" : "faces"; }
+std::string_view wordOf(FaceCulling culling) { return culling == FaceCulling::Back ? "back" : "none"; }
+
+template <class Value>
+Json wordOrNull(const std::optional<Value>& value)
+{
+    if (!value) return nullptr;
+    if constexpr (std::is_same_v<Value, check::DepthMeaning>)
+        return check::wordOf(*value);
+    else
+        return wordOf(*value);
+}
+
+Json jsonOf(const check::MistakeCounts& counts)
+{
+    return {{"holes", counts.of(Mistake::Hole)},
+            {"spills", counts.of(Mistake::Spill)},
+            {"wrong_surface", counts.of(Mistake::WrongSurface)},
+            {"wrong_depth", counts.of(Mistake::WrongDepth)}};
+}
+
+Json jsonOf(const check::PixelContent& content)
+{
+    Json json{{"id", nullptr}, {"depth", nullptr}};
+    if (content.id) json["id"] = *content.id;
+    if (content.depth && std::isfinite(*content.depth)) json["depth"] = *content.depth;
+    return json;
+}
+
+Json jsonOf(const std::optional<check::WrongPixel>& wrong)
+{
+    if (!wrong) return nullptr;
+    return {{"x", wrong->pixel.x},
+            {"y", wrong->pixel.y},
+            {"kind", check::wordOf(wrong->mistake)},
+            {"expected", jsonOf(wrong->expected)},
+            {"found", jsonOf(wrong->found)}};
+}
+
+std::string textOf(const check::PixelContent& content)
+{
+    std::string text;
+    if (content.id) text += fmt::format("id {}", *content.id);
+    if (content.depth) text += fmt::format("{}depth {:.9g}", text.empty() ? "" : ", ", *content.depth);
+    return text.empty() ? "nothing" : text;
+}
+
+std::string conventionsText(const check::Conventions& c)
+{
+    const auto word = [](const auto& value) -> std::string {
+        const Json json = wordOrNull(value);
+        return json.is_null() ? "-" : json.get<std::string>();
+    };
+    return fmt::format("depth {}   rows {}   ids {}   ids from {}   cull {}\n", word(c.depth), word(c.rows),
+                       word(c.ids), c.idsFrom ? std::to_string(*c.idsFrom) : "-", word(c.cull));
+}
+
+/// What XML may hold of a text.
+std::string escaped(std::string_view text)
+{
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                result += "&amp;";
+                break;
+            case '<':
+                result += "&lt;";
+                break;
+            case '>':
+                result += "&gt;";
+                break;
+            case '"':
+                result += "&quot;";
+                break;
+            default:
+                result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+        }
+    }
+    return result;
+}
+
+std::string messageOf(const CheckCase& judged)
+{
+    return judged.wrong == 0 ? std::string("nothing is wrong beyond rounding")
+                             : fmt::format("{} wrong pixel{}", judged.wrong, judged.wrong == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Json jsonOf(const CheckAnswer& answer)
+{
+    const check::Conventions& c      = answer.conventions;
+    Json                      causes = Json::array();
+    for (const check::Cause& cause : answer.causes)
+        causes.push_back({{"name", cause.name},
+                          {"explains", cause.explains},
+                          {"adds", cause.adds},
+                          {"lesson", cause.lesson.empty() ? Json(nullptr) : Json(cause.lesson)}});
+    return {{"conventions",
+             {{"depth", wordOrNull(c.depth)},
+              {"rows", wordOrNull(c.rows)},
+              {"ids", wordOrNull(c.ids)},
+              {"ids_from", c.idsFrom ? Json(*c.idsFrom) : Json(nullptr)},
+              {"cull", wordOrNull(c.cull)}}},
+            {"covered", answer.covered},
+            {"wrong", jsonOf(answer.wrong)},
+            {"rounding", jsonOf(answer.rounding)},
+            {"first_wrong", jsonOf(answer.firstWrong)},
+            {"causes", std::move(causes)},
+            {"sentence", answer.sentence}};
+}
+
+std::string textOf(const CheckAnswer& answer)
+{
+    std::string text = answer.sentence + "\n\n" + conventionsText(answer.conventions) + "\n";
+    Table       counts({{"", Table::Align::Left}, {"holes"}, {"spills"}, {"wrong surface"}, {"wrong depth"}});
+    for (const auto& [name, row] : {std::pair("wrong", &answer.wrong), std::pair("rounding", &answer.rounding)}) {
+        std::vector<std::string> cells{name};
+        for (const Mistake mistake : check::kMistakes) cells.push_back(grouped(row->of(mistake)));
+        counts.row(std::move(cells));
+    }
+    text += counts.text();
+    if (answer.firstWrong) {
+        const check::WrongPixel& first = *answer.firstWrong;
+        text += fmt::format("\nfirst wrong pixel ({}, {}): {}; expected {}; found {}\n", first.pixel.x, first.pixel.y,
+                            check::wordOf(first.mistake), textOf(first.expected), textOf(first.found));
+        Table covers({{"triangle"}, {"near/z"}, {"", Table::Align::Left}});
+        for (const PixelCover& cover : first.covers)
+            covers.row({std::to_string(cover.triangle.value), fmt::format("{:.9g}", cover.depth),
+                        std::string(zscope::wordOf(cover.cover))});
+        text += first.covers.empty() ? "no triangle covers it\n" : covers.text();
+    }
+    if (!answer.causes.empty()) {
+        Table causes({{"cause", Table::Align::Left}, {"explains"}, {"adds"}, {"lesson", Table::Align::Left}});
+        for (const check::Cause& cause : answer.causes)
+            causes.row({cause.name, fmt::format("{:.1f} %", cause.explains * 100), grouped(cause.adds),
+                        std::string(cause.lesson)});
+        text += "\n" + causes.text();
+    }
+    if (!answer.clusters.empty()) {
+        Table clusters({{"where wrong pixels lie", Table::Align::Left}, {"of the wrong"}, {"of the covered"}});
+        for (const check::Cluster& cluster : answer.clusters)
+            clusters.row({std::string(cluster.where), fmt::format("{:.1f} %", cluster.share * 100),
+                          fmt::format("{:.1f} %", cluster.usual * 100)});
+        text += "\n" + clusters.text();
+    }
+    return text;
+}
+
+std::vector<CheckCase> casesOf(const CheckAnswer& answer)
+{
+    // What a file of background alone shows is judged by its coverage.
+    const auto& wrong = answer.wrong;
+    return {{"coverage", true, wrong.of(Mistake::Hole) + wrong.of(Mistake::Spill)},
+            {"surface", answer.conventions.ids.has_value(), wrong.of(Mistake::WrongSurface)},
+            {"depth", answer.conventions.depth.has_value(), wrong.of(Mistake::WrongDepth)}};
+}
+
+std::string junitOf(const CheckAnswer& answer, const std::string& name)
+{
+    std::string cases;
+    int         failures = 0, skipped = 0;
+    for (const CheckCase& judged : casesOf(answer)) {
+        std::string inside;
+        if (!judged.isJudged) {
+            ++skipped;
+            inside = "      <skipped message=\"the files do not show it\"/>\n";
+        } else if (judged.wrong > 0) {
+            ++failures;
+            inside = fmt::format("      <failure type=\"wrong\" message=\"{}\">{}</failure>\n", messageOf(judged),
+                                 escaped(answer.sentence));
+        }
+        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", escaped(name), judged.name)
+                 + (inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n");
+    }
+    return fmt::format(
+               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites tests=\"3\" failures=\"{0}\" errors=\"0\">\n"
+               "  <testsuite name=\"zscope-cli check\" tests=\"3\" failures=\"{0}\" errors=\"0\" skipped=\"{1}\" "
+               "time=\"0\">\n",
+               failures, skipped)
+           + cases + "  </testsuite>\n</testsuites>\n";
+}
+
+std::string gradescopeOf(const CheckAnswer& answer, const std::string& name)
+{
+    Json tests = Json::array();
+    for (const CheckCase& judged : casesOf(answer)) {
+        if (!judged.isJudged) continue;
+        tests.push_back({{"name", name + ": " + std::string(judged.name)},
+                         {"score", judged.wrong == 0 ? 1 : 0},
+                         {"max_score", 1},
+                         {"status", judged.wrong == 0 ? "passed" : "failed"},
+                         {"output", messageOf(judged)}});
+    }
+    return cli::textOf(Json{{"output", answer.sentence}, {"tests", std::move(tests)}});
+}
+
+}  // namespace zscope::cli

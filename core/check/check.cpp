@@ -1,0 +1,226 @@
+#include "core/check/check.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "core/check/matrix_camera.h"
+
+namespace zscope::check {
+namespace {
+
+/// What was read: the buffers, and the cameras that they may have been drawn with.
+struct Input {
+    Foreign             files;
+    std::vector<Camera> cameras;
+    Conventions         given;
+};
+
+Error refused(std::string sentence, const std::string& file = {})
+{
+    return {Trouble::Input, std::move(sentence), file};
+}
+
+Result<std::vector<Camera>> camerasFor(const CheckRequest& request, const std::optional<Dump>& dump)
+{
+    if (request.camera) return std::vector{*request.camera};
+    if (request.matrix) {
+        const Result<CameraMatrices> matrices = readMatrices(*request.matrix);
+        if (!matrices) return matrices.error();
+        return camerasOf(*matrices, request.width, request.height, *request.matrix);
+    }
+    if (!dump) return refused("no camera is given: neither its ten numbers, nor matrices, nor a dump");
+    if (!dump->view || !dump->projection)
+        return refused("the dump holds no view and projection, and no camera is given", *request.dump);
+    const CameraMatrices matrices{dump->view, dump->projection, {}, dump->order, dump->range};
+    return camerasOf(matrices, dump->width, dump->height, *request.dump);
+}
+
+/// Two files that hold the same: which one is meant cannot be known.
+Error givenTwice(std::string_view what)
+{
+    return refused(fmt::format("the {} are given twice: by a file and by the dump", what));
+}
+
+Result<Input> inputOf(const CheckRequest& request)
+{
+    std::optional<Dump> dump;
+    if (request.dump) {
+        Result<Dump> read = readDump(*request.dump);
+        if (!read) return read.error();
+        dump = *std::move(read);
+    }
+    const auto cameras = camerasFor(request, dump);
+    if (!cameras) return cameras.error();
+    Input     input{{}, *cameras, request.given};
+    const int width = cameras->front().width, height = cameras->front().height;
+    if (dump) {
+        if (dump->width != width || dump->height != height)
+            return refused(fmt::format("the dump has {}x{} pixels, and the camera's picture has {}x{}", dump->width,
+                                       dump->height, width, height),
+                           *request.dump);
+        if (dump->depth && request.depth) return givenTwice("depths");
+        if (dump->ids && request.ids) return givenTwice("ids");
+        input.files.depth = std::move(dump->depth);
+        input.files.ids   = std::move(dump->ids);
+        if (!input.given.rows) input.given.rows = dump->rows;
+        if (!input.given.idsFrom) input.given.idsFrom = dump->idsFrom;
+    }
+    if (request.depth) {
+        Result<ForeignDepth> depth = readDepth(*request.depth, width, height);
+        if (!depth) return depth.error();
+        input.files.depth  = *std::move(depth);
+        const auto meaning = request.given.depth;
+        if (meaning && input.files.depth->resolution.format == DepthNumberFormat::Fixed && !fitsFractions(*meaning))
+            return refused(
+                fmt::format("integers are fractions of their largest value and cannot mean '{}'", wordOf(*meaning)),
+                *request.depth);
+    }
+    if (request.ids) {
+        Result<ForeignIds> ids = readIds(*request.ids, width, height);
+        if (!ids) return ids.error();
+        input.files.ids = *std::move(ids);
+    }
+    if (request.picture) {
+        Result<Grid<std::uint32_t>> picture = readPicture(*request.picture, width, height);
+        if (!picture) return picture.error();
+        input.files.picture = *std::move(picture);
+    }
+    if (!input.files.depth && !input.files.ids && !input.files.picture)
+        return refused("nothing is given to be checked: name depth, ids, a picture or a dump");
+    return input;
+}
+
+/// Ten numbers, size, culling and grid, so that equal ones are found again.
+using ViewKey = std::tuple<std::string, FaceCulling, int>;
+
+}  // namespace
+
+struct Checker::Kept {
+    struct View {
+        std::shared_ptr<const Truth>                                 truth;
+        std::map<std::pair<std::size_t, std::size_t>, SpoiltPicture> spoilt;  // by cause and pipeline
+    };
+
+    std::shared_ptr<const PreparedScene> scene;
+    std::map<ViewKey, View>              views;
+
+    Result<View*> viewOf(const Camera& camera, FaceCulling culling, int subpixelBits, const Progress& progress)
+    {
+        View& view = views[{cameraToJson(camera), culling, subpixelBits}];
+        if (!view.truth) {
+            auto truth = truthOf(scene, camera, culling, subpixelBits, progress);
+            if (!truth) return truth.error();
+            view.truth = *std::move(truth);
+        }
+        return &view;
+    }
+};
+
+Checker::Checker(std::shared_ptr<const PreparedScene> scene) : m_kept(new Kept{std::move(scene), {}}) {}
+Checker::~Checker()                             = default;
+Checker::Checker(Checker&&) noexcept            = default;
+Checker& Checker::operator=(Checker&&) noexcept = default;
+
+namespace {
+
+std::optional<PixelPosition> firstWrongOf(const Grid<Verdict>& verdicts)
+{
+    const auto values = verdicts.values();
+    const auto found  = std::ranges::find_if(values, &Verdict::isWrong);
+    if (found == values.end()) return std::nullopt;
+    const auto index = static_cast<int>(found - values.begin());
+    return PixelPosition{index % verdicts.width(), index / verdicts.width()};
+}
+
+Result<WrongPixel> describe(PixelPosition p, const Foreign& files, const Reading& reading, Mistake mistake,
+                            const Progress& progress)
+{
+    const Truth&       truth = *reading.truth;
+    const Conventions& c     = reading.conventions;
+    const int          row   = c.rows == Rows::BottomUp ? truth.camera.height - 1 - p.y : p.y;
+    const std::int64_t id    = truth.picture.ids.at(p.x, p.y);
+    WrongPixel         wrong{p, mistake, {}, {}, {}};
+    if (files.ids) {
+        const std::int64_t number = c.ids == IdKind::Faces && id >= 0 ? truth.faces.faceOf(id) : id;
+        wrong.expected.id         = id < 0 ? reading.idBackground.value_or(-1) : number + c.idsFrom.value_or(0);
+        wrong.found.id            = files.ids->values.at(p.x, row);
+    } else {
+        wrong.expected.id = id;
+    }
+    if (files.depth) {
+        const DepthScale scale(truth.camera, c.depth.value_or(DepthMeaning::NearOverZ));
+        wrong.expected.depth = id < 0 ? reading.depthBackground
+                                      : std::optional(scale.of(truth.picture.depth.at(p.x, p.y), p.x, p.y).value);
+        wrong.found.depth    = files.depth->values.at(p.x, row);
+    }
+    const PixelPosition points[]{p};
+    auto                covers = coversOf(truth.scene->scene(), truth.camera, truth.culling, points, progress);
+    if (!covers) return covers.error();
+    wrong.covers = std::move(covers->front());
+    std::ranges::stable_sort(wrong.covers, std::greater{}, &PixelCover::depth);
+    return wrong;
+}
+
+}  // namespace
+
+Result<CheckAnswer> Checker::check(const CheckRequest& request)
+{
+    Result<Input> input = inputOf(request);
+    if (!input) return input.error();
+
+    std::vector<std::shared_ptr<const Truth>> truths;
+    for (const Camera& camera : input->cameras)
+        for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
+            if (request.given.cull && *request.given.cull != culling) continue;
+            const auto view = m_kept->viewOf(camera, culling, request.subpixelBits, request.progress);
+            if (!view) return view.error();
+            const auto& truth = (*view)->truth;
+            const bool  isNew = std::ranges::none_of(truths, [&](const auto& other) {
+                return other->camera == truth->camera && other->picture == truth->picture;
+            });
+            if (isNew) truths.push_back(truth);
+        }
+    const Reading reading   = readingOf(input->files, input->given, truths);
+    const Truth&  truth     = *reading.truth;
+    const Shown   shown     = shownBy(input->files, reading);
+    Judgement     judgement = judge(shown, truth);
+
+    CheckAnswer         answer{.conventions = reading.conventions,
+                               .camera      = truth.camera,
+                               .covered     = truth.covered,
+                               .wrong       = judgement.wrong,
+                               .rounding    = judgement.rounding};
+    const std::uint64_t moved = judgement.rounding.total() - judgement.rounding.of(Mistake::WrongDepth);
+    answer.looksLikeFillRule  = 2 * judgement.onEdges > moved;
+    if (const auto first = firstWrongOf(judgement.verdicts)) {
+        auto wrong = describe(*first, input->files, reading, judgement.verdicts.at(first->x, first->y).mistake(),
+                              request.progress);
+        if (!wrong) return wrong.error();
+        answer.firstWrong = *std::move(wrong);
+    }
+    const bool diagnosed = request.diagnoses && judgement.wrong.total() > 0;
+    if (diagnosed) {
+        const auto view = m_kept->viewOf(truth.camera, truth.culling, request.subpixelBits, request.progress);
+        if (!view) return view.error();
+        const auto spoilt = [&](std::size_t cause, std::size_t which) -> Result<const SpoiltPicture*> {
+            const auto kept = (*view)->spoilt.find({cause, which});
+            if (kept != (*view)->spoilt.end()) return &kept->second;
+            request.progress.at(static_cast<double>(cause) / static_cast<double>(causeEntries().size()), "causes");
+            auto drawn = drawSpoilt(truth, causeEntries()[cause].pipelines[which], request.progress);
+            if (!drawn) return drawn.error();
+            return &((*view)->spoilt[{cause, which}] = *std::move(drawn));
+        };
+        auto causes = causesOf(shown, judgement, truth, spoilt);
+        if (!causes) return causes.error();
+        answer.causes = *std::move(causes);
+        if (answer.causes.empty()) answer.clusters = clustersOf(judgement, truth);
+    }
+    answer.verdicts = std::move(judgement.verdicts);
+    answer.sentence = sentenceOf(answer, diagnosed);
+    return answer;
+}
+
+}  // namespace zscope::check

@@ -1,0 +1,44 @@
+// Which mistakes explain the wrong pixels of a foreign picture, and where those lie that nothing explains.
+//
+// Explains   a wrong pixel is explained by a mistake if ZScope's picture with that mistake is wrong there in the same
+//            way: the same kind, the same id where there are ids, and a depth that is closer to the file's than a
+//            quarter of what the file is off
+// Adds       pixels that the mistake would spoil, beyond rounding, and that the file has right
+// Order      by explained / (wrong + adds), the best first; equal ones as causeEntries() has them
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/check/causes.h"
+
+namespace zscope::check {
+
+struct Cause {
+    std::string      name;
+    std::string_view title;
+    double           explains  = 0;  // share of the wrong pixels
+    std::uint64_t    explained = 0;  // of them
+    std::uint64_t    adds      = 0;
+    std::string_view lesson;  // empty: none teaches it
+};
+
+/// A place where wrong pixels gather: their share there, and that of all covered pixels.
+struct Cluster {
+    std::string_view where;
+    double           share = 0, usual = 0;
+};
+
+/// The picture with the mistake of causeEntries()[cause], drawn by its pipelines[which]. Kept by the caller.
+using SpoiltSource = std::function<Result<const SpoiltPicture*>(std::size_t cause, std::size_t which)>;
+
+/// Those that explain a fifth or more. Errors: those of the source.
+Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgement, const Truth& truth,
+                                    const SpoiltSource& spoilt);
+
+/// Places that hold half of the wrong pixels or more, and twice their usual share; the most telling first.
+std::vector<Cluster> clustersOf(const Judgement& judgement, const Truth& truth);
+
+}  // namespace zscope::check
