@@ -126,6 +126,24 @@ Checker& Checker::operator=(Checker&&) noexcept = default;
 
 namespace {
 
+/// Of readings that agree nearly as well the one that leaves the fewest pixels wrong, and of equal ones the first.
+struct Best {
+    Reading   reading;
+    Shown     shown;
+    Judgement judgement;
+};
+Best bestOf(std::vector<Reading> readings, const Foreign& files)
+{
+    std::optional<Best> best;
+    for (Reading& reading : readings) {
+        Shown     shown     = shownBy(files, reading);
+        Judgement judgement = judge(shown, *reading.truth);
+        if (!best || judgement.wrong.total() < best->judgement.wrong.total())
+            best = Best{std::move(reading), std::move(shown), std::move(judgement)};
+    }
+    return *std::move(best);
+}
+
 std::optional<PixelPosition> firstWrongOf(const Grid<Verdict>& verdicts)
 {
     const auto values = verdicts.values();
@@ -183,10 +201,11 @@ Result<CheckAnswer> Checker::check(const CheckRequest& request)
             });
             if (isNew) truths.push_back(truth);
         }
-    const Reading reading   = readingOf(input->files, input->given, truths);
-    const Truth&  truth     = *reading.truth;
-    const Shown   shown     = shownBy(input->files, reading);
-    Judgement     judgement = judge(shown, truth);
+    Best           best      = bestOf(readingsOf(input->files, input->given, truths), input->files);
+    const Reading& reading   = best.reading;
+    const Truth&   truth     = *reading.truth;
+    const Shown&   shown     = best.shown;
+    Judgement&     judgement = best.judgement;
 
     CheckAnswer         answer{.conventions = reading.conventions,
                                .camera      = truth.camera,

@@ -195,13 +195,12 @@ bool isBackground(double depth, const std::optional<double>& background)
     return isBackgroundValue(depth, background);
 }
 
-Reading readingOf(const Foreign& files, const Conventions& given,
-                  const std::vector<std::shared_ptr<const Truth>>& truths)
+std::vector<Reading> readingsOf(const Foreign& files, const Conventions& given,
+                                const std::vector<std::shared_ptr<const Truth>>& truths)
 {
-    const bool   depthIsUniform = files.depth && isUniform(files.depth->values);
-    const bool   idsAreUniform  = files.ids && isUniform(files.ids->values);
-    Reading      best;
-    std::int64_t mostAgree = -1;
+    const bool           depthIsUniform = files.depth && isUniform(files.depth->values);
+    const bool           idsAreUniform  = files.ids && isUniform(files.ids->values);
+    std::vector<Reading> readings;
     for (const auto& truth : truths) {
         const Grid<std::int64_t> faces = files.ids ? faceGrid(*truth) : Grid<std::int64_t>();
         for (const Rows rows : {Rows::TopDown, Rows::BottomUp}) {
@@ -237,10 +236,13 @@ Reading readingOf(const Foreign& files, const Conventions& given,
             const bool allEmpty = (!files.depth || reading.isDepthEmpty) && (!files.ids || reading.areIdsEmpty)
                                   && (!files.picture || reading.isPictureEmpty);
             if (!allEmpty) found.rows = rows, found.cull = truth->culling;
-            if (agree > mostAgree) mostAgree = agree, best = std::move(reading);
+            reading.agreement = agree;
+            readings.push_back(std::move(reading));
         }
     }
-    return best;
+    const std::int64_t most = std::ranges::max_element(readings, {}, &Reading::agreement)->agreement;
+    std::erase_if(readings, [most](const Reading& reading) { return reading.agreement < most - most / 50; });
+    return readings;
 }
 
 }  // namespace zscope::check

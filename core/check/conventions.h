@@ -1,6 +1,7 @@
 // Which way round somebody's files are: what their depths mean, which row comes first, what their ids number, which faces
 // are drawn. What is not given is found by trying all, and the combination stays that agrees with the reference at most
-// pixels; of equal ones the plainest, which comes first in every list.
+// pixels; of equal ones the plainest, which comes first in every list. Readings that agree nearly as well are given back
+// too: judging them (core/check/judge.h) tells which one leaves the fewest pixels wrong.
 //
 // Background  the value that stands on most pixels that the reference leaves empty; if it also stands on more than half
 //             of the covered ones, or nothing is empty, 0, 1, -1, infinity, NaN and the file's largest value are tried
@@ -40,15 +41,16 @@ struct Reading {
     std::optional<double>       depthBackground;
     std::optional<std::int64_t> idBackground;
     std::uint32_t               pictureBackground = 0;
+    std::int64_t                agreement         = 0;
     bool                        isDepthEmpty = false, areIdsEmpty = false, isPictureEmpty = false;
 };
 
 /// Whether a depth is the background's; NaN is equal to NaN.
 bool isBackground(double depth, const std::optional<double>& background);
 
-/// `truths`: one or more cameras, each with back faces drawn and with them culled, or with what is given alone; the
-/// plainest first. Not empty.
-Reading readingOf(const Foreign& files, const Conventions& given,
-                  const std::vector<std::shared_ptr<const Truth>>& truths);
+/// The reading that agrees best and those within a fiftieth of it, the plainest first. `truths`: one or more cameras,
+/// each with back faces drawn and with them culled, or with what is given alone; the plainest first. Not empty.
+std::vector<Reading> readingsOf(const Foreign& files, const Conventions& given,
+                                const std::vector<std::shared_ptr<const Truth>>& truths);
 
 }  // namespace zscope::check

@@ -28,7 +28,7 @@ public:
             const Verdict verdict = m_judgement.verdicts.values()[spoilt.pixel];
             if (verdict.isWrong())
                 counts.explained += isExplained(verdict.mistake(), spoilt);
-            else
+            else if (verdict.isSame() || !isExplained(verdict.mistake(), spoilt))
                 counts.adds += wouldBeWrong(spoilt);
         }
         return counts;
