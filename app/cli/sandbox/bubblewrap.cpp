@@ -67,13 +67,14 @@ std::vector<std::string> bubblewrapWords(const std::string& bubblewrap, const Jo
     add({"--bind", folder.path() + "/tmp", "/tmp"});
     for (const char* name : {"/work", "/out"}) add({"--bind", folder.path() + name, root + name});
     for (const std::string& path : job.alsoShown) add({"--ro-bind", path, path});  // it may lie in /tmp
+    if (!job.startsIn.empty()) add({"--ro-bind", job.startsIn, job.startsIn});
     for (const Shown& shown : job.shown) add({"--ro-bind", shown.path, root + "/" + shown.name});
     add({"--remount-ro", "/"});
 
     const char* path = std::getenv("PATH");
     add({"--clearenv", "--setenv", "PATH", path ? path : "/usr/bin:/bin", "--setenv", "HOME", root + "/work"});
     add({"--setenv", "TMPDIR", "/tmp", "--setenv", "LANG", "C.UTF-8"});
-    add({"--chdir", root + "/work", "--", "/bin/sh", "-c", job.command});
+    add({"--chdir", job.startsIn.empty() ? root + "/work" : job.startsIn, "--", "/bin/sh", "-c", job.command});
     return words;
 }
 

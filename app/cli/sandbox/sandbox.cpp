@@ -43,6 +43,7 @@ Result<Outcome> run(const Job& job, const PrivateFolder& folder, const std::atom
         program.arguments = bubblewrapWords(*bubblewrap, job, folder);
     } else {
         if (const auto linked = linkShown(job, folder); !linked) return linked.error();
+        if (!job.startsIn.empty()) program.startsIn = job.startsIn;
         program.arguments = {"/bin/sh", "-c", job.command};
     }
     return supervise(program, job.limits, cancel);

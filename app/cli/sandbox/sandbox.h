@@ -45,6 +45,7 @@ struct Job {
     std::string              command;           // for /bin/sh
     std::vector<Shown>       shown       = {};  // by names of their own
     std::vector<std::string> alsoShown   = {};  // absolute; in the sandbox at the same path
+    std::string              startsIn    = {};  // absolute, for reading; empty: root + "/work", which it may write
     Confinement              confinement = Confinement::Sandbox;
     Limits                   limits      = {};
 };
