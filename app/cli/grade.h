@@ -1,12 +1,12 @@
-// zscope-cli grade: one program, or each submission of a class, run over scenes in a sandbox, and what it wrote checked.
+// zscope-cli grade: one program, or each submission of a class, run over scenes in a sandbox, and its files checked.
 //
-// Command     a line of the shell. {scene}, {camera}, {out} and {submission} in it become paths without blanks or quotes
+// Command     a line of the shell. {scene}, {camera}, {out} and {submission} in it become paths that need no quotes
 // Starts in   an empty folder that it may write; without --submissions the folder in which grade runs, for reading only
 // May read    the system's programs, the scene, its submission, and absolute paths that the command names
-// Order       runs go on side by side; rows are sorted by submission, then as the scenes were named. A row holds no time
-//             that the table shows, so that the same class has the same table
-// Journal     a file that is written after each run and gone on with. The row of a submission stays as long as its files do;
-//             that of a program without --submissions as long as the files that the command names
+// Order       runs go on side by side; rows are sorted by submission, then as the scenes were named. The table shows no
+//             times, so that the same class has the same table
+// Journal     a file that is written after each run and gone on with. The row of a submission stays as long as its
+//             files do; that of a program without --submissions as long as the files that the command names
 #pragma once
 
 #include <cstdint>

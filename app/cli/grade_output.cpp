@@ -32,6 +32,13 @@ std::string firstSentence(const std::string& text)
     return end == std::string::npos ? text : text.substr(0, end + 1);
 }
 
+/// The likeliest one; empty: none was found, or there is nothing to explain.
+std::string causeOf(const GradeRow& row)
+{
+    if (row.check.is_null() || row.check["causes"].empty()) return "";
+    return row.check["causes"][0]["name"].get<std::string>();
+}
+
 std::string junitSuite(std::span<const GradeRow> rows)
 {
     std::string cases;
@@ -74,9 +81,11 @@ std::string gradeTableOf(std::span<const GradeRow> rows)
     Table table({{"submission", Table::Align::Left},
                  {"scene", Table::Align::Left},
                  {"verdict", Table::Align::Left},
+                 {"cause", Table::Align::Left},
                  {"detail", Table::Align::Left}});
     for (const GradeRow& row : rows)
-        table.row({row.submission, row.scene, std::string(wordOf(row.verdict)), firstSentence(row.detail)});
+        table.row(
+            {row.submission, row.scene, std::string(wordOf(row.verdict)), causeOf(row), firstSentence(row.detail)});
     return table.text(outputWidth());
 }
 

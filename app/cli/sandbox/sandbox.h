@@ -1,8 +1,8 @@
 // Runs a program that nobody trusts, under limits, and says how it ended.
 //
 // Sandbox    bubblewrap: no network, no other processes; the program may read the system's programs and libraries and
-//            what the job shows, and write into a private folder. Without bubblewrap the limits below hold, too, but the
-//            program may read and write what the user may
+//            what the job shows, and write into a private folder. Without bubblewrap the limits below hold, too, but
+//            the program may read and write what the user may
 // Limits     time by the wall clock; memory of the whole process tree; bytes that are written, files and text together;
 //            processes at once
 // Ending     children that outlive the program are ended. When run() returns, no process of the program is left
