@@ -73,8 +73,15 @@ std::string conventionsText(const check::Conventions& c)
                        word(c.ids), c.idsFrom ? std::to_string(*c.idsFrom) : "-", word(c.cull));
 }
 
-/// What XML may hold of a text.
-std::string escaped(std::string_view text)
+std::string messageOf(const CheckCase& judged)
+{
+    return judged.wrong == 0 ? std::string("nothing is wrong beyond rounding")
+                             : fmt::format("{} wrong pixel{}", judged.wrong, judged.wrong == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string xmlTextOf(std::string_view text)
 {
     std::string result;
     for (const char c : text) {
@@ -97,14 +104,6 @@ std::string escaped(std::string_view text)
     }
     return result;
 }
-
-std::string messageOf(const CheckCase& judged)
-{
-    return judged.wrong == 0 ? std::string("nothing is wrong beyond rounding")
-                             : fmt::format("{} wrong pixel{}", judged.wrong, judged.wrong == 1 ? "" : "s");
-}
-
-}  // namespace
 
 Json jsonOf(const CheckAnswer& answer)
 {
@@ -187,9 +186,9 @@ std::string junitOf(const CheckAnswer& answer, const std::string& name)
         } else if (judged.wrong > 0) {
             ++failures;
             inside = fmt::format("      <failure type=\"wrong\" message=\"{}\">{}</failure>\n", messageOf(judged),
-                                 escaped(answer.sentence));
+                                 xmlTextOf(answer.sentence));
         }
-        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", escaped(name), judged.name)
+        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", xmlTextOf(name), judged.name)
                  + (inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n");
     }
     return fmt::format(
