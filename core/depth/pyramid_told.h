@@ -21,7 +21,7 @@ template <class Shape, class Told>
 [[gnu::always_inline]] inline PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Shape& shape,
                                                         const Told& told)
 {
-    if (m_fault == Fault::CornersOnly) return askAtCorners(box, nearest);
+    if (m_faults.has(Fault::CornersOnly)) return askAtCorners(box, nearest);
     const int    y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow, x0 = box.x0, x1 = box.x1 - 1;
     const auto   longest = static_cast<unsigned>(std::max(x1 - x0, y1 - y0)) + 1;
     PyramidQuery query{
@@ -295,7 +295,7 @@ float Pyramid::farthestChild(int level, int x, int y, const ValueOf& valueOf)
 {
     const Level& below = at(level - 1);
     const int endX = std::min(2 * x + 2, below.farthest.width()), endY = std::min(2 * y + 2, below.farthest.height());
-    if (m_fault == Fault::OddPadded && (endX - 2 * x < 2 || endY - 2 * y < 2))
+    if (m_faults.has(Fault::OddPadded) && (endX - 2 * x < 2 || endY - 2 * y < 2))
         return std::numeric_limits<float>::infinity();
     float all = valueOf(2 * x, 2 * y);
     for (int childY = 2 * y; childY < endY; ++childY)

@@ -103,6 +103,29 @@ const FaultEntry* findFault(std::string_view word)
     return found == kFaults.end() ? nullptr : &*found;
 }
 
+std::optional<FaultSet> findFaults(std::string_view words)
+{
+    FaultSet all;
+    for (;;) {
+        const std::size_t       plus  = words.find('+');
+        const FaultEntry* const entry = findFault(words.substr(0, plus));
+        if (!entry) return std::nullopt;
+        all.add(entry->fault);
+        if (plus == std::string_view::npos) return all;
+        words.remove_prefix(plus + 1);
+    }
+}
+
+std::string wordsOf(const FaultSet& faults)
+{
+    std::string words;
+    for (const Fault fault : faults) {
+        if (!words.empty()) words += '+';
+        words += entryOf(fault).word;
+    }
+    return words;
+}
+
 const FaultEntry& entryOf(Fault fault) { return *std::ranges::find(kFaults, fault, &FaultEntry::fault); }
 
 }  // namespace zscope

@@ -2,7 +2,7 @@
 // as a template parameter, so that there is one text, and the exact one pays for nothing.
 //
 // ExactRules    the definition: every answer is known when the text is compiled
-// ChosenRules   the same with approximations and at most one fault, chosen at run time
+// ChosenRules   the same with approximations and faults, chosen at run time
 // Source        docs/correctness.md; the faults are described in core/frame/faults.h
 #pragma once
 
@@ -69,8 +69,8 @@ class ChosenRules {
 public:
     static constexpr bool kExact = false;
 
-    ChosenRules(const Approximation& approximation, Fault fault, const Camera& camera)
-        : m_approximation(approximation), m_fault(fault), m_encoding(approximation.format, camera.near, camera.far),
+    ChosenRules(const Approximation& approximation, const FaultSet& faults, const Camera& camera)
+        : m_approximation(approximation), m_faults(faults), m_encoding(approximation.format, camera.near, camera.far),
           m_width(camera.width * kSubpixels), m_height(camera.height * kSubpixels)
     {}
 
@@ -81,14 +81,14 @@ public:
                : m_approximation.snap == SnapBits::Twelve ? 4096
                                                           : kSubpixels;
     }
-    bool dropsAtNear() const { return m_approximation.near == NearPlane::Drop || m_fault == Fault::NearRejected; }
+    bool dropsAtNear() const { return m_approximation.near == NearPlane::Drop || m_faults.has(Fault::NearRejected); }
     [[gnu::always_inline]] bool dropsCrossing(const ScreenCorner& p0, const ScreenCorner& p1,
                                               const ScreenCorner& p2) const
     {
         const auto isOutside = [this](const ScreenCorner& p) {
             return p.xs < 0 || p.ys < 0 || p.xs > m_width || p.ys > m_height;
         };
-        return m_fault == Fault::CrossingDropped && (isOutside(p0) || isOutside(p1) || isOutside(p2));
+        return m_faults.has(Fault::CrossingDropped) && (isOutside(p0) || isOutside(p1) || isOutside(p2));
     }
 
     [[gnu::always_inline]] int firstCentreFrom(double snapped) const
@@ -97,26 +97,26 @@ public:
     }
     [[gnu::always_inline]] int firstLineOfTriangle(double top) const
     {
-        if (m_fault != Fault::FirstLineRounded) return firstCentreFrom(top);
+        if (!m_faults.has(Fault::FirstLineRounded)) return firstCentreFrom(top);
         return static_cast<int>(std::clamp(std::floor(top / kSubpixels), -0x1p30, 0x1p30)) + 1;
     }
     bool isSkippedAsHorizontal(double xa, double xb) const
     {
-        return m_fault == Fault::HorizontalByX && std::floor(xa / kSubpixels) == std::floor(xb / kSubpixels);
+        return m_faults.has(Fault::HorizontalByX) && std::floor(xa / kSubpixels) == std::floor(xb / kSubpixels);
     }
     int firstPixel(int first, std::int64_t x) const
     {
-        return m_fault == Fault::XTruncated ? static_cast<int>(x >> 8) : first;
+        return m_faults.has(Fault::XTruncated) ? static_cast<int>(x >> 8) : first;
     }
     double notOwned() const
     {
-        if (m_fault == Fault::NoTopLeft) return 0;
+        if (m_faults.has(Fault::NoTopLeft)) return 0;
         const double step = kSubpixels / snapsPerPixel();
         return std::min(1.0, step * step);
     }
     bool accumulatesEdges() const { return m_approximation.edges == EdgeSteps::Accumulated; }
-    bool sortsActiveEdges() const { return m_fault != Fault::EdgesUnsorted; }
-    bool testsIntervalOnce() const { return m_fault == Fault::OneTestPerInterval; }
+    bool sortsActiveEdges() const { return !m_faults.has(Fault::EdgesUnsorted); }
+    bool testsIntervalOnce() const { return m_faults.has(Fault::OneTestPerInterval); }
 
     DepthNumbers                 depthNumbers() const { return m_approximation.depth; }
     const DepthEncoding&         encoding() const { return m_encoding; }
@@ -130,13 +130,13 @@ public:
                : m_approximation.small == SmallNodes::DropBelow16 ? 16
                                                                   : 0;
     }
-    bool visitsFarFirst() const { return m_fault == Fault::FarFirst; }
-    bool firstComerKeepsTie() const { return m_fault == Fault::FarFirst; }
-    bool truncatesNodeBoxes() const { return m_fault == Fault::EmptyIsHidden; }
+    bool visitsFarFirst() const { return m_faults.has(Fault::FarFirst); }
+    bool firstComerKeepsTie() const { return m_faults.has(Fault::FarFirst); }
+    bool truncatesNodeBoxes() const { return m_faults.has(Fault::EmptyIsHidden); }
 
 private:
     Approximation m_approximation;
-    Fault         m_fault;
+    FaultSet      m_faults;
     DepthEncoding m_encoding;
     double        m_width, m_height;  // of the picture, subpixels
 };

@@ -35,8 +35,8 @@ std::string stepsOf(float a, float b) { return counted(float32StepsBetween(a, b)
 
 std::string_view tieRule(const Pipeline& pipeline)
 {
-    return pipeline.fault == Fault::FarFirst ? "on equal depth the first comer keeps it (a fault)"
-                                             : "on equal depth the lower id wins";
+    return pipeline.fault.has(Fault::FarFirst) ? "on equal depth the first comer keeps it (a fault)"
+                                               : "on equal depth the lower id wins";
 }
 
 /// What the pyramid was asked and found.
