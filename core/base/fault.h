@@ -24,6 +24,18 @@ enum class Fault {
     NearRejected,        // clip: a triangle with any corner before the near plane is dropped
     CrossingDropped,     // clip: a triangle that crosses the border of the picture is dropped
     FarFirst,            // order: the farthest child is visited first, and who came first keeps a tie
+    LinearZ,             // depth: the distance is interpolated linearly over the pixels
+    HalfPixel,           // coverage: pixels are sampled in their upper left corners
+    BehindTheEye,        // clip: corners behind the eye are divided by their distance, and nothing is cut
+    ConcaveFanned,       // set-up: every face is a fan from its first corner
+    WindingFlipped,      // set-up: front faces are taken for back faces
+    BoxShort,            // scan: the last column and the last line of a triangle's box are left out
+    NotCleared,          // depth: the buffer still holds what the frame before has left
+    EqualPassLess,       // depth: after a pre-pass a fragment must be nearer than the depth that it left
+    EdgeDrift,           // scan: an edge moves by whole subpixels from line to line
+    LevelTooFine,        // pyramid: a query looks at the corners of its rectangle one level too fine
+    LevelShifted,        // pyramid: a query looks up the cells of one level at the coordinates of the next
+    PainterOrder,        // depth: what comes later in the file is drawn over, without a test
 };
 
 /// Faults that a pipeline has at once. Ranges over its faults in the order of the enumerators.

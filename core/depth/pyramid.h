@@ -212,6 +212,8 @@ private:
     };
 
     PyramidQuery askAtCorners(const PixelBox& box, float nearest) const;
+    template <class Told>
+    PyramidQuery askElsewhere(PyramidQuery query, const Told& told);
     template <bool kLooksAtCorners, class Shape>
     bool shows(const PixelBox& box, float nearest, const Shape& shape) const;
     template <class Shape, class Told>

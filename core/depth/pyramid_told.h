@@ -29,6 +29,7 @@ template <class Shape, class Told>
     int& level = query.level;
     if ((x1 >> level) - (x0 >> level) > 1 || (y1 >> level) - (y0 >> level) > 1) ++level;
     level = std::clamp(level, kTileLevel, levels() - 1);
+    if (m_faults.has(Fault::LevelTooFine) || m_faults.has(Fault::LevelShifted)) return askElsewhere(query, told);
 
     const Grid<float>& farthest = at(level).farthest;
     for (int y = y0 >> level; y <= y1 >> level; ++y) {
@@ -203,6 +204,22 @@ PyramidQuery Pyramid::askOneLevel(const PixelBox& box, float nearest, const Told
             ++query.cells;
         }
     query.hidden = isBehind(nearest, query.value);
+    return query;
+}
+
+/// Faults on purpose: the cells under the corners of the box, of a level on which they do not cover it; or cells at the
+/// coordinates of the next level, which are other cells. What they hold decides.
+template <class Told>
+PyramidQuery Pyramid::askElsewhere(PyramidQuery query, const Told& told)
+{
+    if (m_faults.has(Fault::LevelTooFine)) query.level = std::max(query.level - 1, kTileLevel);
+    const int shift = query.level + (m_faults.has(Fault::LevelShifted) ? 1 : 0);
+    for (const int y : {query.box.y0 - m_firstRow, query.box.y1 - 1 - m_firstRow})
+        for (const int x : {query.box.x0, query.box.x1 - 1}) {
+            query.value = std::min(query.value, refresh(query.level, x >> shift, y >> shift, told));
+            ++query.cells;
+        }
+    query.hidden = isBehind(query.nearest, query.value);
     return query;
 }
 

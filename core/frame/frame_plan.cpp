@@ -256,6 +256,16 @@ DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& vis
                : plain;
 }
 
+Projection projectionOf(const DrawRequest& request, const ChosenRules& rules, double depthScale)
+{
+    const Camera& camera = request.camera;
+    Projection projection(camera, depthScale, displacementOf(request.pipeline.approximation, camera, *request.scene));
+    // All text samples pixels in their centres: to sample them elsewhere is to move the picture.
+    projection.centreX += 0.5 - rules.sampleOffset();
+    projection.centreY += 0.5 - rules.sampleOffset();
+    return projection;
+}
+
 const TransparentSurfaces* toBeBlended(const DrawRequest& request)
 {
     if (!request.shade) return nullptr;

@@ -13,6 +13,8 @@
 #include "core/base/approximation.h"
 #include "core/base/depth_format.h"
 #include "core/base/fault.h"
+#include "core/geometry/facing.h"
+#include "core/geometry/pixel_box.h"
 #include "core/geometry/projection.h"
 #include "core/scene/view.h"
 
@@ -32,6 +34,11 @@ struct ExactRules {
     static constexpr bool   usesFloat32Vertices() { return false; }
     static constexpr double snapsPerPixel() { return kSubpixels; }
     static constexpr bool   dropsAtNear() { return false; }
+    static constexpr Facing facing(const Facing& of) { return of; }
+    /// Of the depth: it is interpolated as 1 / depth, which is proportional to the distance.
+    static constexpr bool interpolatesDistance() { return false; }
+    /// Corners behind the eye are projected as they are.
+    static constexpr bool dividesBehindTheEye() { return false; }
     /// True if a part with these corners is left out because it crosses the border of the picture.
     static constexpr bool dropsCrossing(const ScreenCorner&, const ScreenCorner&, const ScreenCorner&) { return false; }
 
@@ -81,7 +88,19 @@ public:
                : m_approximation.snap == SnapBits::Twelve ? 4096
                                                           : kSubpixels;
     }
-    bool dropsAtNear() const { return m_approximation.near == NearPlane::Drop || m_faults.has(Fault::NearRejected); }
+    /// Which side of a triangle is drawn. A fault: the y axis of the screen runs down, which turns every triangle round,
+    /// and the test for the inside wants those that now turn away.
+    Facing facing(const Facing& of) const
+    {
+        return m_faults.has(Fault::WindingFlipped) ? Facing{FaceCulling::Back, !of.isMirrored} : of;
+    }
+    /// A fault: the division by the distance comes before the cut at the near plane, so that nothing is left to cut.
+    bool dividesBehindTheEye() const { return m_faults.has(Fault::BehindTheEye); }
+    /// A fault: a face is cut into triangles as if it were convex.
+    bool fansFaces() const { return m_faults.has(Fault::ConcaveFanned); }
+    /// Where in a pixel it is sampled. A fault: in its upper left corner.
+    double sampleOffset() const { return m_faults.has(Fault::HalfPixel) ? 0 : 0.5; }
+    bool   dropsAtNear() const { return m_approximation.near == NearPlane::Drop || m_faults.has(Fault::NearRejected); }
     [[gnu::always_inline]] bool dropsCrossing(const ScreenCorner& p0, const ScreenCorner& p1,
                                               const ScreenCorner& p2) const
     {
@@ -100,6 +119,14 @@ public:
         if (!m_faults.has(Fault::FirstLineRounded)) return firstCentreFrom(top);
         return static_cast<int>(std::clamp(std::floor(top / kSubpixels), -0x1p30, 0x1p30)) + 1;
     }
+    /// The pixels of a triangle's box that are looked at. A fault: its ends are taken for its last pixels, which the
+    /// loop does not reach.
+    PixelBox looked(const PixelBox& box) const
+    {
+        return m_faults.has(Fault::BoxShort) ? PixelBox{box.x0, box.y0, box.x1 - 1, box.y1 - 1} : box;
+    }
+    /// A fault: an edge's step from line to line loses its fraction of a subpixel.
+    bool stepsByWholeSubpixels() const { return m_faults.has(Fault::EdgeDrift); }
     bool isSkippedAsHorizontal(double xa, double xb) const
     {
         return m_faults.has(Fault::HorizontalByX) && std::floor(xa / kSubpixels) == std::floor(xb / kSubpixels);
@@ -117,6 +144,20 @@ public:
     bool accumulatesEdges() const { return m_approximation.edges == EdgeSteps::Accumulated; }
     bool sortsActiveEdges() const { return !m_faults.has(Fault::EdgesUnsorted); }
     bool testsIntervalOnce() const { return m_faults.has(Fault::OneTestPerInterval); }
+
+    /// A fault: the distance is interpolated, as if perspective kept halves halves.
+    bool interpolatesDistance() const { return m_faults.has(Fault::LinearZ); }
+    /// The depth of a pixel, given what has been interpolated.
+    [[gnu::always_inline]] double depthFrom(double interpolated) const
+    {
+        return m_faults.has(Fault::LinearZ) ? 1 / std::max(1.0, interpolated) : interpolated;
+    }
+    /// A fault: the depths of the frame before are there when the frame begins.
+    bool keepsLastDepths() const { return m_faults.has(Fault::NotCleared); }
+    /// A fault: no depth is compared; what comes later in the file is drawn over what came before.
+    bool drawsOver() const { return m_faults.has(Fault::PainterOrder); }
+    /// A fault: the pass that wants equal depths compares with "less".
+    bool equalPassWantsNearer() const { return m_faults.has(Fault::EqualPassLess); }
 
     DepthNumbers                 depthNumbers() const { return m_approximation.depth; }
     const DepthEncoding&         encoding() const { return m_encoding; }
