@@ -162,6 +162,8 @@ std::string lostBy(const Event& e, const std::string& who, const Pipeline& pipel
 std::string overtakenBy(const Event& e, const std::string& who, const Pipeline& pipeline)
 {
     const std::string rival = capital(nameOf(*e.rival, pipeline));
+    if (pipeline.fault.has(Fault::PainterOrder))
+        return fmt::format("{} comes after {} in the file and is drawn over it without a test (a fault).", rival, who);
     if (e.depth == e.rivalDepth)
         return fmt::format("{} is as near, {:.9g}, and takes the pixel from {}: {}.", rival, e.depth, who,
                            tieRule(pipeline));

@@ -42,7 +42,7 @@ std::string algorithmJson(const Pipeline& pipeline)
     std::string json;
     for (const AxisEntry& axis : axes())
         json += (json.empty() ? "{" : ", ") + quoted(axis.word) + ": " + quoted(chosen(pipeline, axis.word));
-    if (!pipeline.fault.isEmpty()) json += ", \"fault\": " + quoted(wordsOf(pipeline.fault));
+    if (!pipeline.fault.isEmpty()) json += ", \"fault\": " + zscope::quoted(wordsOf(pipeline.fault));
     return json + "}";
 }
 
