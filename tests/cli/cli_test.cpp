@@ -160,7 +160,7 @@ TEST_F(Cli, SeveralFaultsAreNamedWithAPlusBetweenThem)
 {
     const auto algorithmOf = [&](const std::string& faults) {
         const Answer done = run({"verify", "builtin:cubes", "--size", "32x24", "--fault", faults, "--json"});
-        EXPECT_EQ(done.status, 0) << faults << ': ' << done.err;
+        EXPECT_EQ(done.status, 0) << faults << ": " << done.err;
         return nlohmann::json::parse(done.out).at(0).at("algorithm").get<std::string>();
     };
     EXPECT_EQ(algorithmOf("no-top-left"), "zbuffer+fault=no-top-left");
