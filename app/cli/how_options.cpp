@@ -21,6 +21,20 @@ std::vector<std::string> presetNames()
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
+/// Of "name" or "name+name".
+Result<FaultSet> faultsOf(std::string_view words)
+{
+    if (const auto all = findFaults(words)) return *all;
+    std::vector<std::string> known;
+    for (const FaultEntry& entry : faults()) known.emplace_back(entry.word);
+    std::size_t plus = words.find('+');
+    while (plus != std::string_view::npos && findFault(words.substr(0, plus))) {
+        words.remove_prefix(plus + 1);
+        plus = words.find('+');
+    }
+    return unknownWord("fault", words.substr(0, plus), known);
+}
+
 void rename(NamedPipeline& algorithm, const Pipeline& changed)
 {
     algorithm = {nameOf(changed), changed, claimOf(changed)};
@@ -52,7 +66,7 @@ Result<Done> applyOrFault(const std::string& setting, std::vector<NamedPipeline>
                      fmt::format("unknown fault '{}': see 'zscope-cli list faults'", setting.substr(kFault.size()))};
     for (NamedPipeline& algorithm : algorithms) {
         Pipeline faulty = algorithm.pipeline;
-        faulty.fault    = fault->fault;
+        faulty.fault.add(fault->fault);
         rename(algorithm, faulty);
     }
     return Done{};
@@ -63,21 +77,22 @@ Result<Done> eachAxisOnce(const std::vector<std::string>& settings)
 {
     std::set<std::string, std::less<>> axes;
     for (const std::string& setting : settings) {
-        const std::string axis = setting.substr(0, setting.find('='));
+        // A pipeline may have several faults.
+        const std::string axis = setting.starts_with("fault=") ? setting : setting.substr(0, setting.find('='));
         if (!axes.insert(axis).second) return Error{Trouble::Usage, fmt::format("'{}' is chosen twice", axis)};
     }
     return Done{};
 }
 
-/// No algorithm was named: the first preset that takes the settings and the fault.
-std::optional<NamedPipeline> firstFitting(const std::vector<std::string>& settings, Fault fault)
+/// No algorithm was named: the first preset that takes the settings and the faults.
+std::optional<NamedPipeline> firstFitting(const std::vector<std::string>& settings, const FaultSet& faults)
 {
     for (const Preset& preset : presets()) {
         std::vector<NamedPipeline> one{{std::string(preset.name), preset.pipeline, preset.claim}};
         for (const std::string& setting : settings)
             if (!apply(setting, one)) return std::nullopt;
         Pipeline changed = one.front().pipeline;
-        changed.fault    = fault;
+        changed.fault    = faults;
         rename(one.front(), changed);
         if (!explainInvalid(changed)) return one.front();
     }
@@ -108,8 +123,8 @@ void HowOptions::add(CLI::App& parser, Algorithms algorithms)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->group("How");
-    parser.add_option("--fault", m_fault, "Make one mistake on purpose, see 'list faults'")
-        ->type_name("NAME")
+    parser.add_option("--fault", m_fault, "Make mistakes on purpose, see 'list faults'")
+        ->type_name("NAME[+NAME...]")
         ->group("How");
     parser.add_option("--threads", m_threads, "Threads to draw with; 0: one per core (default 0)")
         ->type_name("N")
@@ -194,14 +209,15 @@ Result<std::uint64_t> memoryLimitOf(std::string_view word)
 
 Result<How> HowOptions::read() const
 {
-    How               how;
-    const FaultEntry* fault = m_fault ? findFault(*m_fault) : nullptr;
-    if (m_fault && !fault) {
-        std::vector<std::string> words;
-        for (const FaultEntry& entry : faults()) words.emplace_back(entry.word);
-        return unknownWord("fault", *m_fault, words);
+    How      how;
+    FaultSet faults;
+    if (m_fault) {
+        const Result<FaultSet> all = faultsOf(*m_fault);
+        if (!all) return all.error();
+        faults = *all;
     }
-    const std::string algorithm = m_algorithm.value_or(std::string(fault ? fault->preset : kDefaultPreset));
+    const std::string_view usual     = faults.isEmpty() ? kDefaultPreset : entryOf(*faults.begin()).preset;
+    const std::string      algorithm = m_algorithm.value_or(std::string(usual));
     if (m_algorithms == Algorithms::One && (algorithm == "all" || listOf(algorithm).size() != 1))
         return unknownWord("algorithm", algorithm, presetNames());
     auto algorithms = algorithmsOf(algorithm);
@@ -210,16 +226,15 @@ Result<How> HowOptions::read() const
     if (const Result<Done> once = eachAxisOnce(m_set); !once) return once.error();
     for (const std::string& setting : m_set)
         if (const Result<Done> done = apply(setting, how.algorithms); !done) return done.error();
-    if (fault) {
+    if (!faults.isEmpty()) {
         for (NamedPipeline& each : how.algorithms) {
             Pipeline faulty = each.pipeline;
-            faulty.fault    = fault->fault;
+            faulty.fault    = faults;
             rename(each, faulty);
         }
     }
-    if (!m_algorithm && !m_set.empty() && explainInvalid(how.algorithm().pipeline)) {
-        if (auto fitting = firstFitting(m_set, fault ? fault->fault : Fault::None))
-            how.algorithms = {*std::move(fitting)};
+    if (!m_algorithm && explainInvalid(how.algorithm().pipeline)) {
+        if (auto fitting = firstFitting(m_set, faults)) how.algorithms = {*std::move(fitting)};
     }
     const NamedPipeline first = how.algorithm();
     if (algorithm == "all") keepValid(how.algorithms);

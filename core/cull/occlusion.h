@@ -46,7 +46,8 @@ inline PushOrder fromFarthestCorner(const ScreenTriangle& triangle)
 template <class Rules>
 float farthestOver(const DepthPlane& plane, const PixelBox& pixels, const Rules& rules)
 {
-    if (rules.depthNumbers() != DepthNumbers::Float64) return rules.stored(plane.farthest);
+    if (rules.depthNumbers() != DepthNumbers::Float64 || rules.interpolatesDistance())
+        return rules.stored(plane.farthest);
     const double x = plane.a < 0 ? pixels.x1 - 0.5 : pixels.x0 + 0.5,
                  y = plane.b < 0 ? pixels.y1 - 0.5 : pixels.y0 + 0.5;
     const double z = plane.a * x + (plane.b * y + plane.c);

@@ -15,10 +15,10 @@ constexpr std::size_t kRoom = 16;  // floats that lanes may read behind the last
 
 }  // namespace
 
-void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault, PyramidKind kind)
+void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, const FaultSet& faults, PyramidKind kind)
 {
     m_kind              = kind;
-    m_fault             = fault;
+    m_faults            = faults;
     m_visible           = &visible;
     m_firstRow          = firstRow;
     m_endRow            = endRow;
@@ -39,13 +39,13 @@ void Pyramid::reset(const VisibilityBuffer& visible, int firstRow, int endRow, F
     }
     m_levels.resize(count);
     if (isWide()) {
-        assert(fault == Fault::None);
+        assert(faults.isEmpty());
         const auto blocks = [](int tiles) {
             return (tiles + (1 << (kBlockLevel - kTileLevel)) - 1) >> (kBlockLevel - kTileLevel);
         };
         m_blocks.reset(blocks(width), blocks(height), visible.empty(), kRoom);
     }
-    m_readsPixels = kind != PyramidKind::Masked && fault == Fault::None;
+    m_readsPixels = kind != PyramidKind::Masked && faults.isEmpty();
     if (kind == PyramidKind::Masked) m_layers.reset(m_levels[0].farthest.width(), m_levels[0].farthest.height());
 }
 
@@ -129,12 +129,12 @@ float Pyramid::farthestPixel(int tileX, int tileY) const
     constexpr int kTile = 1 << kTileLevel;
     const int     x0 = tileX << kTileLevel, x1 = std::min(x0 + kTile, m_visible->width());
     const int     y0 = m_firstRow + (tileY << kTileLevel), y1 = std::min(y0 + kTile, m_endRow);
-    if (m_fault == Fault::OddPadded && (x1 - x0 < kTile || y1 - y0 < kTile))
+    if (m_faults.has(Fault::OddPadded) && (x1 - x0 < kTile || y1 - y0 < kTile))
         return std::numeric_limits<float>::infinity();
     if (!m_visible->isReadable(x0, y0)) return m_visible->empty();
-    if (const TilePlane* plane = m_visible->planeAt(x0, y0); plane && m_fault != Fault::NearestInCells)
+    if (const TilePlane* plane = m_visible->planeAt(x0, y0); plane && !m_faults.has(Fault::NearestInCells))
         return farthestOver(plane->depth, {x0, y0, x1, y1});
-    if (x1 - x0 == kTile && m_leastKey && m_fault != Fault::NearestInCells)
+    if (x1 - x0 == kTile && m_leastKey && !m_faults.has(Fault::NearestInCells))
         return depthOf(
             std::max(m_leastKey(m_visible->row(y0) + x0, m_visible->stride(), y1 - y0), m_visible->background()));
     float all = m_visible->comparedAt(x0, y0);

@@ -93,8 +93,8 @@ public:
     static constexpr int kBlockLevel = 6;  // of wide ones only: blocks of 64 x 64 pixels
 
     /// Begins a frame: the region has just been cleared, so every cell is empty and none is stale.
-    /// `fault`: which rule of the pyramid is broken on purpose, if any; the promise above is gone then.
-    void reset(const VisibilityBuffer& visible, int firstRow, int endRow, Fault fault = Fault::None,
+    /// `faults`: which rules of the pyramid are broken on purpose, if any; the promise above is gone then.
+    void reset(const VisibilityBuffer& visible, int firstRow, int endRow, const FaultSet& faults = {},
                PyramidKind kind = PyramidKind::Deep);
 
     /// From now on whole tiles are read so, side by side, and not pixel by pixel: whoever draws knows how wide the
@@ -134,7 +134,7 @@ public:
         return &m_levels[0].farthest.at(x >> kTileLevel, (y - m_firstRow) >> kTileLevel);
     }
     /// False if a rule is broken: what is wrong then is wrong with pixels that are read.
-    bool takesTiles() const { return m_fault == Fault::None; }
+    bool takesTiles() const { return m_faults.isEmpty(); }
     /// The same as touched(), and every cell is brought up to date: after each tile its ancestors, as far as they
     /// change.
     template <class Told>
@@ -212,15 +212,17 @@ private:
     };
 
     PyramidQuery askAtCorners(const PixelBox& box, float nearest) const;
+    template <class Told>
+    PyramidQuery askElsewhere(PyramidQuery query, const Told& told);
     template <bool kLooksAtCorners, class Shape>
     bool shows(const PixelBox& box, float nearest, const Shape& shape) const;
     template <class Shape, class Told>
     bool cellsHide(PyramidQuery& query, const Shape& shape, const Told& told);
     bool isBehind(float nearest, float value) const
     {
-        return nearest < value || (m_fault == Fault::EqualIsHidden && nearest == value);
+        return nearest < value || (m_faults.has(Fault::EqualIsHidden) && nearest == value);
     }
-    float kept(float a, float b) const { return (m_fault == Fault::NearestInCells) == (a < b) ? b : a; }
+    float kept(float a, float b) const { return m_faults.has(Fault::NearestInCells) == (a < b) ? b : a; }
 
     Level&   at(int level) { return m_levels[static_cast<std::size_t>(level - kTileLevel)]; }
     PixelBox pixelsOf(int level, int x, int y, const PixelBox& box) const;
@@ -261,8 +263,8 @@ private:
     std::vector<Level>              m_levels;         // from kTileLevel up
     std::vector<std::array<int, 2>> m_changed;        // tiles that the triangle at hand has changed
     int                             m_cellsRead = 0;  // by the query at hand
-    Fault                           m_fault     = Fault::None;
-    PyramidKind                     m_kind      = PyramidKind::Deep;
+    FaultSet                        m_faults;
+    PyramidKind                     m_kind = PyramidKind::Deep;
     MaskedLayers                    m_layers;  // of the tiles, if masked
     Grid<float>                     m_blocks;  // if wide
 };

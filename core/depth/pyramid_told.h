@@ -21,7 +21,7 @@ template <class Shape, class Told>
 [[gnu::always_inline]] inline PyramidQuery Pyramid::ask(const PixelBox& box, float nearest, const Shape& shape,
                                                         const Told& told)
 {
-    if (m_fault == Fault::CornersOnly) return askAtCorners(box, nearest);
+    if (m_faults.has(Fault::CornersOnly)) return askAtCorners(box, nearest);
     const int    y0 = box.y0 - m_firstRow, y1 = box.y1 - 1 - m_firstRow, x0 = box.x0, x1 = box.x1 - 1;
     const auto   longest = static_cast<unsigned>(std::max(x1 - x0, y1 - y0)) + 1;
     PyramidQuery query{
@@ -29,6 +29,7 @@ template <class Shape, class Told>
     int& level = query.level;
     if ((x1 >> level) - (x0 >> level) > 1 || (y1 >> level) - (y0 >> level) > 1) ++level;
     level = std::clamp(level, kTileLevel, levels() - 1);
+    if (m_faults.has(Fault::LevelTooFine) || m_faults.has(Fault::LevelShifted)) return askElsewhere(query, told);
 
     const Grid<float>& farthest = at(level).farthest;
     for (int y = y0 >> level; y <= y1 >> level; ++y) {
@@ -206,6 +207,22 @@ PyramidQuery Pyramid::askOneLevel(const PixelBox& box, float nearest, const Told
     return query;
 }
 
+/// Faults on purpose: the cells under the corners of the box, of a level on which they do not cover it; or cells at the
+/// coordinates of the next level, which are other cells. What they hold decides.
+template <class Told>
+PyramidQuery Pyramid::askElsewhere(PyramidQuery query, const Told& told)
+{
+    if (m_faults.has(Fault::LevelTooFine)) query.level = std::max(query.level - 1, kTileLevel);
+    const int shift = query.level + (m_faults.has(Fault::LevelShifted) ? 1 : 0);
+    for (const int y : {query.box.y0 - m_firstRow, query.box.y1 - 1 - m_firstRow})
+        for (const int x : {query.box.x0, query.box.x1 - 1}) {
+            query.value = std::min(query.value, refresh(query.level, x >> shift, y >> shift, told));
+            ++query.cells;
+        }
+    query.hidden = isBehind(query.nearest, query.value);
+    return query;
+}
+
 /// The pixels of a tile, which lie in `pixels`, that the shape covers: bit 8 y + x.
 template <class Shape>
 std::uint64_t Pyramid::maskOf(const PixelBox& pixels, const Shape& shape) const
@@ -295,7 +312,7 @@ float Pyramid::farthestChild(int level, int x, int y, const ValueOf& valueOf)
 {
     const Level& below = at(level - 1);
     const int endX = std::min(2 * x + 2, below.farthest.width()), endY = std::min(2 * y + 2, below.farthest.height());
-    if (m_fault == Fault::OddPadded && (endX - 2 * x < 2 || endY - 2 * y < 2))
+    if (m_faults.has(Fault::OddPadded) && (endX - 2 * x < 2 || endY - 2 * y < 2))
         return std::numeric_limits<float>::infinity();
     float all = valueOf(2 * x, 2 * y);
     for (int childY = 2 * y; childY < endY; ++childY)

@@ -344,7 +344,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
     const bool looksItself = asksPixels(pipeline, shading) && std::is_same_v<Scan, HalfSpace>;
     const bool continues   = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
     if ((hasPyramid || hasTiles) && !continues)
-        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, Fault::None,
+        scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, FaultSet{},
                               pyramidKind<Rules>(pipeline, looksItself));
     clock.lap(Stage::Clear);
 

@@ -47,9 +47,8 @@ Result<FramePlan> planFrame(const DrawRequest& request)
     // What the last frame's pyramid hides would depend on where the borders between the stripes stood, and so would
     // what a fault spoils: a sweep that begins in the middle of the picture does not make the mistake of the lines
     // before it.
-    const bool isOneStripe =
-        request.pipeline.coherence == Coherence::LastPyramid || request.pipeline.fault != Fault::None;
-    const int wanted = isOneStripe ? 1 : request.threads > 0 ? request.threads : omp_get_num_procs();
+    const bool isOneStripe = request.pipeline.coherence == Coherence::LastPyramid || !request.pipeline.fault.isEmpty();
+    const int  wanted      = isOneStripe ? 1 : request.threads > 0 ? request.threads : omp_get_num_procs();
     return FramePlan{std::clamp(wanted, 1, std::max(1, request.camera.height)), simd};
 }
 
@@ -237,7 +236,7 @@ bool drawsPatchedBatches(const DrawRequest& request)
 
 bool isPlain(const DrawRequest& request)
 {
-    return request.shortcuts == Shortcuts::None || request.pipeline.fault != Fault::None;
+    return request.shortcuts == Shortcuts::None || !request.pipeline.fault.isEmpty();
 }
 
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible)
@@ -257,6 +256,16 @@ DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& vis
                : plain;
 }
 
+Projection projectionOf(const DrawRequest& request, const ChosenRules& rules, double depthScale)
+{
+    const Camera& camera = request.camera;
+    Projection projection(camera, depthScale, displacementOf(request.pipeline.approximation, camera, *request.scene));
+    // All text samples pixels in their centres: to sample them elsewhere is to move the picture.
+    projection.centreX += 0.5 - rules.sampleOffset();
+    projection.centreY += 0.5 - rules.sampleOffset();
+    return projection;
+}
+
 const TransparentSurfaces* toBeBlended(const DrawRequest& request)
 {
     if (!request.shade) return nullptr;
@@ -268,7 +277,7 @@ ChosenRules rulesOfBlending(const DrawRequest& request)
 {
     Approximation approximation = request.pipeline.approximation;
     if (approximation.snap == SnapBits::Twelve) approximation.snap = SnapBits::Eight;  // a sweep counts in 1/256 pixel
-    return {approximation, Fault::None, request.camera};
+    return {approximation, FaultSet{}, request.camera};
 }
 
 const ColourTable& coloursOf(const PreparedScene& scene)

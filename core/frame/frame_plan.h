@@ -40,6 +40,9 @@ bool isPlain(const DrawRequest& request);
 /// last picture of `visible`, so that what that left need not be emptied (core/base/depth_format.h).
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible);
 
+/// From the world to the picture, by the rules.
+Projection projectionOf(const DrawRequest& request, const ChosenRules& rules, double depthScale = 1);
+
 /// The scene's transparent surfaces if this frame blends them: it is shaded, and there are any; else nullptr.
 const TransparentSurfaces* toBeBlended(const DrawRequest& request);
 /// The rules they are drawn by: the request's approximations, as far as a sweep can follow them, and no fault.

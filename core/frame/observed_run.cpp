@@ -36,15 +36,16 @@ void drawObserved(const DrawRequest& asked, Frame& frame, plain::Scratch& scratc
     const DrawRequest request  = repeatable(asked);
     const Pipeline&   pipeline = request.pipeline;
     const Camera&     camera   = request.camera;
-    const Projection  projection(camera, 1, displacementOf(pipeline.approximation, camera, *request.scene));
+    const ChosenRules rules(pipeline.approximation, pipeline.fault, camera);
+    const Projection  projection = projectionOf(request, rules);
     frame.visible.resize(camera.width, camera.height, {pipeline.approximation.format, camera.near, camera.far});
     frame.visible.clearRows(0, camera.height);
 
     const bool             withFragments = request.shade && shadesFragments(pipeline.depth);
     std::optional<Painter> painter;
     if (withFragments) painter.emplace(painterOf(request, frame));
-    StageClock        clock;
-    const Stripe      whole{*request.scene,
+    StageClock   clock;
+    const Stripe whole{*request.scene,
                        projection,
                        request.faceCulling,
                        frame.visible,
@@ -53,10 +54,9 @@ void drawObserved(const DrawRequest& asked, Frame& frame, plain::Scratch& scratc
                        {.report = {}, .cancel = request.cancel},
                        painter ? &*painter : nullptr,
                        effectiveMemoryLimit(request.memoryLimit)};
-    const ChosenRules rules(pipeline.approximation, pipeline.fault, camera);
-    Tally             tally;
-    plain::Work       work{whole, rules, scratch, clock, tally};
-    const bool        takesOver = pipeline.coherence != Coherence::None && before == FrameBefore::Drawn;
+    Tally        tally;
+    plain::Work  work{whole, rules, scratch, clock, tally};
+    const bool   takesOver = pipeline.coherence != Coherence::None && before == FrameBefore::Drawn;
     if (takesOver && !observer.isOnTheWay()) drawPlainly(pipeline, work);
     work.observer = &observer;
     drawPlainly(pipeline, work);

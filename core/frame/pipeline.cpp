@@ -123,7 +123,7 @@ std::string nameOf(const Pipeline& pipeline)
     for (const AxisEntry& axis : axes())
         if (differs(closest, axis))
             name += '+' + std::string(axis.word) + '=' + std::string(chosen(pipeline, axis.word));
-    if (pipeline.fault != Fault::None) name += "+fault=" + std::string(entryOf(pipeline.fault).word);
+    for (const Fault fault : pipeline.fault) name += "+fault=" + std::string(entryOf(fault).word);
     return name;
 }
 
@@ -170,7 +170,7 @@ std::vector<Grain> grainsOf(const Pipeline& pipeline)
 
 namespace {
 
-/// Whether only the chooser, what shading and blending do, the approximations and the fault differ from a plain
+/// Whether only the chooser, what shading and blending do, the approximations and the faults differ from a plain
 /// z-buffer's.
 bool leavesChoicesOpen(const Pipeline& pipeline)
 {
@@ -182,7 +182,7 @@ bool leavesChoicesOpen(const Pipeline& pipeline)
                        .fault         = pipeline.fault};
 }
 
-/// Why the approximations and the fault do not fit the rest, or nothing.
+/// Why the approximations and the faults do not fit the rest, or nothing.
 std::optional<std::string> explainMisfit(const Pipeline& pipeline)
 {
     const Approximation& approximation = pipeline.approximation;
@@ -201,9 +201,13 @@ std::optional<std::string> explainMisfit(const Pipeline& pipeline)
     }
     if (approximation.small != SmallNodes::Keep && pipeline.order == Order::Submitted)
         return "Only a hierarchy has nodes that could be small: choose order=octree or order=bvh, or small-nodes=keep";
-    if (pipeline.fault == Fault::None || entryOf(pipeline.fault).canHappen(pipeline)) return std::nullopt;
-    return "The fault '" + std::string(entryOf(pipeline.fault).word) + "' cannot happen here: it is one of "
-           + std::string(entryOf(pipeline.fault).place) + ", as in " + std::string(entryOf(pipeline.fault).preset);
+    for (const Fault fault : pipeline.fault) {
+        const FaultEntry& entry = entryOf(fault);
+        if (entry.canHappen(pipeline)) continue;
+        return "The fault '" + std::string(entry.word) + "' cannot happen here: it is one of "
+               + std::string(entry.place) + ", as in " + std::string(entry.preset);
+    }
+    return std::nullopt;
 }
 
 }  // namespace

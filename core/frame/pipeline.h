@@ -60,9 +60,9 @@ struct Pipeline {
     Coherence     coherence     = Coherence::None;
     BlendOrder    transparency  = BlendOrder::Sorted;  // in a scene that has transparent surfaces
     Approximation approximation = {};                  // each of its members is an axis
-    Fault         fault         = Fault::None;         // see core/frame/faults.h
+    FaultSet      fault         = {};                  // see core/frame/faults.h
 
-    bool        usesExactRules() const { return !approximation.isAny() && fault == Fault::None; }
+    bool        usesExactRules() const { return !approximation.isAny() && fault.isEmpty(); }
     friend bool operator==(const Pipeline&, const Pipeline&) = default;
 };
 

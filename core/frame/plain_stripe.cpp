@@ -1,5 +1,7 @@
 #include "core/frame/plain_stripe.h"
 
+#include <glm/geometric.hpp>
+
 #include "core/frame/frame_events.h"
 #include "core/method/depth_moments.h"
 #include "core/method/hierarchical.h"
@@ -116,6 +118,27 @@ void clear(Work& work)
     if (work.stripe.painter) clearColours(*work.stripe.painter, work.stripe.firstRow, work.stripe.endRow);
 }
 
+/// A fault: the depths of the frame before. Its eye stood farther left and farther back, by a sixteenth of the way to
+/// the scene's centre. Nobody observes it.
+void leaveDepthsOfFrameBefore(const Pass& pass, Work& work)
+{
+    const Stripe& now    = work.stripe;
+    const Bounds& bounds = now.scene.scene().bounds;
+    Projection    before = now.projection;
+    const double  step   = glm::distance(0.5 * (bounds.min + bounds.max), before.eye) / 16;
+    before.eye -= step * before.right + step * before.forward;
+    const Stripe stripe{now.scene,  before,       now.culling, now.visible, now.firstRow,
+                        now.endRow, now.progress, nullptr,     now.memory};
+    Tally        tally;
+    Work         last{stripe, work.rules, work.scratch, work.clock, tally};
+    Pass         depth;
+    depth.keep       = Keep::DepthOnly;
+    depth.walksEdges = pass.walksEdges;
+    work.clock.countAllAs(Stage::Clear);
+    zbuffer(last, plainParts(), depth);
+    work.clock.countAllAs(std::nullopt);
+}
+
 void drawStream(const Pipeline& pipeline, Work& work)
 {
     const Stripe& stripe     = work.stripe;
@@ -127,6 +150,7 @@ void drawStream(const Pipeline& pipeline, Work& work)
 
     const InStage clearing(work, Stage::Clear);
     clear(work);
+    if (work.rules.keepsLastDepths()) leaveDepthsOfFrameBefore(pass, work);
     if ((hasPyramid || pass.testsTiles) && !continues)
         pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, pipeline.fault,
                       pipeline.upkeep == Upkeep::Masked ? PyramidKind::Masked : PyramidKind::Deep);

@@ -233,8 +233,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         frame.colour = {};  // it may have its size and not its values
         return Error{Trouble::Limit, "there is not enough memory for this picture"};
     }
-    const Projection       projection(camera, encoding.scale,
-                                      displacementOf(request.pipeline.approximation, camera, *request.scene));
+    const Projection       projection = projectionOf(request, rules, encoding.scale);
     std::optional<Painter> painter;
     if (colours)
         painter.emplace(Painter{request.scene->scene(), *colours, frame.colour.view(),

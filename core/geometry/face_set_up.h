@@ -62,8 +62,9 @@ class FaceSetUp {
 public:
     FaceSetUp(const FacePlace& place, const Projection& projection, FaceCulling culling, const PixelBox& region,
               FaceScratch& scratch, const Consume& consume, const Rules& rules, const Report& report)
-        : m_place(place), m_projection(projection), m_facing{culling, place.isMirrored()}, m_region(region),
-          m_scratch(scratch), m_consume(consume), m_rules(rules), m_report(report), m_depth(projection, place.toWorld)
+        : m_place(place), m_projection(projection), m_facing(rules.facing({culling, place.isMirrored()})),
+          m_region(region), m_scratch(scratch), m_consume(consume), m_rules(rules), m_report(report),
+          m_depth(projection, place.toWorld)
     {}
 
     /// All vertices of the batch are in front of the near plane and inside the guard band.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "core/base/affine.h"
@@ -42,6 +43,21 @@ inline ClippedTriangle clipNear(const std::array<dvec3, 3>& view, double near)
         kept.corner[kept.count++] = isInside(a) ? nearCrossing(a, b, near) : nearCrossing(b, a, near);
     }
     return kept;
+}
+
+/// A fault: nothing is cut of a triangle that has a corner in front of the plane. One with a corner in the plane of the
+/// eye, where no projection exists, is dropped.
+inline ClippedTriangle unclipped(const std::array<dvec3, 3>& view, double near)
+{
+    constexpr double kNothing = 0x1p-40;  // of the distance of the near plane
+    ClippedTriangle  all{{view[0], view[1], view[2]}, 0, false};
+    bool             isInFront = false;
+    for (const dvec3& v : view) {
+        isInFront = isInFront || v.z >= near;
+        if (!(std::abs(v.z) > near * kNothing)) return all;
+    }
+    all.count = isInFront ? 3 : 0;
+    return all;
 }
 
 }  // namespace zscope

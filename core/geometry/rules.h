@@ -2,7 +2,7 @@
 // as a template parameter, so that there is one text, and the exact one pays for nothing.
 //
 // ExactRules    the definition: every answer is known when the text is compiled
-// ChosenRules   the same with approximations and at most one fault, chosen at run time
+// ChosenRules   the same with approximations and faults, chosen at run time
 // Source        docs/correctness.md; the faults are described in core/frame/faults.h
 #pragma once
 
@@ -13,6 +13,8 @@
 #include "core/base/approximation.h"
 #include "core/base/depth_format.h"
 #include "core/base/fault.h"
+#include "core/geometry/facing.h"
+#include "core/geometry/pixel_box.h"
 #include "core/geometry/projection.h"
 #include "core/scene/view.h"
 
@@ -32,6 +34,11 @@ struct ExactRules {
     static constexpr bool   usesFloat32Vertices() { return false; }
     static constexpr double snapsPerPixel() { return kSubpixels; }
     static constexpr bool   dropsAtNear() { return false; }
+    static constexpr Facing facing(const Facing& of) { return of; }
+    /// Of the depth: it is interpolated as 1 / depth, which is proportional to the distance.
+    static constexpr bool interpolatesDistance() { return false; }
+    /// Corners behind the eye are projected as they are.
+    static constexpr bool dividesBehindTheEye() { return false; }
     /// True if a part with these corners is left out because it crosses the border of the picture.
     static constexpr bool dropsCrossing(const ScreenCorner&, const ScreenCorner&, const ScreenCorner&) { return false; }
 
@@ -69,8 +76,8 @@ class ChosenRules {
 public:
     static constexpr bool kExact = false;
 
-    ChosenRules(const Approximation& approximation, Fault fault, const Camera& camera)
-        : m_approximation(approximation), m_fault(fault), m_encoding(approximation.format, camera.near, camera.far),
+    ChosenRules(const Approximation& approximation, const FaultSet& faults, const Camera& camera)
+        : m_approximation(approximation), m_faults(faults), m_encoding(approximation.format, camera.near, camera.far),
           m_width(camera.width * kSubpixels), m_height(camera.height * kSubpixels)
     {}
 
@@ -81,14 +88,26 @@ public:
                : m_approximation.snap == SnapBits::Twelve ? 4096
                                                           : kSubpixels;
     }
-    bool dropsAtNear() const { return m_approximation.near == NearPlane::Drop || m_fault == Fault::NearRejected; }
+    /// Which side of a triangle is drawn. A fault: the y axis of the screen runs down, which turns every triangle round,
+    /// and the test for the inside wants those that now turn away.
+    Facing facing(const Facing& of) const
+    {
+        return m_faults.has(Fault::WindingFlipped) ? Facing{FaceCulling::Back, !of.isMirrored} : of;
+    }
+    /// A fault: the division by the distance comes before the cut at the near plane, so that nothing is left to cut.
+    bool dividesBehindTheEye() const { return m_faults.has(Fault::BehindTheEye); }
+    /// A fault: a face is cut into triangles as if it were convex.
+    bool fansFaces() const { return m_faults.has(Fault::ConcaveFanned); }
+    /// Where in a pixel it is sampled. A fault: in its upper left corner.
+    double sampleOffset() const { return m_faults.has(Fault::HalfPixel) ? 0 : 0.5; }
+    bool   dropsAtNear() const { return m_approximation.near == NearPlane::Drop || m_faults.has(Fault::NearRejected); }
     [[gnu::always_inline]] bool dropsCrossing(const ScreenCorner& p0, const ScreenCorner& p1,
                                               const ScreenCorner& p2) const
     {
         const auto isOutside = [this](const ScreenCorner& p) {
             return p.xs < 0 || p.ys < 0 || p.xs > m_width || p.ys > m_height;
         };
-        return m_fault == Fault::CrossingDropped && (isOutside(p0) || isOutside(p1) || isOutside(p2));
+        return m_faults.has(Fault::CrossingDropped) && (isOutside(p0) || isOutside(p1) || isOutside(p2));
     }
 
     [[gnu::always_inline]] int firstCentreFrom(double snapped) const
@@ -97,26 +116,48 @@ public:
     }
     [[gnu::always_inline]] int firstLineOfTriangle(double top) const
     {
-        if (m_fault != Fault::FirstLineRounded) return firstCentreFrom(top);
+        if (!m_faults.has(Fault::FirstLineRounded)) return firstCentreFrom(top);
         return static_cast<int>(std::clamp(std::floor(top / kSubpixels), -0x1p30, 0x1p30)) + 1;
     }
+    /// The pixels of a triangle's box that are looked at. A fault: its ends are taken for its last pixels, which the
+    /// loop does not reach.
+    PixelBox looked(const PixelBox& box) const
+    {
+        return m_faults.has(Fault::BoxShort) ? PixelBox{box.x0, box.y0, box.x1 - 1, box.y1 - 1} : box;
+    }
+    /// A fault: an edge's step from line to line loses its fraction of a subpixel.
+    bool stepsByWholeSubpixels() const { return m_faults.has(Fault::EdgeDrift); }
     bool isSkippedAsHorizontal(double xa, double xb) const
     {
-        return m_fault == Fault::HorizontalByX && std::floor(xa / kSubpixels) == std::floor(xb / kSubpixels);
+        return m_faults.has(Fault::HorizontalByX) && std::floor(xa / kSubpixels) == std::floor(xb / kSubpixels);
     }
     int firstPixel(int first, std::int64_t x) const
     {
-        return m_fault == Fault::XTruncated ? static_cast<int>(x >> 8) : first;
+        return m_faults.has(Fault::XTruncated) ? static_cast<int>(x >> 8) : first;
     }
     double notOwned() const
     {
-        if (m_fault == Fault::NoTopLeft) return 0;
+        if (m_faults.has(Fault::NoTopLeft)) return 0;
         const double step = kSubpixels / snapsPerPixel();
         return std::min(1.0, step * step);
     }
     bool accumulatesEdges() const { return m_approximation.edges == EdgeSteps::Accumulated; }
-    bool sortsActiveEdges() const { return m_fault != Fault::EdgesUnsorted; }
-    bool testsIntervalOnce() const { return m_fault == Fault::OneTestPerInterval; }
+    bool sortsActiveEdges() const { return !m_faults.has(Fault::EdgesUnsorted); }
+    bool testsIntervalOnce() const { return m_faults.has(Fault::OneTestPerInterval); }
+
+    /// A fault: the distance is interpolated, as if perspective kept halves halves.
+    bool interpolatesDistance() const { return m_faults.has(Fault::LinearZ); }
+    /// The depth of a pixel, given what has been interpolated.
+    [[gnu::always_inline]] double depthFrom(double interpolated) const
+    {
+        return m_faults.has(Fault::LinearZ) ? 1 / std::max(1.0, interpolated) : interpolated;
+    }
+    /// A fault: the depths of the frame before are there when the frame begins.
+    bool keepsLastDepths() const { return m_faults.has(Fault::NotCleared); }
+    /// A fault: no depth is compared; what comes later in the file is drawn over what came before.
+    bool drawsOver() const { return m_faults.has(Fault::PainterOrder); }
+    /// A fault: the pass that wants equal depths compares with "less".
+    bool equalPassWantsNearer() const { return m_faults.has(Fault::EqualPassLess); }
 
     DepthNumbers                 depthNumbers() const { return m_approximation.depth; }
     const DepthEncoding&         encoding() const { return m_encoding; }
@@ -130,13 +171,13 @@ public:
                : m_approximation.small == SmallNodes::DropBelow16 ? 16
                                                                   : 0;
     }
-    bool visitsFarFirst() const { return m_fault == Fault::FarFirst; }
-    bool firstComerKeepsTie() const { return m_fault == Fault::FarFirst; }
-    bool truncatesNodeBoxes() const { return m_fault == Fault::EmptyIsHidden; }
+    bool visitsFarFirst() const { return m_faults.has(Fault::FarFirst); }
+    bool firstComerKeepsTie() const { return m_faults.has(Fault::FarFirst); }
+    bool truncatesNodeBoxes() const { return m_faults.has(Fault::EmptyIsHidden); }
 
 private:
     Approximation m_approximation;
-    Fault         m_fault;
+    FaultSet      m_faults;
     DepthEncoding m_encoding;
     double        m_width, m_height;  // of the picture, subpixels
 };

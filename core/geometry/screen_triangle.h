@@ -72,6 +72,30 @@ enum class SetUp { Drawn, Transparent, Outside, ClippedAway, BackFacing, Degener
     return plane;
 }
 
+/// A fault: 1 / depth, which is proportional to the distance, as an affine function of the pixel.
+inline DepthPlane distancePlane(ScreenCorner p0, ScreenCorner p1, ScreenCorner p2)
+{
+    const auto [farthest, nearest] = std::minmax({p0.d, p1.d, p2.d});
+    for (ScreenCorner* p : {&p0, &p1, &p2}) p->d = 1 / p->d;
+    DepthPlane plane = depthPlane(p0, p1, p2);
+    plane.farthest   = static_cast<float>(farthest);
+    plane.nearest    = static_cast<float>(nearest);
+    return plane;
+}
+
+/// What is interpolated over the pixels, by the rules.
+template <class Rules>
+[[gnu::always_inline]] inline DepthPlane depthPlane(const ScreenCorner& p0, const ScreenCorner& p1,
+                                                    const ScreenCorner& p2, const Rules& rules)
+{
+    DepthPlane plane = rules.interpolatesDistance() ? distancePlane(p0, p1, p2) : depthPlane(p0, p1, p2);
+    if (rules.dividesBehindTheEye()) {  // corners behind the eye have depths that nothing can be stored at
+        plane.farthest = std::clamp(plane.farthest, 0.0f, 1.0f);
+        plane.nearest  = std::clamp(plane.nearest, 0.0f, 1.0f);
+    }
+    return plane;
+}
+
 /// Twice the snapped area, its sign only: -1 counter-clockwise to the viewer, 0 degenerate, 1 clockwise.
 /// Exact for corners within kSnapLimit.
 [[gnu::always_inline]] inline int turnOf(const ScreenCorner& p0, const ScreenCorner& p1, const ScreenCorner& p2,
@@ -110,7 +134,7 @@ template <class Rules>
     const ScreenCorner& third  = turn > 0 ? p2 : p1;
     out.x                      = {p0.xs, second.xs, third.xs};
     out.y                      = {p0.ys, second.ys, third.ys};
-    out.depth                  = depthPlane(p0, p1, p2);
+    out.depth                  = depthPlane(p0, p1, p2, rules);
     out.id                     = id;
     out.wide                   = wide;
     out.counterClockwise       = turn < 0;

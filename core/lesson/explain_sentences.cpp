@@ -35,8 +35,8 @@ std::string stepsOf(float a, float b) { return counted(float32StepsBetween(a, b)
 
 std::string_view tieRule(const Pipeline& pipeline)
 {
-    return pipeline.fault == Fault::FarFirst ? "on equal depth the first comer keeps it (a fault)"
-                                             : "on equal depth the lower id wins";
+    return pipeline.fault.has(Fault::FarFirst) ? "on equal depth the first comer keeps it (a fault)"
+                                               : "on equal depth the lower id wins";
 }
 
 /// What the pyramid was asked and found.
@@ -52,7 +52,7 @@ std::string questionOf(const PyramidQuery& q)
     return asked + "; that does not decide, but all finer cells and pixels inside the rectangle are strictly nearer";
 }
 
-std::string setUpOf(const Event& e, const std::string& who)
+std::string setUpOf(const Event& e, const std::string& who, const Pipeline& pipeline)
 {
     switch (e.setUp) {
         case SetUp::Drawn:
@@ -65,6 +65,8 @@ std::string setUpOf(const Event& e, const std::string& who)
         case SetUp::ClippedAway:
             return who + " lies wholly before the near plane: nothing of it is left.";
         case SetUp::BackFacing:
+            if (pipeline.fault.has(Fault::WindingFlipped))
+                return who + " shows its front, is taken for a back face and is left out (a fault).";
             return who
                    + (e.isMirrored
                           ? " turns counter-clockwise on the grid and its instance is mirrored, so it shows its "
@@ -116,6 +118,8 @@ std::string wonBy(const Event& e, const std::string& who, const Pipeline& pipeli
                            e.depth);
     if (!e.rival) return fmt::format("{}, near/z {:.9g}, takes the pixel from the background.", who, e.depth);
     const std::string rival = nameOf(*e.rival, pipeline);
+    if (pipeline.fault.has(Fault::PainterOrder))
+        return fmt::format("{} comes after {} in the file and is drawn over it without a test (a fault).", who, rival);
     if (e.depth == e.rivalDepth)
         return fmt::format("{} is as near as {}, {:.9g}, and takes the pixel: {}.", who, rival, e.depth,
                            tieRule(pipeline));
@@ -128,6 +132,14 @@ std::string lostBy(const Event& e, const std::string& who, const Pipeline& pipel
     if (e.isPrepass)
         return fmt::format("{}, near/z {:.9g}, is not nearer than {:.9g}, which the pre-pass has kept.", who, e.depth,
                            e.rivalDepth);
+    if (pipeline.fault.has(Fault::PainterOrder) && e.rival)
+        return fmt::format("{} comes before {} in the file, which stays drawn over it (a fault).", who,
+                           nameOf(*e.rival, pipeline));
+    if (pipeline.fault.has(Fault::EqualPassLess) && e.depth == e.rivalDepth)
+        return fmt::format(
+            "{} has exactly the depth that the pre-pass kept, {:.9g}, and loses: the second pass wants a nearer one (a "
+            "fault).",
+            who, e.depth);
     if (e.depth > e.rivalDepth)
         return fmt::format(
             "{}, near/z {:.9g}, is nearer than {}: it has a hole here, so the pre-pass left it out, and it does not "
@@ -137,7 +149,9 @@ std::string lostBy(const Event& e, const std::string& who, const Pipeline& pipel
                                        : fmt::format("the depth {:.9g} that the pre-pass kept", e.rivalDepth));
     if (e.rivalDepth <= background && !e.rival)
         return fmt::format("{}, near/z {:.9g}, lies beyond the far plane and is not kept.", who, e.depth);
-    const std::string holder = e.rival ? "of " + nameOf(*e.rival, pipeline) : std::string("that the pre-pass kept");
+    const std::string holder = e.rival                                 ? "of " + nameOf(*e.rival, pipeline)
+                               : pipeline.fault.has(Fault::NotCleared) ? std::string("that the frame before has left")
+                                                                       : std::string("that the pre-pass kept");
     if (e.depth == e.rivalDepth)
         return fmt::format("{} is exactly as near as the depth {}, {:.9g}, and loses: {}.", who, holder, e.depth,
                            tieRule(pipeline));
@@ -148,6 +162,8 @@ std::string lostBy(const Event& e, const std::string& who, const Pipeline& pipel
 std::string overtakenBy(const Event& e, const std::string& who, const Pipeline& pipeline)
 {
     const std::string rival = capital(nameOf(*e.rival, pipeline));
+    if (pipeline.fault.has(Fault::PainterOrder))
+        return fmt::format("{} comes after {} in the file and is drawn over it without a test (a fault).", rival, who);
     if (e.depth == e.rivalDepth)
         return fmt::format("{} is as near, {:.9g}, and takes the pixel from {}: {}.", rival, e.depth, who,
                            tieRule(pipeline));
@@ -268,7 +284,7 @@ std::string sentenceOf(const Event& event, TriangleId drawnAs, const Pipeline& p
     const std::string who = nameOf(drawnAs, pipeline), subject = capital(who);
     switch (event.happening) {
         case Happening::SetUp:
-            return setUpOf(event, subject);
+            return setUpOf(event, subject, pipeline);
         case Happening::NodeOutside:
         case Happening::NodeHidden:
         case Happening::NodeSmall:

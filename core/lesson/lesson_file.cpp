@@ -375,12 +375,12 @@ std::optional<Error> readChoices(const Reader& r, const JsonValue& value, Pipeli
 std::optional<Error> readFault(const Reader& r, const JsonValue& value, Pipeline& pipeline)
 {
     if (value.text() && *value.text() == "none") {
-        pipeline.fault = Fault::None;
+        pipeline.fault = {};
         return std::nullopt;
     }
-    const FaultEntry* fault = value.text() ? findFault(*value.text()) : nullptr;
-    if (!fault) return r.wrong(value, "'fault' must be none or a fault: see zscope-cli list faults");
-    pipeline.fault = fault->fault;
+    const std::optional<FaultSet> faults = value.text() ? findFaults(*value.text()) : std::nullopt;
+    if (!faults) return r.wrong(value, "'fault' must be none or a fault: see zscope-cli list faults");
+    pipeline.fault = *faults;
     return std::nullopt;
 }
 

@@ -28,7 +28,7 @@ std::vector<BenchAlgorithm> presetsToTime()
 std::vector<BenchAlgorithm> approximateSwitches(Pipeline base)
 {
     base.approximation = {};
-    base.fault         = Fault::None;
+    base.fault         = {};
     base.transparency  = BlendOrder::Sorted;
     if (base.coherence == Coherence::LastPyramid) base.coherence = Coherence::None;
 

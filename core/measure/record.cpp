@@ -250,7 +250,7 @@ std::optional<Pipeline> pipelineNamed(std::string_view name)
         if (axis == "fault") {
             const FaultEntry* fault = findFault(choice);
             if (!fault) return std::nullopt;
-            pipeline.fault = fault->fault;
+            pipeline.fault.add(fault->fault);
         } else {
             const Result<Pipeline> with = withChoice(pipeline, axis, choice);
             if (!with) return std::nullopt;

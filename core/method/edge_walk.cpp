@@ -22,7 +22,9 @@ void walkBetween(Work& work, const Pass& pass, const ScreenTriangle& triangle, c
 {
     if (first >= end || work.rules.isSkippedAsHorizontal(corner[top].x, corner[bottom].x)) return;
     const auto edge = [&](std::size_t a, std::size_t b) {
-        return Stepper(corner[a].x, corner[a].y, corner[b].x, corner[b].y, first, end - 1);
+        Stepper side(corner[a].x, corner[a].y, corner[b].x, corner[b].y, first, end - 1);
+        if (work.rules.stepsByWholeSubpixels()) side.stepByWholeSubpixels();  // a fault
+        return side;
     };
     const auto pixelAt  = [&](const Stepper& side) { return work.rules.firstPixel(side.firstPixel(), side.x()); };
     Stepper    longSide = edge(0, 2), shortSide = edge(top, bottom);

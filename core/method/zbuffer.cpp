@@ -44,7 +44,7 @@ void fillByHalfSpaces(Work& work, const Pass& pass, const ScreenTriangle& triang
 {
     const HalfPlanes edges{halfPlanesOf(triangle, work.rules.notOwned()), triangle.box.x0, triangle.box.y0};
     DepthTest        test(work, pass, triangle.depth, triangle.id, triangle.patterned);
-    for (const PixelBox& box : tilesOf(triangle.box, pass.testsTiles)) {
+    for (const PixelBox& box : tilesOf(work.rules.looked(triangle.box), pass.testsTiles)) {
         if (pass.testsTiles && (edges.areOutside(box) || isHiddenInTile(work, triangle, box))) continue;
         for (int y = box.y0; y < box.y1; ++y) {
             test.beginLine(y, triangle.box.x0);

@@ -74,12 +74,15 @@ void DepthTest::store(int x) { m_row[x] = keyOfDepth(limitedDepthAt(x)); }
 
 bool DepthTest::isNearer(PixelKey fragment, PixelKey held) const
 {
+    if (m_pass.keep == Keep::Nearest && m_work.rules.drawsOver())  // a fault
+        return fragment > keyOf(m_empty, 0) && rankOf(fragment) > rankOf(held);
     const bool firstComerStays = m_work.rules.firstComerKeepsTie() && m_pass.keep != Keep::DepthOnly;
     if (m_pass.keep != Keep::Equal) {
         const PixelKey lastOfItsDepth = fragment & ~PixelKey{0xFFFFFFFF};
         return (firstComerStays ? lastOfItsDepth : fragment) > held;
     }
     // After a pre-pass: of the fragments with the depth that it left, the lowest id. It left the depth without an id.
+    if (m_work.rules.equalPassWantsNearer()) return fragment >> 32 > held >> 32;  // a fault
     const bool isNobodys = rankOf(held) == 0;
     const bool sameDepth = fragment >> 32 == held >> 32;
     return sameDepth && fragment > keyOf(m_empty, 0) && (isNobodys || (fragment > held && !firstComerStays));
@@ -108,7 +111,8 @@ double DepthTest::limitedDepthAt(int x)
             across = m_carry;
         }
     }
-    return std::min(std::max(across + m_line, double{m_plane.farthest}), double{m_plane.nearest});
+    const double depth = m_work.rules.depthFrom(across + m_line);
+    return std::min(std::max(depth, double{m_plane.farthest}), double{m_plane.nearest});
 }
 
 void DepthTest::shade(int x) const

@@ -47,6 +47,7 @@ void EdgeTable::add(const Polygon& polygon, Inside inside, std::span<const Scree
         edge.crossing  = edge.closes()
                              ? EdgeStepper<std::int64_t>(side.xa, side.ya, side.xb, side.yb, first, edge.lastLine)
                              : EdgeStepper<std::int64_t>(side.xb, side.yb, side.xa, side.ya, first, edge.lastLine);
+        if (rules.stepsByWholeSubpixels()) edge.crossing.stepByWholeSubpixels();  // a fault
         m_edges.push_back(edge);
     }
     if (bytes() > m_memory) throw std::bad_alloc();

@@ -78,9 +78,9 @@ bool isHidden(Work& work, const Pass& pass, const ScreenTriangle& triangle)
 
 bool isHiddenInTile(Work& work, const ScreenTriangle& triangle, const PixelBox& pixels)
 {
-    const PixelBox tile      = work.scratch.pyramid.tileAt(pixels.x0, pixels.y0);
-    const bool     isFloat64 = work.rules.depthNumbers() == DepthNumbers::Float64;
-    const float nearest = work.rules.stored(isFloat64 ? nearestOver(triangle.depth, pixels) : triangle.depth.nearest);
+    const PixelBox tile     = work.scratch.pyramid.tileAt(pixels.x0, pixels.y0);
+    const bool     isPlane  = work.rules.depthNumbers() == DepthNumbers::Float64 && !work.rules.interpolatesDistance();
+    const float    nearest  = work.rules.stored(isPlane ? nearestOver(triangle.depth, pixels) : triangle.depth.nearest);
     const TileAnswer answer = work.scratch.pyramid.askTile(tile.x0, tile.y0, nearest, TellCells{work});
     work.tell(TileTested{pixels, triangle.id, nearest, answer.farthest, answer.hidden});
     return answer.hidden;

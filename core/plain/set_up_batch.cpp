@@ -20,13 +20,33 @@ void transform(Work& work, const BatchPlace& place)
                               work.stripe.projection, work.rules));
 }
 
+/// A fault: triangle `t` of the mesh's batches, if it is the nth of its face, as the nth of a fan from the face's first
+/// corner. `corner`: what it is by the definition, and stays where the face has no such fan.
+std::array<dvec3, 3> cornersOfFan(const Work& work, const BatchPlace& place, std::uint32_t t,
+                                  const std::array<dvec3, 3>& corner)
+{
+    const Scene&                         scene   = work.stripe.scene.scene();
+    const Mesh&                          mesh    = scene.meshOf(scene.instanceOf(place.idOf(t)));
+    const std::uint32_t                  own     = place.mesh.meshTriangle[t];
+    const PolygonId                      face    = mesh.trianglePolygon[own];
+    const std::span<const std::uint32_t> outline = mesh.polygon(face);
+    const std::uint32_t                  nth     = own - mesh.firstTriangle[face.value];
+    if (nth + 2 >= outline.size()) return corner;
+    const auto seen = [&](std::size_t i) {
+        return viewOf(mesh.positions[outline[i]], place.toWorld, work.stripe.projection, work.rules);
+    };
+    return {seen(0), seen(nth + 1), seen(nth + 2)};
+}
+
 /// Triangle `t` of the mesh's batches. Its fate is the best of its parts'.
 void setUpTriangle(Work& work, const BatchPlace& place, std::uint32_t t, const Facing& facing)
 {
     const auto&          corners = place.mesh.corners;
     const auto&          view    = work.scratch.view;
     std::array<dvec3, 3> corner{view[corners[0][t]], view[corners[1][t]], view[corners[2][t]]};
-    ClippedTriangle      kept = clipNear(corner, work.stripe.projection.near);
+    if (work.rules.fansFaces()) corner = cornersOfFan(work, place, t, corner);  // a fault
+    const double    near = work.stripe.projection.near;
+    ClippedTriangle kept = work.rules.dividesBehindTheEye() ? unclipped(corner, near) : clipNear(corner, near);
     if (kept.isCut && work.rules.dropsAtNear()) kept.count = 0;
 
     SetUp fate = SetUp::ClippedAway;
@@ -58,7 +78,7 @@ void setUpBatch(Call work, const BatchPlace& place)
     work->tally.add(Unit::TrianglesSetUp, place.batch.triangleCount);
     work->clock.lap(Stage::Transform);
 
-    const Facing facing{work->stripe.culling, place.isMirrored()};
+    const Facing facing = work->rules.facing({work->stripe.culling, place.isMirrored()});
     work->scratch.triangles.clear();
     for (std::uint32_t t = 0; t < place.batch.triangleCount; ++t)
         setUpTriangle(*work, place, place.batch.firstTriangle + t, facing);

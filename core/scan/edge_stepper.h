@@ -50,6 +50,9 @@ public:
         m_fraction = carries ? fraction - m_dy : fraction;
     }
 
+    /// A fault: from now on a step is rounded down to whole subpixels.
+    void stepByWholeSubpixels() { m_stepFraction = 0; }
+
     /// The first pixel whose centre is not left of the crossing, limited to +-2^30.
     int firstPixel() const
     {
@@ -100,6 +103,7 @@ public:
     {}
 
     void nextLine() { m_x += m_step; }
+    void stepByWholeSubpixels() { m_step = std::floor(m_step); }
     int  firstPixel() const { return firstPixelCentreFrom(std::ceil(x32())); }
     /// Subpixels, rounded down.
     std::int64_t x() const { return static_cast<std::int64_t>(std::floor(x32())); }

@@ -48,6 +48,10 @@ std::string sceneFor(Fault fault)
             return "layers?order=back";
         case Fault::NearRejected:
             return "wall-and-city";
+        case Fault::LinearZ:
+            return "cubes";
+        case Fault::BehindTheEye:
+            return "wall-and-city";
         case Fault::FarFirst:
             return "hard/C2";
         default:
@@ -60,7 +64,7 @@ TEST(Faults, EachMakesWrongPixelsWhereTheExactTextMakesNone)
     for (const FaultEntry& entry : faults()) {
         Pipeline pipeline = findPreset(entry.preset)->pipeline;
         EXPECT_TRUE(judge(sceneFor(entry.fault), pipeline).figures.isExact()) << entry.word;
-        pipeline.fault      = entry.fault;
+        pipeline.fault.add(entry.fault);
         const VerifyRow row = judge(sceneFor(entry.fault), pipeline);
         EXPECT_EQ(row.claim, Claim::Approximate) << entry.word;
         EXPECT_GT(row.figures.wrongPixels(), 0u) << entry.word;
@@ -126,6 +130,105 @@ TEST(Faults, EachIsRefusedWithASentenceWhereItCannotHappen)
                 << preset.name << ' ' << entry.word;
         }
     }
+}
+
+/// The ids of a picture, row after row.
+std::vector<std::int64_t> idsOf(const VisibilityBuffer& visible)
+{
+    std::vector<std::int64_t> ids;
+    for (int y = 0; y < visible.height(); ++y)
+        for (int x = 0; x < visible.width(); ++x) ids.push_back(visible.idAt(x, y));
+    return ids;
+}
+
+/// A picture of 333 x 217 pixels with these faults, drawn by one thread.
+std::vector<std::int64_t> drawnWith(const std::string& builtin, const Pipeline& preset, const FaultSet& faults,
+                                    FaceCulling culling = FaceCulling::None)
+{
+    const auto  scene = prepared(builtin);
+    DrawRequest request{.scene       = scene,
+                        .camera      = cameraFor(scene->scene(), 333, 217),
+                        .faceCulling = culling,
+                        .pipeline    = preset,
+                        .threads     = 1};
+    request.pipeline.fault = faults;
+    Frame frame;
+    EXPECT_TRUE(Renderer().draw(request, frame)) << builtin;
+    return idsOf(frame.visible);
+}
+
+/// Wherever both can happen, on a scene with all that faults need, at a size in which no level of the pyramid is even.
+TEST(Faults, AnyTwoDrawTogetherWithAnyNumberOfThreads)
+{
+    const auto scene = prepared("wall-and-city?blocks=2");
+    int        pairs = 0;
+    for (const FaultEntry& one : faults())
+        for (const FaultEntry& other : faults()) {
+            DrawRequest request{.scene    = scene,
+                                .camera   = cameraFor(scene->scene(), 61, 43),
+                                .pipeline = findPreset(one.preset)->pipeline};
+            request.pipeline.fault = one.fault;
+            request.pipeline.fault.add(other.fault);
+            if (explainInvalid(request.pipeline)) {
+                EXPECT_FALSE(other.canHappen(request.pipeline)) << one.word << '+' << other.word;
+                EXPECT_NE(explainInvalid(request.pipeline)->find(other.word), std::string::npos);
+                continue;
+            }
+            ++pairs;
+            std::vector<std::vector<std::int64_t>> pictures;
+            for (const int threads : {1, 3}) {
+                request.threads = threads;
+                Frame frame;
+                ASSERT_TRUE(Renderer().draw(request, frame)) << one.word << '+' << other.word;
+                pictures.push_back(idsOf(frame.visible));
+            }
+            EXPECT_EQ(pictures[0], pictures[1]) << one.word << '+' << other.word;
+        }
+    EXPECT_GT(pairs, 200);
+}
+
+/// Both are seen: the picture is neither the one's nor the other's.
+TEST(Faults, TwoTogetherSpoilMoreThanEachAlone)
+{
+    const Pipeline zbuffer = findPreset("zbuffer")->pipeline;
+    FaultSet       both    = Fault::HalfPixel;
+    both.add(Fault::NearRejected);
+    const auto picture = drawnWith("wall-and-city", zbuffer, both);
+    EXPECT_NE(picture, drawnWith("wall-and-city", zbuffer, Fault::HalfPixel));
+    EXPECT_NE(picture, drawnWith("wall-and-city", zbuffer, Fault::NearRejected));
+}
+
+TEST(Faults, AreASetThatIsWrittenAndReadByWords)
+{
+    FaultSet faults;
+    EXPECT_TRUE(faults.isEmpty());
+    EXPECT_EQ(wordsOf(faults), "");
+    faults.add(Fault::BoxShort);
+    faults.add(Fault::NoTopLeft);
+    faults.add(Fault::None);
+    EXPECT_EQ(wordsOf(faults), "no-top-left+box-short");
+    EXPECT_EQ(findFaults("box-short+no-top-left"), faults);
+    EXPECT_EQ(findFaults("no-top-left"), FaultSet(Fault::NoTopLeft));
+    for (const char* none : {"", "none", "no-top-left+", "+no-top-left", "no-top-left+bogus"})
+        EXPECT_FALSE(findFaults(none)) << none;
+    faults.remove(Fault::NoTopLeft);
+    EXPECT_TRUE(faults == Fault::BoxShort);
+    EXPECT_FALSE(faults.has(Fault::NoTopLeft));
+
+    Pipeline pipeline = findPreset("zbuffer")->pipeline;
+    pipeline.fault    = *findFaults("no-top-left+box-short");
+    EXPECT_EQ(nameOf(pipeline), "zbuffer+fault=no-top-left+fault=box-short");
+    pipeline.fault = Fault::NoTopLeft;
+    EXPECT_EQ(nameOf(pipeline), "zbuffer+fault=no-top-left");
+}
+
+TEST(Faults, OfASetTheOneThatCannotHappenIsNamed)
+{
+    Pipeline pipeline = findPreset("zbuffer")->pipeline;
+    pipeline.fault    = *findFaults("no-top-left+edge-drift+half-pixel");
+    ASSERT_TRUE(explainInvalid(pipeline));
+    EXPECT_EQ(*explainInvalid(pipeline),
+              "The fault 'edge-drift' cannot happen here: it is one of edge walks and sweeps, as in edge-walk");
 }
 
 /// One approximation put into a preset that takes it, and a scene in which it shows.

@@ -123,6 +123,12 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         {{"compare", kScene, "--algorithms", "zbuffer,scanline"}, "-o"},
         {{"compare", kScene, "--algorithms", "zbuffer,bogus", "-o", path("x.png")}, "bogus"},
         {{"compare", kScene, "--algorithms", "zbuffer,zbuffer+fault=bogus", "-o", path("x.png")}, "list faults"},
+        {{"compare", kScene, "--algorithms", "zbuffer,zbuffer+fault=box-short+fault=box-short", "-o", path("x.png")},
+         "chosen twice"},
+        {{"verify", kScene, "--fault", "half-pixel+bogus"}, "'bogus'"},
+        {{"verify", kScene, "--fault", "half-pixel+"}, "''"},
+        {{"verify", kScene, "--algorithm", "zbuffer", "--fault", "half-pixel+edge-drift"},
+         "The fault 'edge-drift' cannot happen here"},
         {{"compare", kScene, "--algorithms", "zbuffer,scanline", "--frames", "0", "-o", path("x.png")}, "--frames"},
         {{"bench", kScene, "--frames", "0"}, "--frames"},
         {{"bench", kScene, "--frames", "6", "--rounds", "7"}, "--rounds"},
@@ -148,6 +154,19 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         EXPECT_EQ(answer.out, "") << words;
     }
     EXPECT_EQ(filesInFolder(), 0u);
+}
+
+TEST_F(Cli, SeveralFaultsAreNamedWithAPlusBetweenThem)
+{
+    const auto algorithmOf = [&](const std::string& faults) {
+        const Answer done = run({"verify", "builtin:cubes", "--size", "32x24", "--fault", faults, "--json"});
+        EXPECT_EQ(done.status, 0) << faults << ": " << done.err;
+        return nlohmann::json::parse(done.out).at(0).at("algorithm").get<std::string>();
+    };
+    EXPECT_EQ(algorithmOf("no-top-left"), "zbuffer+fault=no-top-left");
+    EXPECT_EQ(algorithmOf("box-short+no-top-left"), "zbuffer+fault=no-top-left+fault=box-short");
+    EXPECT_EQ(algorithmOf("half-pixel+edge-drift"), "edge-walk+fault=half-pixel+fault=edge-drift")
+        << "the first preset that takes both";
 }
 
 TEST_F(Cli, AVectorTargetTheMachineLacksIsRefused)

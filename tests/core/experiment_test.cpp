@@ -198,8 +198,8 @@ TEST(Record, KnowsTheViewOfACaseToTheBit)
 TEST(Record, NamesOfRunsLeadBackToTheirPipelines)
 {
     for (const Preset& preset : presets()) EXPECT_EQ(pipelineNamed(preset.name), preset.pipeline) << preset.name;
-    for (const char* name :
-         {"zbuffer+snap=4-bits+near=drop", "hzb-octree+coherence=last-pyramid", "edge-walk+fault=x-truncated"}) {
+    for (const char* name : {"zbuffer+snap=4-bits+near=drop", "hzb-octree+coherence=last-pyramid",
+                             "edge-walk+fault=x-truncated", "zbuffer+fault=no-top-left+fault=box-short"}) {
         const auto pipeline = pipelineNamed(name);
         ASSERT_TRUE(pipeline) << name;
         EXPECT_EQ(nameOf(*pipeline), name);

@@ -167,6 +167,7 @@ TEST(LessonFile, SaysFileAndLineOfEveryMistake)
              {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"choices\": {\"depth\": \"soon\"}}\n", 5, "soon"},
              {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"choices\": {\"depht\": \"late\"}}\n", 5, "axis"},
              {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"fault\": \"typo\"}\n", 5, "fault"},
+             {kHead + "=== page\n{\"scene\": \"builtin:cube\",\n \"fault\": \"half-pixel+typo\"}\n", 5, "fault"},
              {kHead
                   + "=== page\n{\"scene\": \"builtin:cube\", \"algorithm\": \"zbuffer\",\n \"choices\": {\"upkeep\": "
                          "\"pushed\"}}\n",

@@ -71,7 +71,7 @@ private slots:
             DrawRequest request = desk.session.request();
             Frame       right, wrong;
             request.pipeline       = of.pipeline;
-            request.pipeline.fault = Fault::None;
+            request.pipeline.fault = {};
             // a renderer of its own: where stripes meet moves from frame to frame
             QVERIFY(Renderer().draw(request, right).ok());
             request.pipeline = of.pipeline;
@@ -105,7 +105,7 @@ private slots:
         gallery.table.setFocus();
         QTest::keyClick(&gallery.table, Qt::Key_Return);
         QVERIFY(desk.settles());
-        QCOMPARE(desk.session.now().pipeline.fault, Fault::NearestInCells);
+        QVERIFY(desk.session.now().pipeline.fault == Fault::NearestInCells);
         QVERIFY(gallery.model.pictureOf(row));  // switching one on does not empty the gallery
         QVERIFY(gallery.model.data(gallery.model.index(row, 0)).toString().startsWith(QChar(0x2716)));
         QTest::keyClick(&gallery.table, Qt::Key_Return);

@@ -9,6 +9,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 
+#include "core/frame/faults.h"
 #include "tests/ui/desk.h"
 #include "ui/panels/registry.h"
 #include "ui/session/session_file.h"
@@ -59,6 +60,7 @@ void arrange(Desk& desk)
     desk.session.setWipe(0.25);
     Pipeline faulty = desk.session.now().pipeline;
     faulty.fault    = Fault::CornersOnly;
+    faulty.fault.add(Fault::OddPadded);
     desk.session.setPipeline(faulty);
     QVERIFY(desk.settles());
 }
@@ -94,7 +96,7 @@ private slots:
         const Snapshot& now = again.session.now();
         QCOMPARE(now.camera, saved.camera);
         QVERIFY(now.pipeline == saved.pipeline);
-        QCOMPARE(now.pipeline.fault, Fault::CornersOnly);
+        QVERIFY(now.pipeline.fault == findFaults("corners-only+odd-padded"));
         QCOMPARE(again.session.position()->step, *saved.step);
         QCOMPARE(now.picked, saved.selection.picked);
         QVERIFY(now.selectedNode == saved.selection.node);

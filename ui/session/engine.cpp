@@ -280,10 +280,7 @@ QImage ghosted(const ShownStep& step, const DrawnFrame& finished)
 
 namespace {
 
-bool claimsToBeRight(const Pipeline& pipeline)
-{
-    return pipeline.fault == Fault::None && claimOf(pipeline) == Claim::Exact;
-}
+bool claimsToBeRight(const Pipeline& pipeline) { return pipeline.fault.isEmpty() && claimOf(pipeline) == Claim::Exact; }
 
 template <class Shown>  // DrawnFrame or ShownStep
 void compareInto(Comparison& result, const Shown& shownA, const VisibilityBuffer& a, const Shown& shownB,

@@ -42,7 +42,7 @@ std::string algorithmJson(const Pipeline& pipeline)
     std::string json;
     for (const AxisEntry& axis : axes())
         json += (json.empty() ? "{" : ", ") + quoted(axis.word) + ": " + quoted(chosen(pipeline, axis.word));
-    if (pipeline.fault != Fault::None) json += ", \"fault\": " + quoted(entryOf(pipeline.fault).word);
+    if (!pipeline.fault.isEmpty()) json += ", \"fault\": " + zscope::quoted(wordsOf(pipeline.fault));
     return json + "}";
 }
 
@@ -163,9 +163,8 @@ Pipeline algorithmOf(Reader& read, const JsonValue& value)
     Pipeline pipeline = findPreset("zbuffer")->pipeline;
     for (const auto& [axis, choice] : read.object(value, "algorithm")) {
         if (axis == "fault") {
-            const FaultEntry* fault = findFault(read.textOf(choice, axis));
-            if (fault)
-                pipeline.fault = fault->fault;
+            if (const std::optional<FaultSet> faults = findFaults(read.textOf(choice, axis)))
+                pipeline.fault = *faults;
             else
                 read.wrong(choice, "there is no such fault");
             continue;

@@ -3,7 +3,7 @@
 // read and change it.
 //
 // Format     {"zscope-session":1, "scene":..., "camera":{the ten numbers}, "cull":"none"|"back", "algorithm":{axis:
-//            choice, "fault": word}, "grain":word, "step":number|"end", "picked":[x,y], "node":{...}, "triangle":n,
+//            choice, "fault": "word" or "word+word"}, "grain":word, "step":number|"end", "picked":[x,y], "node":{...}, "triangle":n,
 //            "level":n, "layer":word, "range":{...}, "over":{...}, "compare":{...}, "bookmarks":[...],
 //            "breakpoints":[...], "layout":{...}}; all but the first three may be missing
 // Scene      builtin:..., or a path; below the file's own folder it is relative to that, so that both can be moved

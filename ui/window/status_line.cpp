@@ -73,10 +73,10 @@ void StatusLine::present(const Snapshot& shown, Changes what)
             + (shown.step ? tr("; replaying up to this step took %1").arg(milliseconds(shown.step->replayMs))
                           : QString()));
         const Claim claim = claimOf(frame.pipeline);
-        m_exact->setText(frame.pipeline.fault != Fault::None ? tr("with a fault")
-                         : claim == Claim::Exact             ? tr("exact")
-                         : claim == Claim::ExactByFace       ? tr("exact by face")
-                                                             : tr("approximate"));
+        m_exact->setText(!frame.pipeline.fault.isEmpty() ? tr("with a fault")
+                         : claim == Claim::Exact         ? tr("exact")
+                         : claim == Claim::ExactByFace   ? tr("exact by face")
+                                                         : tr("approximate"));
         const std::size_t triangles = shown.scene ? shown.scene->scene().triangleCount() : 0;
         m_triangles->setText(tr("%1 of %2 seen in %3")
                                  .arg(grouped(frame.visibleTriangles),

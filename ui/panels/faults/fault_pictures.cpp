@@ -58,7 +58,7 @@ void drawFaults(const DrawRequest& asked, const std::atomic<bool>& cancel,
         FaultPicture one;
         one.fault          = entry.fault;
         one.pipeline       = asked.pipeline;
-        one.pipeline.fault = Fault::None;
+        one.pipeline.fault = {};
         Pipeline with      = one.pipeline;
         with.fault         = entry.fault;
         one.isOfChosen =

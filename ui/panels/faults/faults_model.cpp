@@ -26,10 +26,10 @@ void FaultsModel::add(FaultPicture picture)
     }
 }
 
-void FaultsModel::setChosen(Fault fault)
+void FaultsModel::setChosen(const FaultSet& faults)
 {
-    if (fault == m_chosen) return;
-    m_chosen = fault;
+    if (faults == m_chosen) return;
+    m_chosen = faults;
     emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
@@ -51,7 +51,7 @@ QVariant FaultsModel::data(const QModelIndex& index, int role) const
     if (!index.isValid()) return {};
     const FaultEntry&   entry    = faults()[static_cast<std::size_t>(index.row())];
     const FaultPicture* picture  = pictureOf(index.row());
-    const bool          isChosen = entry.fault == m_chosen;
+    const bool          isChosen = m_chosen.has(entry.fault);
     switch (role) {
         case Qt::DisplayRole:
             if (index.column() == Title) return (isChosen ? QStringLiteral("\u2716 ") : QString()) + said(entry.title);

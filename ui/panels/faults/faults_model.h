@@ -20,7 +20,7 @@ public:
 
     void forget();
     void add(FaultPicture picture);
-    void setChosen(Fault fault);
+    void setChosen(const FaultSet& faults);
     /// nullptr: not drawn yet, or not possible here.
     const FaultPicture* pictureOf(int row) const;
 
@@ -31,7 +31,7 @@ public:
 
 private:
     std::vector<std::optional<FaultPicture>> m_pictures;  // in the order of faults()
-    Fault                                    m_chosen = Fault::None;
+    FaultSet                                 m_chosen;
 };
 
 }  // namespace zscope::ui

@@ -83,9 +83,10 @@ FaultsPanel::~FaultsPanel() = default;
 void FaultsPanel::present(const Snapshot& shown, Changes what)
 {
     if (what & Change::Pipeline) {
-        const Fault fault = shown.pipeline.fault;
-        m_model->setChosen(fault);
-        emit summaryChanged(fault == Fault::None ? QString() : QStringLiteral("\u2716 ") + said(entryOf(fault).title));
+        m_model->setChosen(shown.pipeline.fault);
+        QStringList titles;
+        for (const Fault fault : shown.pipeline.fault) titles += said(entryOf(fault).title);
+        emit summaryChanged(titles.isEmpty() ? QString() : QStringLiteral("\u2716 ") + titles.join(", "));
         showFault();
     }
     if (what & Change::Scene) m_asked.reset();
@@ -98,7 +99,7 @@ void FaultsPanel::ask()
     m_bodyOrHint->setCurrentIndex(now.scene ? 0 : 1);
     if (!m_isSeen || !now.scene || !now.frame) return;
     Question question{now.scene.get(), now.frame->camera, now.frame->pipeline, session().settings().faceCulling};
-    question.pipeline.fault = Fault::None;
+    question.pipeline.fault = {};
     if (m_asked == question) return;
     m_asked = question;
     m_model->forget();
@@ -146,7 +147,7 @@ void FaultsPanel::showFault()
     }
     m_words->setText(words + said(entry.cause).toHtmlEscaped() + QStringLiteral("<br>")
                      + tr("<b>Right:</b> %1").arg(said(entry.cure).toHtmlEscaped()));
-    const bool isOn = session().now().pipeline.fault == entry.fault;
+    const bool isOn = session().now().pipeline.fault.has(entry.fault);
     m_switch->setText(isOn ? tr("Switch it off") : tr("Switch it on"));
     m_switch->setEnabled(isOn || picture);
     m_switch->setToolTip(isOn || picture ? QString() : tr("It is being drawn, or cannot happen in this scene"));
@@ -156,12 +157,16 @@ void FaultsPanel::toggle()
 {
     const int row = m_table->currentIndex().row();
     if (row < 0) return;
-    if (session().now().pipeline.fault == faults()[static_cast<std::size_t>(row)].fault) {
-        Pipeline right = session().now().pipeline;
-        right.fault    = Fault::None;
-        session().setPipeline(right);
+    const Fault fault   = faults()[static_cast<std::size_t>(row)].fault;
+    Pipeline    changed = session().now().pipeline;
+    if (changed.fault.has(fault)) {
+        changed.fault.remove(fault);
+        session().setPipeline(changed);
     } else if (const FaultPicture* picture = m_model->pictureOf(row)) {
-        session().setPipeline(picture->pipeline);
+        // Beside the others, where all of them can happen.
+        changed.fault.add(fault);
+        const bool isComposed = changed.chooser != Chooser::Measured;
+        session().setPipeline(isComposed && !explainInvalid(changed) ? changed : picture->pipeline);
     }
 }
 
