@@ -48,10 +48,11 @@ using namespace plain;
 class InStage {
 public:
     InStage(Call work, Stage stage) : m_work(*work), m_stage(stage) { work->tell(StageStarted{stage}); }
-    void finish(SourceLine call = SourceLine::here()) const
+    /// `says`: what the stage came to, in words of the method's own, with the number of what it made.
+    void finish(StageFinished::Says* says = nullptr, std::uint64_t made = 0, SourceLine call = SourceLine::here()) const
     {
         m_work.call = call;
-        m_work.tell(StageFinished{m_stage}, call);
+        m_work.tell(StageFinished{m_stage, says, made}, call);
     }
 
 private:
@@ -77,11 +78,11 @@ AfterDrawing afterDrawing(Upkeep upkeep)
     return AfterDrawing::Nothing;
 }
 
-Pass passOf(const Pipeline& pipeline, const Stripe& stripe)
+Pass passOf(const Pipeline& pipeline)
 {
     const bool asksLast = pipeline.coherence == Coherence::LastPyramid;
     return {.keep          = Keep::Nearest,
-            .shading       = !stripe.painter                       ? ShadingMoment::Never
+            .shading       = !shadesFragments(pipeline.depth)      ? ShadingMoment::Never
                              : pipeline.depth == DepthMoment::Late ? ShadingMoment::BeforeTest
                                                                    : ShadingMoment::AfterTest,
             .walksEdges    = pipeline.scan == Scan::EdgeWalk,
@@ -123,7 +124,7 @@ void drawStream(const Pipeline& pipeline, Work& work)
     const bool    hasPyramid = pipeline.upkeep != Upkeep::None;
     const bool    asksLast   = pipeline.coherence == Coherence::LastPyramid;
     const bool    continues  = asksLast && pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
-    const Pass    pass       = passOf(pipeline, stripe);
+    const Pass    pass       = passOf(pipeline);
 
     const InStage clearing(work, Stage::Clear);
     clear(work);
@@ -172,7 +173,7 @@ void drawSweep(const Pipeline& pipeline, Work& work)
     work.tally.add(Unit::Edges, work.scratch.edges.edgeCount());
     if (!work.leavesOut(Checkpoint::EdgeTable)) work.tell(EdgeTableReady{work.scratch.edges});
     work.clock.lap(Stage::Setup);
-    settingUp.finish();
+    settingUp.finish(tableIsComplete, work.scratch.edges.edgeCount());
 
     const InStage sweeping(work, Stage::Raster);
     scanline(work, parts);

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/lesson/words.h"
+#include "core/probe/words.h"
 
 namespace zscope {
 
@@ -17,12 +17,6 @@ std::string_view kindOf(const Pipeline& pipeline) { return drawsFaces(pipeline) 
 std::string nameOf(TriangleId id, const Pipeline& pipeline)
 {
     return fmt::format("{} {}", kindOf(pipeline), grouped(id.value));
-}
-
-std::string capital(std::string text)
-{
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
 }
 
 std::string nameOf(const NodeName& node)

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/lesson/explain.h"
-#include "core/lesson/words.h"
+#include "core/probe/words.h"
 
 namespace zscope {
 

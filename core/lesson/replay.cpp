@@ -10,7 +10,6 @@
 #include "core/frame/observed_run.h"
 #include "core/lesson/checkpoints.h"
 #include "core/lesson/recorders.h"
-#include "core/lesson/sentences.h"
 
 namespace zscope {
 
@@ -73,13 +72,22 @@ bool isSweep(Scan scan)
     return scan == Scan::SweepZLine || scan == Scan::SweepIntervals || scan == Scan::SweepPolygons;
 }
 
+std::uint64_t coveredPixelsOf(const VisibilityBuffer& visible)
+{
+    std::uint64_t covered = 0;
+    for (int y = 0; y < visible.height(); ++y)
+        for (int x = 0; x < visible.width(); ++x) covered += visible.rankAt(x, y) != 0;
+    return covered;
+}
+
 /// One run with everything that observes it. It stays where it is: its parts know each other.
-class Run final : public Observer {
+class Run final : public Observer, public Telling {
 public:
     /// Up to a step, in memory that outlives it.
     Run(const DrawRequest& request, Grain grain, std::uint64_t step, plain::Scratch& memory)
-        : recorders(request.camera.width, request.camera.height), stages(recorders.steps), stop(grain, step),
-          scratch(memory), keeper({recorders, frame, scratch, stop, grain}, isSweep(repeatable(request).pipeline.scan))
+        : recorders(request.camera.width, request.camera.height), stages(recorders.steps), stop(grain, step, this),
+          scratch(memory), keeper({recorders, frame, scratch, stop, grain}, isSweep(repeatable(request).pipeline.scan)),
+          m_drawsFaces(zscope::drawsFaces(request.pipeline)), m_triangles(request.scene->scene().triangleCount())
     {
         scratch.pyramid = {};  // what coherence would take over
         scratch.memory  = {};
@@ -109,12 +117,26 @@ public:
         return keeper.isOnTheWay() ? std::optional(static_cast<int>(keeper.knownVerdict())) : std::nullopt;
     }
 
+    bool          drawsFaces() const override { return m_drawsFaces; }
+    std::uint64_t triangles() const override { return m_triangles; }
+    std::uint64_t coveredPixels() const override { return coveredPixelsOf(frame.visible); }
+    std::uint64_t pixelsWon() const override
+    {
+        const auto triangle = recorders.triangle.state();
+        return triangle ? triangle->pixelsWon : 0;
+    }
+    float background() const override { return frame.visible.empty(); }
+
     RunRecorders     recorders;
     StageRecorder    stages;
     StopAt           stop;
     Frame            frame;
     plain::Scratch&  scratch;
     CheckpointKeeper keeper;
+
+private:
+    bool          m_drawsFaces;
+    std::uint64_t m_triangles;
 };
 
 }  // namespace
@@ -217,10 +239,9 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
 {
     try {
         if (const auto error = runTo(grain, step)) return *error;
-        const Run&           run       = *m_survey->latest;
-        const RunRecorders&  recorders = run.recorders;
-        const MomentRecorder moment    = recorders.moment;
-        const Pipeline       pipeline  = repeatable(m_request).pipeline;
+        const Run&          run       = *m_survey->latest;
+        const RunRecorders& recorders = run.recorders;
+        const Pipeline      pipeline  = repeatable(m_request).pipeline;
 
         StepState state;
         state.frame         = run.frame;
@@ -231,7 +252,7 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.event         = run.stop.lastGrain();
         state.method        = run.stop.method();
         state.part          = run.stop.part();
-        state.stage         = moment.stage();
+        state.stage         = recorders.stage.stage();
         state.sweep         = recorders.sweep.state();
         const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
         state.hierarchy     = recorders.hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
@@ -242,10 +263,10 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.triangle = recorders.triangle.state();
         state.span     = recorders.pixel.span();
         state.interval = recorders.interval.state();
-        if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = recorders.pixel.pixel();
-        if (moment.moment() == MomentRecorder::Moment::TileOver) state.tile = recorders.pixel.tile();
-        state.blend    = moment.blend();
-        state.sentence = sentenceFor(state, pipeline, moment.moment(), m_request.scene->scene().triangleCount());
+        if (run.stop.lastWas<PixelTested>()) state.pixel = recorders.pixel.pixel();
+        if (run.stop.lastWas<TileTested>()) state.tile = recorders.pixel.tile();
+        if (run.stop.lastWas<PixelBlended>()) state.blend = recorders.pixel.blend();
+        state.sentence = run.stop.sentence();
         if (m_request.pipeline.chooser == Chooser::Measured)
             state.sentence +=
                 " (auto has measured nothing here: its steps are those of " + nameOf(pipeline) + ", its first choice.)";

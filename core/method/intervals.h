@@ -28,7 +28,8 @@ struct IntervalDecided {
     const Polygon*                 winner;  // nullptr: the open polygons were compared pixel by pixel
     IntervalReason                 reason;
 
-    About about() const { return {.line = y, .pixels = PixelBox{x0, y, x1, y + 1}, .interval = wordOf(reason)}; }
+    About       about() const { return {.line = y, .pixels = PixelBox{x0, y, x1, y + 1}, .interval = wordOf(reason)}; }
+    std::string sentence(const Telling& telling) const;
 };
 
 }  // namespace zscope::plain

@@ -1,10 +1,13 @@
 #include "core/method/scanline.h"
 
+#include <fmt/format.h>
+
 #include "core/geometry/face_batches.h"
 #include "core/plain/batches_in_view.h"
 #include "core/plain/depth_test.h"
 #include "core/plain/enter_faces.h"
 #include "core/plain/lines.h"
+#include "core/probe/words.h"
 
 namespace zscope::plain {
 
@@ -17,9 +20,11 @@ void scanline(Work& work, const Parts& parts)
         active.retireBefore(y, work);
         active.admit(edges, y, work);
         active.sortByX(work);
-        work.tell(LineReady{y, active.edges()});
+        work.tell(LineReady{y, active.edges(), edges.polygons(), active.changes()});
+        const std::uint64_t spans = work.tally.of(Unit::Spans);
         parts.resolveLine(work, y);
-        work.tell(LineFinished{y});
+        work.tell(
+            LineFinished{y, active.edges(), edges.polygons(), active.changes(), work.tally.of(Unit::Spans) - spans});
         active.advance();
     }
 }
@@ -60,4 +65,25 @@ void offerSpan(Work& work, const Polygon& polygon, int y, int x0, int x1)
     for (int x = x0; x < x1; ++x) test.offer(x);
 }
 
+std::string tableIsComplete(std::uint64_t edges)
+{
+    return fmt::format("The edge table is complete: {} in the buckets of their first lines, none active yet.",
+                       counted(edges, "edge waits", "edges wait"));
+}
+
 }  // namespace zscope::plain
+
+namespace zscope {
+
+std::string SpanFilled::sentence(const Telling& telling) const
+{
+    const std::string pixels = x1 - x0 == 1 ? fmt::format("pixel {}", x0) : fmt::format("pixels {} to {}", x0, x1 - 1);
+    if (isInterval)
+        return fmt::format(
+            "Between two neighbouring edges {} {} is the nearest that is open: {} of line {} {} its own.",
+            telling.polygon(), grouped(triangle.value), pixels, y, x1 - x0 == 1 ? "is" : "are");
+    return fmt::format("{} {} covers {} of its line: those whose centres lie between its left and right edge.",
+                       capital(std::string(telling.polygon())), grouped(triangle.value), pixels);
+}
+
+}  // namespace zscope

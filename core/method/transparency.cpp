@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "core/method/scanline.h"
 #include "core/plain/batches_in_view.h"
+#include "core/probe/words.h"
 #include "core/shade/colour_table.h"
 #include "core/sweep/blend_events.h"
 
@@ -111,7 +114,7 @@ private:
         const std::uint32_t after = 0xFF000000u | rounded(red) << 16 | rounded(green) << 8 | rounded(blue);
         m_colour.at(x, m_y)       = after;
         m_work.tally.add(Unit::PixelsBlended);
-        m_work.tell(PixelBlended{x, m_y, static_cast<std::uint32_t>(fragments.size()), before, after});
+        m_work.tell(PixelBlended{x, m_y, static_cast<std::uint32_t>(fragments.size()), before, after, m_order});
     }
 
     static float channel(std::uint32_t colour, int shift) { return static_cast<float>(colour >> shift & 0xFFu); }
@@ -151,3 +154,14 @@ void blendTransparent(Work& work, const Parts& parts, const TransparentSurfaces&
 }
 
 }  // namespace zscope::plain
+
+namespace zscope {
+
+std::string PixelBlended::sentence(const Telling&) const
+{
+    return fmt::format("Pixel ({}, {}): {} nearer than its opaque depth, blended over its colour, {}.", x, y,
+                       counted(surfaces, "transparent surface is", "transparent surfaces are"),
+                       order == BlendOrder::Sorted ? "farthest first" : "back faces before front faces");
+}
+
+}  // namespace zscope

@@ -1,6 +1,7 @@
 #include "core/method/two_pass.h"
 
 #include "core/method/hierarchical.h"
+#include "core/probe/words.h"
 
 namespace zscope::plain {
 
@@ -25,12 +26,13 @@ void drawRemembered(Work& work, const Parts& parts, const Pass& pass, TreeVisit&
 void twoPass(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit)
 {
     work.scratch.memory.begin(visit.trees());
-    Pass unasked      = pass;
+    Pass unasked = pass, asking = pass;
     unasked.asksNodes = unasked.asksTriangles = false;
+    unasked.ofTwo = 1, asking.ofTwo = 2;
     work.tell(PassStarted{1});
     drawRemembered(work, parts, unasked, visit);
     work.tell(PassStarted{2});
-    hierarchical(work, parts, pass, visit, true);
+    hierarchical(work, parts, asking, visit, true);
     work.scratch.memory.finish();
 }
 
@@ -43,3 +45,12 @@ void drawUnlessDrawnAhead(Work& work, const Parts& parts, const Pass& pass, Tree
 }
 
 }  // namespace zscope::plain
+
+namespace zscope {
+
+std::string NodeRecalled::sentence(const Telling&) const
+{
+    return capital(nameInWords(place)) + " was visible in the last frame: the first pass draws it without asking.";
+}
+
+}  // namespace zscope

@@ -1,11 +1,14 @@
 #include "core/method/zbuffer.h"
 
+#include <fmt/format.h>
+
 #include "core/geometry/half_plane.h"
 #include "core/method/edge_walk.h"
 #include "core/plain/batches_in_view.h"
 #include "core/plain/depth_test.h"
 #include "core/plain/questions.h"
 #include "core/plain/tiles.h"
+#include "core/probe/words.h"
 
 namespace zscope::plain {
 
@@ -59,3 +62,13 @@ void fillByHalfSpaces(Work& work, const Pass& pass, const ScreenTriangle& triang
 }
 
 }  // namespace zscope::plain
+
+namespace zscope {
+
+std::string TriangleFinished::sentence(const Telling& telling) const
+{
+    return fmt::format("Triangle {} is drawn: it is nearest so far at {}.", grouped(triangle.value),
+                       counted(telling.pixelsWon(), "pixel", "pixels"));
+}
+
+}  // namespace zscope

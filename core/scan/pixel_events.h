@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "core/geometry/screen_triangle.h"
 #include "core/probe/about.h"
 #include "core/probe/grain.h"
+#include "core/probe/telling.h"
+#include "core/scan/fragments.h"
 
 namespace zscope {
 
@@ -26,7 +29,8 @@ struct TriangleFinished {
     static constexpr Grain grain = Grain::Triangle;
     TriangleId             triangle;
 
-    About about() const { return {.triangle = triangle}; }
+    About       about() const { return {.triangle = triangle}; }
+    std::string sentence(const Telling& telling) const;
 };
 
 /// Pixels [x0, x1) of line y have been offered to the triangle's depth test; never empty.
@@ -34,8 +38,10 @@ struct SpanFilled {
     static constexpr Grain grain = Grain::Span;
     int                    y, x0, x1;
     TriangleId             triangle;
+    bool                   isInterval = false;  // it is the nearest between two neighbouring edges
 
-    About about() const { return {.line = y, .pixels = PixelBox{x0, y, x1, y + 1}, .triangle = triangle}; }
+    About       about() const { return {.line = y, .pixels = PixelBox{x0, y, x1, y + 1}, .triangle = triangle}; }
+    std::string sentence(const Telling& telling) const;
 };
 
 /// One covered pixel has been tested against the winner so far.
@@ -48,7 +54,8 @@ struct PixelTested {
     std::uint32_t          rivalRank;   // who held the pixel: triangle id + 1, or 0 for background
     float                  rivalDepth;  // the buffer's value; for background the one just below every kept depth
     Keep                   keep;
-    bool                   shaded;  // its colour was computed, before the test or because it passed
+    ShadingMoment          shading;  // of the method, even where no colours are asked for
+    bool                   shaded;   // its colour was computed, before the test or because it passed
     // it lies in a hole of its material: before the test, or after passing it
     bool discarded = false;
     // its material's relief was asked: before the test, or after it passed unmoved
@@ -59,6 +66,7 @@ struct PixelTested {
     {
         return {.line = y, .pixels = PixelBox{x, y, x + 1, y + 1}, .triangle = triangle, .won = won};
     }
+    std::string sentence(const Telling& telling) const;
 };
 
 /// A tile that the triangle may cover has been compared as a whole: the nearest that the triangle could be inside `box`
@@ -71,7 +79,8 @@ struct TileTested {
     float                  farthest;
     bool                   rejected;
 
-    About about() const { return {.pixels = box, .triangle = triangle, .hidden = rejected}; }
+    About       about() const { return {.pixels = box, .triangle = triangle, .hidden = rejected}; }
+    std::string sentence(const Telling& telling) const;
 };
 
 }  // namespace zscope

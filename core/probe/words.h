@@ -1,4 +1,4 @@
-// Numbers as sentences write them.
+// Numbers and beginnings as sentences write them.
 #pragma once
 
 #include <cstdint>
@@ -11,5 +11,7 @@ namespace zscope {
 std::string grouped(std::uint64_t value);
 /// "1 edge", "1,234 edges".
 std::string counted(std::uint64_t value, std::string_view one, std::string_view many);
+/// With a capital at its beginning.
+std::string capital(std::string text);
 
 }  // namespace zscope

@@ -1,4 +1,4 @@
-#include "core/lesson/words.h"
+#include "core/probe/words.h"
 
 #include <cstddef>
 
@@ -15,6 +15,12 @@ std::string grouped(std::uint64_t value)
 std::string counted(std::uint64_t value, std::string_view one, std::string_view many)
 {
     return grouped(value) + ' ' + std::string(value == 1 ? one : many);
+}
+
+std::string capital(std::string text)
+{
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
 }
 
 }  // namespace zscope
