@@ -9,7 +9,6 @@ namespace {
 
 bool walksTriangles(const Pipeline& p) { return p.scan == Scan::EdgeWalk; }
 bool steps(const Pipeline& p) { return p.scan == Scan::EdgeWalk || p.scan == Scan::SweepZLine; }
-bool sweeps(const Pipeline& p) { return familyOf(p) == Family::Sweep; }
 bool testsHalfSpaces(const Pipeline& p) { return p.scan == Scan::HalfSpace; }
 bool findsIntervals(const Pipeline& p) { return p.scan == Scan::SweepIntervals || p.scan == Scan::SweepPolygons; }
 bool asksThePyramid(const Pipeline& p) { return asksNodes(p.cull) || asksTriangles(p.cull); }
@@ -47,7 +46,7 @@ constexpr std::array kFaults{
                "Edges stay in the order in which they entered, so a triangle's right edge may come first and its span "
                "is empty or negative.",
                "Sort the active edge table by x on every line; it is nearly sorted already.", "sweeps", "scanline",
-               sweeps},
+               drawsLineByLine},
     FaultEntry{Fault::OneTestPerInterval, "one-test-per-interval", "One depth test per interval",
                "Whoever is nearest at the left end of an interval gets all of it, although polygons may cross inside.",
                "Compare at both ends, and pixel by pixel where nobody leads at both.", "interval scanline", "interval",

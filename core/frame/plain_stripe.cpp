@@ -1,6 +1,7 @@
 #include "core/frame/plain_stripe.h"
 
 #include "core/frame/frame_events.h"
+#include "core/frame/methods.h"
 #include "core/method/depth_moments.h"
 #include "core/method/hierarchical.h"
 #include "core/method/intervals.h"
@@ -117,7 +118,31 @@ void clear(Work& work)
     if (work.stripe.painter) clearColours(*work.stripe.painter, work.stripe.firstRow, work.stripe.endRow);
 }
 
-void drawStream(const Pipeline& pipeline, Work& work)
+/// `fill`: enters the scene in the edge table. `resolveLine`: the part of that name.
+void sweepLines(Work& work, void (*fill)(Work&, const Parts&), void (*resolveLine)(Call, int))
+{
+    clear(work);
+    work.clock.lap(Stage::Clear);
+    Parts parts       = plainParts();
+    parts.resolveLine = resolveLine;
+
+    const InStage settingUp(work, Stage::Setup);
+    if (!work.observer || !work.observer->isOnTheWay()) fill(work, parts);  // else the table is still full
+    if (work.isCancelled()) return;  // to sort the edges of millions of triangles takes seconds
+    work.tally.add(Unit::Edges, work.scratch.edges.edgeCount());
+    if (!work.leavesOut(Checkpoint::EdgeTable)) work.tell(EdgeTableReady{work.scratch.edges});
+    work.clock.lap(Stage::Setup);
+    settingUp.finish(tableIsComplete, work.scratch.edges.edgeCount());
+
+    const InStage sweeping(work, Stage::Raster);
+    scanline(work, parts);
+    work.clock.lap(Stage::Raster);
+    sweeping.finish();
+}
+
+}  // namespace
+
+void drawTriangles(const Pipeline& pipeline, Work& work)
 {
     const Stripe& stripe     = work.stripe;
     Pyramid&      pyramid    = work.scratch.pyramid;
@@ -155,41 +180,15 @@ void drawStream(const Pipeline& pipeline, Work& work)
     }
 }
 
-void drawSweep(const Pipeline& pipeline, Work& work)
+void drawLinesByDepth(const Pipeline&, Work& work) { sweepLines(work, fillEdgeTable, resolveByDepth); }
+void drawLinesByIntervals(const Pipeline&, Work& work) { sweepLines(work, fillEdgeTable, resolveByIntervals); }
+void drawFacesByIntervals(const Pipeline&, Work& work)
 {
-    clear(work);
-    work.clock.lap(Stage::Clear);
-    Parts parts = plainParts();
-    if (pipeline.scan != Scan::SweepZLine) parts.resolveLine = resolveByIntervals;
-
-    const InStage settingUp(work, Stage::Setup);
-    if (!work.observer || !work.observer->isOnTheWay()) {  // else the table is still full
-        if (drawsFaces(pipeline))
-            fillEdgeTableWithFaces(work);
-        else
-            fillEdgeTable(work, parts);
-    }
-    if (work.isCancelled()) return;  // to sort the edges of millions of triangles takes seconds
-    work.tally.add(Unit::Edges, work.scratch.edges.edgeCount());
-    if (!work.leavesOut(Checkpoint::EdgeTable)) work.tell(EdgeTableReady{work.scratch.edges});
-    work.clock.lap(Stage::Setup);
-    settingUp.finish(tableIsComplete, work.scratch.edges.edgeCount());
-
-    const InStage sweeping(work, Stage::Raster);
-    scanline(work, parts);
-    work.clock.lap(Stage::Raster);
-    sweeping.finish();
+    const auto fill = [](Work& into, const Parts&) { fillEdgeTableWithFaces(into); };
+    sweepLines(work, fill, resolveByIntervals);
 }
 
-}  // namespace
-
-void drawPlainly(const Pipeline& pipeline, Work& work)
-{
-    if (familyOf(pipeline) == Family::Sweep)
-        drawSweep(pipeline, work);
-    else
-        drawStream(pipeline, work);
-}
+void drawPlainly(const Pipeline& pipeline, Work& work) { methodOf(pipeline).draw(pipeline, work); }
 
 void blendPlainly(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order, Work& work,
                   GridView<std::uint32_t> colour)

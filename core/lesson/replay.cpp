@@ -67,11 +67,6 @@ Error noSuchStep(Grain grain, StepIndex step, std::uint64_t count)
 Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to step through this frame"}; }
 Error wasCancelled() { return {Trouble::Cancelled, "stepping was cancelled"}; }
 
-bool isSweep(Scan scan)
-{
-    return scan == Scan::SweepZLine || scan == Scan::SweepIntervals || scan == Scan::SweepPolygons;
-}
-
 std::uint64_t coveredPixelsOf(const VisibilityBuffer& visible)
 {
     std::uint64_t covered = 0;
@@ -86,7 +81,8 @@ public:
     /// Up to a step, in memory that outlives it.
     Run(const DrawRequest& request, Grain grain, std::uint64_t step, plain::Scratch& memory)
         : recorders(request.camera.width, request.camera.height), stages(recorders.steps), stop(grain, step, this),
-          scratch(memory), keeper({recorders, frame, scratch, stop, grain}, isSweep(repeatable(request).pipeline.scan)),
+          scratch(memory),
+          keeper({recorders, frame, scratch, stop, grain}, drawsLineByLine(repeatable(request).pipeline)),
           m_drawsFaces(zscope::drawsFaces(request.pipeline)), m_triangles(request.scene->scene().triangleCount())
     {
         scratch.pyramid = {};  // what coherence would take over

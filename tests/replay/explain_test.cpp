@@ -413,7 +413,7 @@ TEST(Explain, OfATriangleCountsItsPixelsAndNamesWhoTookTheOthers)
                 EXPECT_EQ(taken + shown, t.covered) << "who has the covered pixels";
             }
             EXPECT_LE(t.passed, t.tested);
-            if (familyOf(preset.pipeline) == Family::Stream) {
+            if (!drawsLineByLine(preset.pipeline)) {
                 EXPECT_TRUE(t.tested == t.covered || e->fate == PixelFate::TriangleHidden
                             || e->fate == PixelFate::NodeHidden || t.tileRejected > 0)
                     << t.tested << " of " << t.covered << '\n'
