@@ -14,6 +14,7 @@
 #include "core/hierarchy/tree.h"
 #include "core/probe/about.h"
 #include "core/probe/grain.h"
+#include "core/probe/meaning.h"
 #include "core/probe/telling.h"
 
 namespace zscope {
@@ -25,6 +26,14 @@ constexpr std::string_view wordOf(Verdict verdict)
     constexpr std::array<std::string_view, 4> words{"outside", "hidden", "entered", "small"};
     return words[static_cast<std::size_t>(verdict)];
 }
+
+namespace fates {
+inline constexpr PixelFate kTriangleHidden{"triangle-hidden", "hidden by the pyramid, one by one", FateKind::Hidden, 1,
+                                           true};
+inline constexpr PixelFate kNodeHidden{"node-hidden", "hidden with a node", FateKind::Hidden, 2, true};
+inline constexpr PixelFate kNodeOutside{"node-outside", "in a node outside the view", FateKind::LeftOut, 0, true};
+inline constexpr PixelFate kNodeSmall{"node-small", "in a node that is too small", FateKind::LeftOut, 1, true};
+}  // namespace fates
 
 /// Which node of which tree: the tree over the instances, or the mesh tree of one instance.
 struct NodePlace {
@@ -50,6 +59,7 @@ struct NodeRecalled {
 
     About       about() const { return {.node = &place}; }
     std::string sentence(const Telling&) const;
+    void        mean(Meanings& to) const;
 };
 
 /// A node has been judged. `query` is what the pyramid was asked, or nullptr if it was not.
@@ -68,6 +78,7 @@ struct NodeJudged {
             .node = &place, .verdict = wordOf(verdict), .hidden = query ? std::optional(query->hidden) : std::nullopt};
     }
     std::string sentence(const Telling&) const;
+    void        mean(Meanings& to) const;
 };
 
 /// An entered node's children are known and wait, in the order in which they will be visited.
@@ -90,6 +101,7 @@ struct PyramidAsked {
         return {.triangle = node ? std::nullopt : std::optional(triangle), .node = node, .hidden = query.hidden};
     }
     std::string sentence(const Telling&) const;
+    void        mean(Meanings& to) const;
 };
 
 /// A cell of the pyramid has been computed anew.

@@ -10,6 +10,7 @@
 #include "core/frame/observed_run.h"
 #include "core/lesson/checkpoints.h"
 #include "core/lesson/recorders.h"
+#include "core/lesson/run_telling.h"
 
 namespace zscope {
 
@@ -67,23 +68,14 @@ Error noSuchStep(Grain grain, StepIndex step, std::uint64_t count)
 Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to step through this frame"}; }
 Error wasCancelled() { return {Trouble::Cancelled, "stepping was cancelled"}; }
 
-std::uint64_t coveredPixelsOf(const VisibilityBuffer& visible)
-{
-    std::uint64_t covered = 0;
-    for (int y = 0; y < visible.height(); ++y)
-        for (int x = 0; x < visible.width(); ++x) covered += visible.rankAt(x, y) != 0;
-    return covered;
-}
-
 /// One run with everything that observes it. It stays where it is: its parts know each other.
-class Run final : public Observer, public Telling {
+class Run final : public Observer {
 public:
     /// Up to a step, in memory that outlives it.
     Run(const DrawRequest& request, Grain grain, std::uint64_t step, plain::Scratch& memory)
-        : recorders(request.camera.width, request.camera.height), stages(recorders.steps), stop(grain, step, this),
-          scratch(memory),
-          keeper({recorders, frame, scratch, stop, grain}, drawsLineByLine(repeatable(request).pipeline)),
-          m_drawsFaces(zscope::drawsFaces(request.pipeline)), m_triangles(request.scene->scene().triangleCount())
+        : recorders(request.camera.width, request.camera.height), stages(recorders.steps),
+          telling(request, frame, recorders.triangle), stop(grain, step, &telling), scratch(memory),
+          keeper({recorders, frame, scratch, stop, grain}, drawsLineByLine(repeatable(request).pipeline))
     {
         scratch.pyramid = {};  // what coherence would take over
         scratch.memory  = {};
@@ -91,10 +83,10 @@ public:
     Run(const Run&)            = delete;
     Run& operator=(const Run&) = delete;
 
-    void perform(const DrawRequest& request)
+    void perform(const DrawRequest& request, const ObservedMethod* method)
     {
         try {
-            drawObserved(request, frame, scratch, *this);
+            drawObserved(method, request, frame, scratch, *this);
         } catch (const RunStopped&) {}
     }
 
@@ -113,26 +105,13 @@ public:
         return keeper.isOnTheWay() ? std::optional(static_cast<int>(keeper.knownVerdict())) : std::nullopt;
     }
 
-    bool          drawsFaces() const override { return m_drawsFaces; }
-    std::uint64_t triangles() const override { return m_triangles; }
-    std::uint64_t coveredPixels() const override { return coveredPixelsOf(frame.visible); }
-    std::uint64_t pixelsWon() const override
-    {
-        const auto triangle = recorders.triangle.state();
-        return triangle ? triangle->pixelsWon : 0;
-    }
-    float background() const override { return frame.visible.empty(); }
-
     RunRecorders     recorders;
     StageRecorder    stages;
-    StopAt           stop;
     Frame            frame;
+    RunTelling       telling;
+    StopAt           stop;
     plain::Scratch&  scratch;
     CheckpointKeeper keeper;
-
-private:
-    bool          m_drawsFaces;
-    std::uint64_t m_triangles;
 };
 
 }  // namespace
@@ -154,7 +133,9 @@ struct Replay::Survey {
     }
 };
 
-Replay::Replay(DrawRequest request, CheckpointSpacing spacing) : m_request(std::move(request)), m_spacing(spacing) {}
+Replay::Replay(DrawRequest request, CheckpointSpacing spacing, const ObservedMethod* method)
+    : m_request(std::move(request)), m_spacing(spacing), m_method(method)
+{}
 Replay::Replay(Replay&&) noexcept            = default;
 Replay& Replay::operator=(Replay&&) noexcept = default;
 Replay::~Replay()                            = default;
@@ -169,7 +150,7 @@ std::optional<Error> Replay::survey(Grain grain)
     auto survey = std::make_unique<Survey>();
     Run  run(m_request, Grain::Frame, StopAt::kNever, survey->scratch);
     run.keeper.keepIn(survey->checkpoints, m_spacing.events, m_spacing.bytes);
-    run.perform(m_request);
+    run.perform(m_request, m_method);
     if (isCancelled()) return wasCancelled();
     survey->steps  = run.recorders.steps;
     survey->stages = run.stages.take();
@@ -188,7 +169,7 @@ std::optional<Error> Replay::runTo(Grain grain, StepIndex step)
     m_survey->latest.reset();
     auto run = std::make_unique<Run>(m_request, grain, step.value, from ? m_survey->scratch : m_survey->before);
     if (from) run->keeper.beginAt(*from, m_survey->checkpoints);
-    run->perform(m_request);
+    run->perform(m_request, m_method);
     if (isCancelled()) return wasCancelled();
     if (run->frame.colour.height() == 0) shadePicture(m_request, run->frame);
     m_survey->latest = std::move(run);

@@ -1,5 +1,7 @@
 #include "core/method/two_pass.h"
 
+#include <fmt/format.h>
+
 #include "core/method/hierarchical.h"
 #include "core/probe/words.h"
 
@@ -51,6 +53,15 @@ namespace zscope {
 std::string NodeRecalled::sentence(const Telling&) const
 {
     return capital(nameInWords(place)) + " was visible in the last frame: the first pass draws it without asking.";
+}
+
+void NodeRecalled::mean(Meanings& to) const
+{
+    to.below(place, {.word = "node-recalled", .isOfAll = true}, [&](TriangleId id, PixelPosition) {
+        return Meaning{.sentence = fmt::format(
+                           "{}, which holds {}, was visible in the last frame: the first pass draws it without asking.",
+                           capital(nameInWords(place)), to.telling().nameOf(id))};
+    });
 }
 
 }  // namespace zscope

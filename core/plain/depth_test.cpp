@@ -56,19 +56,20 @@ void DepthTest::offer(int x)
     ++m_tested;
     m_won += won;
     m_shaded += shades;
-    m_work.tell(PixelTested{.x            = x,
-                            .y            = m_y,
-                            .triangle     = TriangleId{m_rank - 1},
-                            .depth        = depthOf(fragment),
-                            .won          = won,
-                            .rivalRank    = rankOf(held),
-                            .rivalDepth   = depthOf(held),
-                            .keep         = m_pass.keep,
-                            .shading      = m_pass.shading,
-                            .shaded       = shades,
-                            .discarded    = looked && !exists,
-                            .moved        = moved,
-                            .unmovedDepth = m_pattern ? depthOf(bound) : 0});
+    m_work.tell(PixelTested{.x               = x,
+                            .y               = m_y,
+                            .triangle        = TriangleId{m_rank - 1},
+                            .depth           = depthOf(fragment),
+                            .won             = won,
+                            .rivalRank       = rankOf(held),
+                            .rivalDepth      = depthOf(held),
+                            .keep            = m_pass.keep,
+                            .shading         = m_pass.shading,
+                            .shaded          = shades,
+                            .discarded       = looked && !exists,
+                            .moved           = moved,
+                            .unmovedDepth    = m_pattern ? depthOf(bound) : 0,
+                            .firstComerStays = m_work.rules.firstComerKeepsTie()});
 }
 
 void DepthTest::store(int x) { m_row[x] = keyOfDepth(limitedDepthAt(x)); }

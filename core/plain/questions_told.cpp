@@ -14,6 +14,80 @@ std::string nameInWords(const NodePlace& place)
                                 : fmt::format("node {} of instance {}", path, grouped(place.instance.value));
 }
 
+namespace {
+
+/// What the pyramid was asked and found.
+std::string questionOf(const PyramidQuery& q)
+{
+    if (q.cells == 0) return "its rectangle holds no pixel's centre, so nothing of it can be seen";
+    const std::string asked = fmt::format(
+        "its rectangle has {} x {} pixels, so level {} of the pyramid is asked: farthest there {:.9g}, itself at most "
+        "{:.9g}",
+        q.box.x1 - q.box.x0, q.box.y1 - q.box.y0, q.level, q.value, q.nearest);
+    if (!q.hidden) return asked + "; that does not hide it";
+    if (q.nearest < q.value) return asked + ", so everything there is strictly nearer";
+    return asked + "; that does not decide, but all finer cells and pixels inside the rectangle are strictly nearer";
+}
+
+std::vector<int> listOf(const PixelBox& box) { return {box.x0, box.y0, box.x1, box.y1}; }
+
+/// Of what the question was about, apart from the sentence.
+Meaning meaningOf(const PyramidQuery& q)
+{
+    return {.depth  = q.nearest,
+            .level  = q.level,
+            .pixels = q.box,
+            .values = {{"query", Values{{"rectangle", listOf(q.box)},
+                                        {"level", std::int64_t{q.level}},
+                                        {"value", double{q.value}},
+                                        {"nearest", double{q.nearest}},
+                                        {"cells_read", std::int64_t{q.cells}},
+                                        {"hidden", q.hidden}}}}};
+}
+
+struct WordAndFate {
+    std::string_view word;
+    PixelFate        fate;
+};
+
+WordAndFate fateBy(Verdict verdict)
+{
+    switch (verdict) {
+        case Verdict::Outside:
+            return {"node-outside", fates::kNodeOutside};
+        case Verdict::Hidden:
+            return {"node-hidden", fates::kNodeHidden};
+        case Verdict::Small:
+            return {"node-small", fates::kNodeSmall};
+        case Verdict::Entered:
+            break;
+    }
+    return {"node-entered", fates::kNotFilled};
+}
+
+/// What the verdict means for a triangle below the node.
+std::string verdictFor(const NodeJudged& e, const std::string& who)
+{
+    const std::string named = capital(nameInWords(e.place)) + fmt::format(", which holds {},", who);
+    switch (e.verdict) {
+        case Verdict::Outside:
+            return named + " lies outside the view: nothing in it is looked at.";
+        case Verdict::Small:
+            return named + " has fewer pixels on the screen than this approximation keeps: it is left out.";
+        case Verdict::Hidden:
+            return named + " is hidden: " + questionOf(*e.query)
+                   + (e.pass == 2 ? ", by what the first pass left." : ".");
+        case Verdict::Entered:
+            break;
+    }
+    if (e.query) return named + " is entered: " + questionOf(*e.query) + ".";
+    return named + " is entered: it may be in view, and "
+           + (e.asksAboutNodes ? "it reaches before the near plane, so nobody can say that it is hidden."
+                               : "nobody asks whether it is hidden.");
+}
+
+}  // namespace
+
 std::string NodeJudged::sentence(const Telling&) const
 {
     const std::string name = capital(nameInWords(place));
@@ -96,6 +170,51 @@ std::string TileTested::sentence(const Telling& telling) const
     return who + stored
            + (rejected ? "rejected, none of its fragments is tested or shaded."
                        : "that rejects nothing, so its fragments are tested one by one.");
+}
+
+void NodeJudged::mean(Meanings& to) const
+{
+    const auto [word, fate] = fateBy(verdict);
+    const Effect effect     = verdict == Verdict::Entered ? Effect::Passes : Effect::Ends;
+    to.below(place, {.word = word, .effect = effect, .isOfAll = true}, [&, fate = fate](TriangleId id, PixelPosition) {
+        Meaning meaning  = query ? meaningOf(*query) : Meaning();
+        meaning.fate     = fate;
+        meaning.sentence = verdictFor(*this, to.telling().nameOf(id));
+        return meaning;
+    });
+}
+
+void PyramidAsked::mean(Meanings& to) const
+{
+    if (node) return;  // that means what is made of it: NodeJudged
+    const Outcome outcome{.word    = query.hidden ? "triangle-hidden" : "triangle-passed",
+                          .effect  = query.hidden ? Effect::Ends : Effect::Passes,
+                          .isOfAll = true};
+    to.of(triangle, query.box, outcome, [&](TriangleId id, PixelPosition) {
+        Meaning meaning = meaningOf(query);
+        if (query.hidden) meaning.fate = fates::kTriangleHidden;
+        meaning.sentence = fmt::format("{} is {}: {}.", capital(to.telling().nameOf(id)),
+                                       query.hidden ? "hidden" : "asked about", questionOf(query));
+        return meaning;
+    });
+}
+
+void TileTested::mean(Meanings& to) const
+{
+    if (!rejected) return;
+    const Outcome outcome{.word = "tile-rejected", .effect = Effect::Ends, .countedAs = {"tile_rejected"}};
+    to.of(triangle, box, outcome, [&](TriangleId id, PixelPosition) {
+        return Meaning{
+            .depth    = nearest,
+            .fate     = fates::kTileRejected,
+            .values   = {{"tile",
+                          Values{
+                            {"rectangle", listOf(box)}, {"nearest", double{nearest}}, {"farthest", double{farthest}}}}},
+            .sentence = fmt::format(
+                "In the tile from ({}, {}) to ({}, {}) {} could be at most {:.9g} near, and the farthest depth stored "
+                "there is {:.9g}: z-cull rejects it with the whole tile.",
+                box.x0, box.y0, box.x1 - 1, box.y1 - 1, to.telling().nameOf(id), nearest, farthest)};
+    });
 }
 
 }  // namespace zscope

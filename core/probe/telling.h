@@ -5,7 +5,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+
+#include "core/base/ids.h"
+#include "core/probe/words.h"
 
 namespace zscope {
 
@@ -27,6 +31,8 @@ public:
     /// What is drawn.
     std::string_view polygon() const { return drawsFaces() ? "face" : "triangle"; }
     std::string_view polygons() const { return drawsFaces() ? "faces" : "triangles"; }
+    /// "triangle 1,234"
+    std::string nameOf(TriangleId id) const { return std::string(polygon()) + ' ' + grouped(id.value); }
 };
 
 }  // namespace zscope

@@ -7,6 +7,7 @@
 #include "core/geometry/screen_triangle.h"
 #include "core/probe/about.h"
 #include "core/probe/grain.h"
+#include "core/probe/meaning.h"
 #include "core/probe/telling.h"
 #include "core/scan/fragments.h"
 
@@ -18,6 +19,14 @@ enum class Keep {
     DepthOnly,  // a depth pre-pass: the depth of the winner, no rank
     Equal,      // after a pre-pass: the rank of whoever has exactly the depth that won, the lowest of them
 };
+
+namespace fates {
+inline constexpr PixelFate kFarther{"farther", "lost the depth test", FateKind::Behind, 0, true};
+inline constexpr PixelFate kLostTie{"lost-tie", "lost by id at equal depth", FateKind::Behind, 1};
+inline constexpr PixelFate kHole{"hole", "has a hole there", FateKind::Absent, 0};
+inline constexpr PixelFate kBeyondFar{"beyond-far", "beyond far", FateKind::NotKept, 0};
+inline constexpr PixelFate kTileRejected{"tile-rejected", "rejected with a tile", FateKind::Hidden, 0, true};
+}  // namespace fates
 
 /// A stream method is about to turn this triangle (or clipped part) into pixels.
 struct TriangleReached {
@@ -59,14 +68,16 @@ struct PixelTested {
     // it lies in a hole of its material: before the test, or after passing it
     bool discarded = false;
     // its material's relief was asked: before the test, or after it passed unmoved
-    bool  moved        = false;
-    float unmovedDepth = 0;  // if moved: where its triangle is
+    bool  moved           = false;
+    float unmovedDepth    = 0;      // if moved: where its triangle is
+    bool  firstComerStays = false;  // on equal depth, whatever the ids (a fault)
 
     About about() const
     {
         return {.line = y, .pixels = PixelBox{x, y, x + 1, y + 1}, .triangle = triangle, .won = won};
     }
     std::string sentence(const Telling& telling) const;
+    void        mean(Meanings& to) const;
 };
 
 /// A tile that the triangle may cover has been compared as a whole: the nearest that the triangle could be inside `box`
@@ -81,6 +92,7 @@ struct TileTested {
 
     About       about() const { return {.pixels = box, .triangle = triangle, .hidden = rejected}; }
     std::string sentence(const Telling& telling) const;
+    void        mean(Meanings& to) const;
 };
 
 }  // namespace zscope
