@@ -16,8 +16,6 @@
 namespace zscope::cli {
 namespace {
 
-constexpr std::string_view wordOf(Family family) { return family == Family::Sweep ? "sweep" : "stream"; }
-
 constexpr std::string_view titleOf(Grain grain)
 {
     constexpr std::array<std::string_view, kGrains.size()> titles{
@@ -44,7 +42,7 @@ Json algorithms()
                         {"title", preset.title},
                         {"exact", preset.isExact()},
                         {"exact_by_face", preset.claim != Claim::Approximate},
-                        {"family", wordOf(familyOf(preset.pipeline))},
+                        {"family", familyOf(preset.pipeline)},
                         {"grains", std::move(grains)}});
     }
     return list;

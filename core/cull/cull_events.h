@@ -5,13 +5,17 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/base/ids.h"
+#include "core/cull/after_drawing.h"
 #include "core/depth/pyramid.h"
 #include "core/hierarchy/tree.h"
 #include "core/probe/about.h"
 #include "core/probe/grain.h"
+#include "core/probe/meaning.h"
+#include "core/probe/telling.h"
 
 namespace zscope {
 
@@ -23,6 +27,14 @@ constexpr std::string_view wordOf(Verdict verdict)
     return words[static_cast<std::size_t>(verdict)];
 }
 
+namespace fates {
+inline constexpr PixelFate kTriangleHidden{"triangle-hidden", "hidden by the pyramid, one by one", FateKind::Hidden, 1,
+                                           true};
+inline constexpr PixelFate kNodeHidden{"node-hidden", "hidden with a node", FateKind::Hidden, 2, true};
+inline constexpr PixelFate kNodeOutside{"node-outside", "in a node outside the view", FateKind::LeftOut, 0, true};
+inline constexpr PixelFate kNodeSmall{"node-small", "in a node that is too small", FateKind::LeftOut, 1, true};
+}  // namespace fates
+
 /// Which node of which tree: the tree over the instances, or the mesh tree of one instance.
 struct NodePlace {
     bool            isInstanceTree;
@@ -30,6 +42,8 @@ struct NodePlace {
     const Tree&     tree;      // valid until the scene is given up, like the next
     const TreeNode& node;
 };
+/// "node 0.3 of instance 12", "node 0.3 of the instances".
+std::string nameInWords(const NodePlace& place);
 
 /// One of the passes over the scene begins; methods that need a single one do not say so.
 struct PassStarted {
@@ -43,7 +57,9 @@ struct NodeRecalled {
     const Tree&            instances;
     const TreeNode&        holder;  // the node of `instances` that holds the instance
 
-    About about() const { return {.node = &place}; }
+    About       about() const { return {.node = &place}; }
+    std::string sentence(const Telling&) const;
+    void        mean(Meanings& to) const;
 };
 
 /// A node has been judged. `query` is what the pyramid was asked, or nullptr if it was not.
@@ -51,13 +67,18 @@ struct NodeJudged {
     static constexpr Grain grain = Grain::Node;
     NodePlace              place;
     Verdict                verdict;
-    const PyramidQuery*    query;  // valid only during the call
+    const PyramidQuery*    query;           // valid only during the call
+    int                    pass;            // of two passes: 2; 0: there is only one
+    bool                   isDrawnAhead;    // the first of two passes has drawn it
+    bool                   asksAboutNodes;  // the pass does, where it can
 
     About about() const
     {
         return {
             .node = &place, .verdict = wordOf(verdict), .hidden = query ? std::optional(query->hidden) : std::nullopt};
     }
+    std::string sentence(const Telling&) const;
+    void        mean(Meanings& to) const;
 };
 
 /// An entered node's children are known and wait, in the order in which they will be visited.
@@ -69,22 +90,28 @@ struct NodeOpened {
 /// The pyramid has been asked about a node or a triangle; what follows from it has not happened yet.
 struct PyramidAsked {
     static constexpr Grain grain = Grain::Query;
-    const PyramidQuery&    query;     // valid only during the call, like the next
-    const NodePlace*       node;      // nullptr: it was a triangle
-    TriangleId             triangle;  // of a triangle
+    const PyramidQuery&    query;       // valid only during the call, like the next
+    const NodePlace*       node;        // nullptr: it was a triangle
+    TriangleId             triangle;    // of a triangle
+    bool                   isOneLevel;  // no finer level is asked (an approximation)
+    AfterDrawing           upkeep;
 
     About about() const
     {
         return {.triangle = node ? std::nullopt : std::optional(triangle), .node = node, .hidden = query.hidden};
     }
+    std::string sentence(const Telling&) const;
+    void        mean(Meanings& to) const;
 };
 
 /// A cell of the pyramid has been computed anew.
 struct CellUpdated {
     static constexpr Grain grain = Grain::Update;
     CellWrite              write;
+    AfterDrawing           upkeep;
 
-    About about() const { return {.level = write.level}; }
+    About       about() const { return {.level = write.level}; }
+    std::string sentence(const Telling&) const;
 };
 
 /// A node's own triangles (or instances) are about to be drawn.

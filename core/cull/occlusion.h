@@ -3,20 +3,12 @@
 
 #include <span>
 
+#include "core/cull/after_drawing.h"
 #include "core/cull/cull_events.h"
 #include "core/depth/pyramid_told.h"
 #include "core/geometry/screen_triangle.h"
 
 namespace zscope {
-
-/// What becomes of the pyramid when a triangle has been drawn.
-enum class AfterDrawing {
-    Nothing,           // depths are final: there was a pre-pass, or there is no pyramid
-    MarkStale,         // queries bring cells up to date
-    Push,              // tiles and their ancestors at once, tile by tile
-    PushFromFarthest,  // all tiles first, then their ancestors from the triangle's farthest corner on
-    Cover,             // two depths and a mask per tile
-};
 
 struct Occlusion {
     Pyramid* pyramid       = nullptr;  // nullptr: there is none, and the rest is false

@@ -176,7 +176,7 @@ double AutoChoice::leastMs(const Candidate& candidate) const
 
 bool AutoChoice::canPay(const Candidate& candidate) const
 {
-    const bool sweeps = familyOf(candidate.preset->pipeline) == Family::Sweep;
+    const bool sweeps = drawsLineByLine(candidate.preset->pipeline);
     if (sweeps && m_numbers.trianglesInView > kSweepTriangles) return false;
     return leastMs(candidate) <= kHopeless * best().cost.whole;
 }
@@ -207,8 +207,7 @@ std::string AutoChoice::whyKept() const
     std::string      others;
     for (const Candidate& candidate : m_candidates) {
         if (!candidate.isKnown) continue;
-        if (!visitsTree(*candidate.preset) && familyOf(candidate.preset->pipeline) == Family::Stream)
-            plain = &candidate;
+        if (!visitsTree(*candidate.preset) && !drawsLineByLine(candidate.preset->pipeline)) plain = &candidate;
         if (visitsTree(*candidate.preset) && (!culls || candidate.cost.whole < culls->cost.whole)) culls = &candidate;
         if (&candidate != &kept)
             others += fmt::format("{} {} {:.2f} ms", others.empty() ? ";" : ",", candidate.preset->name,

@@ -9,7 +9,6 @@ namespace {
 
 bool walksTriangles(const Pipeline& p) { return p.scan == Scan::EdgeWalk; }
 bool steps(const Pipeline& p) { return p.scan == Scan::EdgeWalk || p.scan == Scan::SweepZLine; }
-bool sweeps(const Pipeline& p) { return familyOf(p) == Family::Sweep; }
 bool testsHalfSpaces(const Pipeline& p) { return p.scan == Scan::HalfSpace; }
 bool findsIntervals(const Pipeline& p) { return p.scan == Scan::SweepIntervals || p.scan == Scan::SweepPolygons; }
 bool asksThePyramid(const Pipeline& p) { return asksNodes(p.cull) || asksTriangles(p.cull); }
@@ -19,7 +18,7 @@ bool drawsTriangles(const Pipeline& p) { return !drawsFaces(p); }
 bool testsEveryPixel(const Pipeline& p) { return !findsIntervals(p); }
 bool goesByLines(const Pipeline& p) { return p.scan != Scan::HalfSpace; }
 bool draws(const Pipeline&) { return true; }
-bool drawsInTurn(const Pipeline& p) { return p.chooser == Chooser::Composed && familyOf(p) == Family::Stream; }
+bool drawsInTurn(const Pipeline& p) { return p.chooser == Chooser::Composed && !drawsLineByLine(p); }
 bool boundsByBoxes(const Pipeline& p) { return p.chooser == Chooser::Composed && testsHalfSpaces(p); }
 bool hasPrepass(const Pipeline& p) { return p.depth == DepthMoment::Prepass; }
 bool drawsAsSubmitted(const Pipeline& p)
@@ -63,7 +62,7 @@ constexpr std::array kFaults{
                "Edges stay in the order in which they entered, so a triangle's right edge may come first and its span "
                "is empty or negative.",
                "Sort the active edge table by x on every line; it is nearly sorted already.", "sweeps", "scanline",
-               sweeps},
+               drawsLineByLine},
     FaultEntry{Fault::OneTestPerInterval, "one-test-per-interval", "One depth test per interval",
                "Whoever is nearest at the left end of an interval gets all of it, although polygons may cross inside.",
                "Compare at both ends, and pixel by pixel where nobody leads at both.", "interval scanline", "interval",

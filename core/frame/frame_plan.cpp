@@ -188,7 +188,7 @@ StageReason reasonForShade(const DrawRequest& request)
 StageReason reasonFor(Stage stage, const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
-    const bool      sweeps   = familyOf(pipeline) == Family::Sweep;
+    const bool      sweeps   = drawsLineByLine(pipeline);
     const bool      byFaces  = drawsFaces(pipeline);
     switch (stage) {
         case Stage::Clear:

@@ -24,6 +24,17 @@ enum class FrameBefore {
 void drawObserved(const DrawRequest& request, Frame& frame, plain::Scratch& scratch, Observer& observer,
                   FrameBefore before = FrameBefore::Drawn);
 
+/// A method that is in no registry, to be watched in place of the pipeline's. It throws what drawObserved() throws.
+struct ObservedMethod {
+    void (*draw)(const DrawRequest& request, Frame& frame, plain::Scratch& scratch, Observer& observer);
+};
+/// The same by `method`, or by the pipeline's if that is nullptr.
+inline void drawObserved(const ObservedMethod* method, const DrawRequest& request, Frame& frame,
+                         plain::Scratch& scratch, Observer& observer)
+{
+    method ? method->draw(request, frame, scratch, observer) : drawObserved(request, frame, scratch, observer);
+}
+
 /// Every pixel's colour, from the ids as they stand.
 void shadePicture(const DrawRequest& request, Frame& frame);
 

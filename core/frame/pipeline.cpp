@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/frame/faults.h"
+#include "core/frame/methods.h"
 #include "core/frame/presets.h"
 #include "core/frame/registry.h"
 
@@ -127,21 +128,10 @@ std::string nameOf(const Pipeline& pipeline)
     return name;
 }
 
-Family familyOf(const Pipeline& pipeline)
-{
-    switch (pipeline.scan) {
-        case Scan::HalfSpace:
-        case Scan::EdgeWalk:
-            return Family::Stream;
-        case Scan::SweepZLine:
-        case Scan::SweepIntervals:
-        case Scan::SweepPolygons:
-            break;
-    }
-    return Family::Sweep;
-}
-
-bool drawsFaces(const Pipeline& pipeline) { return pipeline.scan == Scan::SweepPolygons; }
+std::string_view familyOf(const Pipeline& pipeline) { return methodOf(pipeline).family; }
+bool             drawsLineByLine(const Pipeline& pipeline) { return methodOf(pipeline).drawsLineByLine; }
+bool             drawsFaces(const Pipeline& pipeline) { return methodOf(pipeline).drawsFaces; }
+Grain            ownGrainOf(const Pipeline& pipeline) { return methodOf(pipeline).grains.front(); }
 
 Claim claimOf(const Pipeline& pipeline)
 {
@@ -153,18 +143,13 @@ Claim claimOf(const Pipeline& pipeline)
 
 std::vector<Grain> grainsOf(const Pipeline& pipeline)
 {
-    if (pipeline.scan == Scan::SweepIntervals || drawsFaces(pipeline))
-        return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Interval, Grain::Span, Grain::Pixel};
-    if (familyOf(pipeline) == Family::Sweep)
-        return {Grain::Frame, Grain::Stage, Grain::Line, Grain::Span, Grain::Pixel};
     std::vector<Grain> grains{Grain::Frame, Grain::Stage};
     if (pipeline.order != Order::Submitted) grains.push_back(Grain::Node);
-    grains.push_back(Grain::Triangle);
     const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
-    if (hasCells) grains.push_back(Grain::Query);
-    if (pipeline.scan == Scan::EdgeWalk) grains.push_back(Grain::Span);
-    if (hasCells) grains.push_back(Grain::Update);
-    grains.push_back(Grain::Pixel);
+    if (hasCells) grains.insert(grains.end(), {Grain::Query, Grain::Update});
+    const auto own = methodOf(pipeline).grains;
+    grains.insert(grains.end(), own.begin(), own.end());
+    std::ranges::sort(grains);
     return grains;
 }
 
@@ -182,11 +167,13 @@ bool leavesChoicesOpen(const Pipeline& pipeline)
                        .fault         = pipeline.fault};
 }
 
+bool asksThePyramid(const Pipeline& pipeline) { return asksNodes(pipeline.cull) || asksTriangles(pipeline.cull); }
+
 /// Why the approximations and the faults do not fit the rest, or nothing.
 std::optional<std::string> explainMisfit(const Pipeline& pipeline)
 {
     const Approximation& approximation = pipeline.approximation;
-    const bool           walksLines    = pipeline.scan != Scan::HalfSpace;
+    const bool           walksLines    = methodOf(pipeline).stepsAlongLines;
     if (approximation.snap == SnapBits::Twelve && walksLines)
         return "Steps from line to line count in 1/256 pixel: choose scan=half-space for 12 bits";
     if (approximation.depth == DepthNumbers::Accumulated && !walksLines)
@@ -194,7 +181,7 @@ std::optional<std::string> explainMisfit(const Pipeline& pipeline)
     if (approximation.edges == EdgeSteps::Accumulated && pipeline.scan != Scan::EdgeWalk)
         return "Only the edge walk can step by float32: choose scan=edge-walk";
     if (approximation.cells == CellDescent::OneLevel) {
-        if (!asksNodes(pipeline.cull) && !asksTriangles(pipeline.cull))
+        if (!asksThePyramid(pipeline))
             return "Nobody asks the pyramid: choose a cull by nodes or triangles, or cells=descend";
         if (pipeline.query == TriangleQuery::Triangle)
             return "One level is asked by rectangles: choose query=box or cells=descend";
@@ -218,19 +205,25 @@ std::optional<std::string> explainInvalid(const Pipeline& pipeline)
         return "What is measured makes the choices itself: leave order, cull, upkeep, query, scan, depth and coherence "
                "as they are, or choose chooser=composed";
     if (auto misfit = explainMisfit(pipeline)) return misfit;
-    const bool asks = asksNodes(pipeline.cull) || asksTriangles(pipeline.cull);
     if (pipeline.query == TriangleQuery::Triangle && !asksTriangles(pipeline.cull))
         return "Nobody asks the pyramid about triangles: choose cull=triangles or cull=nodes-triangles, or query=box";
-    if (familyOf(pipeline) == Family::Sweep) {
-        if (pipeline.order != Order::Submitted)
-            return "A sweep sorts the scene by lines itself: choose order=submitted";
-        if (asks || pipeline.upkeep != Upkeep::None)
-            return "A sweep keeps no depth buffer to build a pyramid on: choose cull=frustum and upkeep=none";
-        if (shadesFragments(pipeline.depth))
-            return "A sweep decides each line once and shades it once: choose depth=deferred";
-        if (pipeline.coherence != Coherence::None) return "A sweep visits no nodes to remember: choose coherence=none";
-        return std::nullopt;
-    }
+    return methodOf(pipeline).explainMisfit(pipeline);
+}
+
+std::optional<std::string> misfitOfSweep(const Pipeline& pipeline)
+{
+    if (pipeline.order != Order::Submitted) return "A sweep sorts the scene by lines itself: choose order=submitted";
+    if (asksThePyramid(pipeline) || pipeline.upkeep != Upkeep::None)
+        return "A sweep keeps no depth buffer to build a pyramid on: choose cull=frustum and upkeep=none";
+    if (shadesFragments(pipeline.depth))
+        return "A sweep decides each line once and shades it once: choose depth=deferred";
+    if (pipeline.coherence != Coherence::None) return "A sweep visits no nodes to remember: choose coherence=none";
+    return std::nullopt;
+}
+
+std::optional<std::string> misfitOfTriangles(const Pipeline& pipeline)
+{
+    const bool asks = asksThePyramid(pipeline);
     if (pipeline.depth == DepthMoment::ZCull && pipeline.scan != Scan::HalfSpace)
         return "An edge walk goes by lines and knows no tiles: choose scan=half-space or depth=early";
     if (pipeline.depth == DepthMoment::ZCull && pipeline.upkeep != Upkeep::None && pipeline.upkeep != Upkeep::OnQuery)

@@ -1,7 +1,8 @@
 // An algorithm is a composition of choices, one per axis; a preset is a composition that has a textbook name.
 //
 // Words      axes, choices and presets are named by the words that the command line and the window use
-// Growing    a choice is one header in its folder and one line in registry.h; a preset one line in presets.h
+// Growing    a choice is one header in its folder and one line in registry.h (methods.h on the axis "scan"); a preset
+//            one line in presets.h
 #pragma once
 
 #include <optional>
@@ -84,8 +85,6 @@ std::string_view chosen(const Pipeline& pipeline, std::string_view axis);
 /// Sets one axis by words. Errors (Usage) name the words that would have been right.
 Result<Pipeline> withChoice(Pipeline pipeline, std::string_view axis, std::string_view choice);
 
-enum class Family { Stream, Sweep };  // triangles one after another | the scene line by line
-
 /// What a method promises of its pictures.
 enum class Claim {
     Exact,  // the definition's picture, to the bit
@@ -111,11 +110,17 @@ const Preset*                     findPreset(std::string_view name);  // nullptr
 /// "zbuffer+near=drop".
 std::string nameOf(const Pipeline& pipeline);
 
-/// Of a measured pipeline, these three speak of the z-buffer, with which it begins where little is in view; what a
+/// Of a measured pipeline, what follows speaks of the z-buffer, with which it begins where little is in view; what a
 /// larger scene begins with may have more grains, see repeatable() in core/frame/frame_plan.h.
-Family familyOf(const Pipeline& pipeline);
+
+/// The word for methods of its kind: "stream" draws triangle after triangle, "sweep" the scene line by line.
+std::string_view familyOf(const Pipeline& pipeline);
+/// It draws the scene line by line, with an edge table and active edges, not triangle after triangle.
+bool drawsLineByLine(const Pipeline& pipeline);
 /// It draws whole faces as they were read, so that the ids in its pictures are those of faces' first triangles.
 bool drawsFaces(const Pipeline& pipeline);
+/// The coarsest grain of the method itself: that in which a lecture would step through it.
+Grain ownGrainOf(const Pipeline& pipeline);
 /// What it promises of its pictures: nothing but figures as soon as an approximation or a fault is chosen.
 Claim              claimOf(const Pipeline& pipeline);
 std::vector<Grain> grainsOf(const Pipeline& pipeline);  // coarse to fine

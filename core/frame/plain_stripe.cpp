@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/frame/frame_events.h"
+#include "core/frame/methods.h"
 #include "core/method/depth_moments.h"
 #include "core/method/hierarchical.h"
 #include "core/method/intervals.h"
@@ -50,10 +51,11 @@ using namespace plain;
 class InStage {
 public:
     InStage(Call work, Stage stage) : m_work(*work), m_stage(stage) { work->tell(StageStarted{stage}); }
-    void finish(SourceLine call = SourceLine::here()) const
+    /// `says`: what the stage came to, in words of the method's own, with the number of what it made.
+    void finish(StageFinished::Says* says = nullptr, std::uint64_t made = 0, SourceLine call = SourceLine::here()) const
     {
         m_work.call = call;
-        m_work.tell(StageFinished{m_stage}, call);
+        m_work.tell(StageFinished{m_stage, says, made}, call);
     }
 
 private:
@@ -79,11 +81,11 @@ AfterDrawing afterDrawing(Upkeep upkeep)
     return AfterDrawing::Nothing;
 }
 
-Pass passOf(const Pipeline& pipeline, const Stripe& stripe)
+Pass passOf(const Pipeline& pipeline)
 {
     const bool asksLast = pipeline.coherence == Coherence::LastPyramid;
     return {.keep          = Keep::Nearest,
-            .shading       = !stripe.painter                       ? ShadingMoment::Never
+            .shading       = !shadesFragments(pipeline.depth)      ? ShadingMoment::Never
                              : pipeline.depth == DepthMoment::Late ? ShadingMoment::BeforeTest
                                                                    : ShadingMoment::AfterTest,
             .walksEdges    = pipeline.scan == Scan::EdgeWalk,
@@ -139,14 +141,38 @@ void leaveDepthsOfFrameBefore(const Pass& pass, Work& work)
     work.clock.countAllAs(std::nullopt);
 }
 
-void drawStream(const Pipeline& pipeline, Work& work)
+/// `fill`: enters the scene in the edge table. `resolveLine`: the part of that name.
+void sweepLines(Work& work, void (*fill)(Work&, const Parts&), void (*resolveLine)(Call, int))
+{
+    clear(work);
+    work.clock.lap(Stage::Clear);
+    Parts parts       = plainParts();
+    parts.resolveLine = resolveLine;
+
+    const InStage settingUp(work, Stage::Setup);
+    if (!work.observer || !work.observer->isOnTheWay()) fill(work, parts);  // else the table is still full
+    if (work.isCancelled()) return;  // to sort the edges of millions of triangles takes seconds
+    work.tally.add(Unit::Edges, work.scratch.edges.edgeCount());
+    if (!work.leavesOut(Checkpoint::EdgeTable)) work.tell(EdgeTableReady{work.scratch.edges});
+    work.clock.lap(Stage::Setup);
+    settingUp.finish(tableIsComplete, work.scratch.edges.edgeCount());
+
+    const InStage sweeping(work, Stage::Raster);
+    scanline(work, parts);
+    work.clock.lap(Stage::Raster);
+    sweeping.finish();
+}
+
+}  // namespace
+
+void drawTriangles(const Pipeline& pipeline, Work& work)
 {
     const Stripe& stripe     = work.stripe;
     Pyramid&      pyramid    = work.scratch.pyramid;
     const bool    hasPyramid = pipeline.upkeep != Upkeep::None;
     const bool    asksLast   = pipeline.coherence == Coherence::LastPyramid;
     const bool    continues  = asksLast && pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
-    const Pass    pass       = passOf(pipeline, stripe);
+    const Pass    pass       = passOf(pipeline);
 
     const InStage clearing(work, Stage::Clear);
     clear(work);
@@ -178,41 +204,15 @@ void drawStream(const Pipeline& pipeline, Work& work)
     }
 }
 
-void drawSweep(const Pipeline& pipeline, Work& work)
+void drawLinesByDepth(const Pipeline&, Work& work) { sweepLines(work, fillEdgeTable, resolveByDepth); }
+void drawLinesByIntervals(const Pipeline&, Work& work) { sweepLines(work, fillEdgeTable, resolveByIntervals); }
+void drawFacesByIntervals(const Pipeline&, Work& work)
 {
-    clear(work);
-    work.clock.lap(Stage::Clear);
-    Parts parts = plainParts();
-    if (pipeline.scan != Scan::SweepZLine) parts.resolveLine = resolveByIntervals;
-
-    const InStage settingUp(work, Stage::Setup);
-    if (!work.observer || !work.observer->isOnTheWay()) {  // else the table is still full
-        if (drawsFaces(pipeline))
-            fillEdgeTableWithFaces(work);
-        else
-            fillEdgeTable(work, parts);
-    }
-    if (work.isCancelled()) return;  // to sort the edges of millions of triangles takes seconds
-    work.tally.add(Unit::Edges, work.scratch.edges.edgeCount());
-    if (!work.leavesOut(Checkpoint::EdgeTable)) work.tell(EdgeTableReady{work.scratch.edges});
-    work.clock.lap(Stage::Setup);
-    settingUp.finish();
-
-    const InStage sweeping(work, Stage::Raster);
-    scanline(work, parts);
-    work.clock.lap(Stage::Raster);
-    sweeping.finish();
+    const auto fill = [](Work& into, const Parts&) { fillEdgeTableWithFaces(into); };
+    sweepLines(work, fill, resolveByIntervals);
 }
 
-}  // namespace
-
-void drawPlainly(const Pipeline& pipeline, Work& work)
-{
-    if (familyOf(pipeline) == Family::Sweep)
-        drawSweep(pipeline, work);
-    else
-        drawStream(pipeline, work);
-}
+void drawPlainly(const Pipeline& pipeline, Work& work) { methodOf(pipeline).draw(pipeline, work); }
 
 void blendPlainly(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order, Work& work,
                   GridView<std::uint32_t> colour)

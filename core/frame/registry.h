@@ -1,5 +1,5 @@
-// What can be chosen on each axis. A new choice adds its line here, its enumerator in pipeline.h, and its case in
-// drivers-inl.h, where words become types.
+// What can be chosen on each axis; on the axis "scan" that is the table of methods.h. A new choice adds its line here,
+// its enumerator in pipeline.h, and its case in drivers-inl.h, where words become types.
 #pragma once
 
 #include <array>
@@ -63,14 +63,6 @@ inline constexpr std::array kCoherenceChoices{
     ChoiceEntry{"none", "Every frame begins from nothing"},
     ChoiceEntry{"two-pass", "Last frame's visible nodes first, then the rest against the pyramid they left"},
     ChoiceEntry{"last-pyramid", "Everything against the last frame's pyramid, whatever has moved since: approximate"},
-};
-
-inline constexpr std::array kScanChoices{
-    ChoiceEntry{"half-space", "Three edge functions over tiles"},
-    ChoiceEntry{"edge-walk", "Left and right edge of each triangle, line by line"},
-    ChoiceEntry{"sweep-z-line", "The scene line by line, with a one-line z-buffer"},
-    ChoiceEntry{"sweep-intervals", "The scene line by line, interval by interval"},
-    ChoiceEntry{"sweep-polygons", "The same with whole faces as they were read, not their triangles"},
 };
 
 inline constexpr std::array kTransparencyChoices{

@@ -30,8 +30,9 @@ struct BatchTransformed {
 struct TriangleSetUp {
     TriangleId triangle;
     SetUp      fate;
-    bool       cut;   // by the near plane, which left a part of it
-    bool       wide;  // took the 128-bit path
+    bool       cut;                // by the near plane, which left a part of it
+    bool       wide;               // took the 128-bit path
+    bool       isFlipped = false;  // fronts are taken for backs (a fault)
 };
 
 /// A face as it was read has been set up: as one polygon, or triangle by triangle. Told after its triangles.

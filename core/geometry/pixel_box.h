@@ -1,10 +1,17 @@
-// A rectangle of pixels.
+// A pixel, and a rectangle of pixels.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 
 namespace zscope {
+
+struct PixelPosition {
+    int x = 0;
+    int y = 0;
+
+    friend bool operator==(const PixelPosition&, const PixelPosition&) = default;
+};
 
 /// Pixels [x0, x1) x [y0, y1).
 struct PixelBox {
@@ -17,6 +24,7 @@ struct PixelBox {
     }
     /// How many; it is not empty.
     std::uint64_t area() const { return static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0); }
+    bool          holds(PixelPosition p) const { return x0 <= p.x && p.x < x1 && y0 <= p.y && p.y < y1; }
     bool          isEmpty() const { return x0 >= x1 || y0 >= y1; }
     friend bool   operator==(const PixelBox&, const PixelBox&) = default;
 };

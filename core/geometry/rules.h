@@ -92,8 +92,9 @@ public:
     /// and the test for the inside wants those that now turn away.
     Facing facing(const Facing& of) const
     {
-        return m_faults.has(Fault::WindingFlipped) ? Facing{FaceCulling::Back, !of.isMirrored} : of;
+        return takesFrontsForBacks() ? Facing{FaceCulling::Back, !of.isMirrored} : of;
     }
+    bool takesFrontsForBacks() const { return m_faults.has(Fault::WindingFlipped); }
     /// A fault: the division by the distance comes before the cut at the near plane, so that nothing is left to cut.
     bool dividesBehindTheEye() const { return m_faults.has(Fault::BehindTheEye); }
     /// A fault: a face is cut into triangles as if it were convex.

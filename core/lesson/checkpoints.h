@@ -35,7 +35,7 @@ struct RunRecorders {
     TriangleRecorder  triangle;
     PixelRecorder     pixel;
     TestCounter       tests;
-    MomentRecorder    moment;
+    CurrentStage      stage;
 
     void hear(const Heard& heard)
     {
@@ -44,7 +44,6 @@ struct RunRecorders {
             pixel.observe(*tested);
             tests.observe(*tested);
             triangle.observe(*tested);
-            moment.observe(*tested);
             return;
         }
         passOn(heard, pixel);
@@ -53,7 +52,7 @@ struct RunRecorders {
         passOn(heard, sweep);
         passOn(heard, interval);
         passOn(heard, hierarchy);
-        passOn(heard, moment);
+        passOn(heard, stage);
     }
 
     std::size_t bytes() const { return sizeof(*this) + sweep.bytes() + hierarchy.bytes() + tests.bytes(); }

@@ -13,7 +13,9 @@
 #include "core/frame/observed_run.h"
 #include "core/lesson/explain_recorders.h"
 #include "core/lesson/explain_sentences.h"
+#include "core/lesson/run_telling.h"
 #include "core/probe/recorders.h"
+#include "core/probe/words.h"
 #include "core/scene/opacity.h"
 
 namespace zscope {
@@ -35,31 +37,30 @@ std::optional<Error> cannotExplain(const DrawRequest& request, std::span<const P
     return std::nullopt;
 }
 
-/// The run that the recorder observes; the picture stays in `frame`.
+/// A run and what is always kept of it.
+struct Observed {
+    explicit Observed(const DrawRequest& request) : telling(request, frame, triangle) {}
+
+    Frame            frame;
+    StepCounter      steps;
+    TriangleRecorder triangle;
+    RunTelling       telling;
+};
+
+/// The run that the recorder observes; the picture stays in `run`.
 template <class Recorder>
-Result<Done> runWith(const DrawRequest& request, Frame& frame, StepCounter& steps, Recorder& recorder)
+Result<Done> runWith(const ObservedMethod* method, const DrawRequest& request, Observed& run, Recorder& recorder)
 {
     plain::Scratch scratch;
-    Listening      listening(steps, recorder);
-    drawObserved(request, frame, scratch, listening);
+    Listening      listening(run.steps, run.triangle, recorder);
+    drawObserved(method, request, run.frame, scratch, listening);
     if (request.cancel && request.cancel->load()) return wasCancelled();
     return Done{};
 }
 
-bool isTest(const Event& event)
-{
-    switch (event.happening) {
-        case Happening::Discarded:
-        case Happening::Won:
-        case Happening::Lost:
-        case Happening::Overtaken:
-        case Happening::IntervalWon:
-        case Happening::IntervalLost:
-            return !event.isPrepass;
-        default:
-            return false;
-    }
-}
+/// A pre-pass decides nothing.
+bool isTest(const Event& event) { return !event.isPrepass && isTest(event.effect); }
+bool has(const Event& event, Effect effect) { return !event.isPrepass && event.effect == effect; }
 
 /// The last event of which `wanted` is true.
 template <class Wanted>
@@ -70,83 +71,42 @@ std::optional<std::size_t> lastOf(const std::vector<Event>& events, const Wanted
     return std::nullopt;
 }
 
-std::optional<std::size_t> lastOf(const std::vector<Event>& events, Happening happening)
+std::optional<std::size_t> lastOf(const std::vector<Event>& events, Effect effect)
 {
-    return lastOf(events, [happening](const Event& e) { return e.happening == happening && !e.isPrepass; });
-}
-
-PixelFate fateOf(const Event& event, float background)
-{
-    switch (event.happening) {
-        case Happening::SetUp:
-            return event.setUp == SetUp::BackFacing    ? PixelFate::BackFace
-                   : event.setUp == SetUp::ClippedAway ? PixelFate::NearClip
-                                                       : PixelFate::NotFilled;
-        case Happening::NodeOutside:
-            return PixelFate::NodeOutside;
-        case Happening::NodeHidden:
-            return PixelFate::NodeHidden;
-        case Happening::NodeSmall:
-            return PixelFate::NodeSmall;
-        case Happening::TriangleHidden:
-            return PixelFate::TriangleHidden;
-        case Happening::TileRejected:
-            return PixelFate::TileRejected;
-        case Happening::Discarded:
-            return PixelFate::Hole;
-        case Happening::Overtaken:
-            return PixelFate::Overwritten;
-        case Happening::IntervalLost:
-            return PixelFate::IntervalLost;
-        case Happening::Lost:
-            if (event.depth > event.rivalDepth) return PixelFate::Hole;  // after a pre-pass that left it out
-            if (!event.rival && event.rivalDepth <= background) return PixelFate::BeyondFar;
-            return event.depth == event.rivalDepth ? PixelFate::LostTie : PixelFate::Farther;
-        default:
-            return PixelFate::NotFilled;
-    }
-}
-
-/// A set-up that went well decides nothing.
-bool endsIt(const Event& event)
-{
-    if (event.isPrepass || event.happening == Happening::TrianglePassed) return false;
-    return event.happening != Happening::SetUp || event.setUp != SetUp::Drawn;
+    return lastOf(events, [effect](const Event& e) { return has(e, effect); });
 }
 
 /// What the events of a triangle at a pixel come to.
-void decide(PixelCandidate& c, const PixelExplanation& pixel, float background)
+void decide(PixelCandidate& c, const PixelExplanation& pixel)
 {
     if (pixel.winner == std::int64_t{c.drawnAs.value}) {
-        c.fate     = PixelFate::Winner;
-        c.decisive = lastOf(c.events, [](const Event& e) {
-            return !e.isPrepass && (e.happening == Happening::Won || e.happening == Happening::IntervalWon);
-        });
+        c.fate     = fates::kWinner;
+        c.decisive = lastOf(c.events, Effect::Wins);
         return;
     }
-    c.decisive = lastOf(c.events, Happening::Overtaken);
-    if (!c.decisive) c.decisive = lastOf(c.events, isTest);
-    if (!c.decisive && c.cover != Cover::BeforeNear) c.decisive = lastOf(c.events, endsIt);
+    c.decisive = lastOf(c.events, Effect::Overtaken);
+    if (!c.decisive) c.decisive = lastOf(c.events, [](const Event& e) { return isTest(e); });
+    if (!c.decisive && c.cover != Cover::BeforeNear) c.decisive = lastOf(c.events, Effect::Ends);
     if (c.decisive) {
         const Event& event = c.events[*c.decisive];
-        c.fate             = fateOf(event, background);
-        if (isTest(event) && c.fate != PixelFate::Hole && c.fate != PixelFate::BeyondFar) {
+        c.fate             = event.fate;
+        if (isTest(event) && c.fate.kind != FateKind::Absent && c.fate.kind != FateKind::NotKept) {
             c.rival = event.rival;
             // whose depth a pre-pass kept
             if (!c.rival && pixel.winner >= 0) c.rival = TriangleId{static_cast<std::uint32_t>(pixel.winner)};
-            c.stepsBehind = float32StepsBetween(event.depth, event.rivalDepth);
+            c.stepsBehind = float32StepsBetween(event.depth, event.rivalDepth.value_or(0));
         }
         return;
     }
     const bool wasSetUp = !c.events.empty();
     if (c.cover == Cover::Transparent)
-        c.fate = c.depth > pixel.depth ? PixelFate::Blended : PixelFate::BehindOpaque;
+        c.fate = c.depth > pixel.depth ? fates::kBlended : fates::kBehindOpaque;
     else if (c.cover == Cover::BeforeNear)
-        c.fate = PixelFate::NearClip;
+        c.fate = fates::kNearClip;
     else if (c.cover == Cover::BackFace)
-        c.fate = PixelFate::BackFace;
+        c.fate = fates::kBackFace;
     else
-        c.fate = wasSetUp ? PixelFate::NotFilled : PixelFate::BatchOutside;
+        c.fate = wasSetUp ? fates::kNotFilled : fates::kBatchOutside;
 }
 
 /// The candidates in the order in which the run met them.
@@ -184,7 +144,7 @@ std::string reliefOf(const PixelCandidate& c, const DrawRequest& request)
 {
     if (!materialOf(request.scene->scene(), c.instance, c.triangle).relief || !c.decisive) return "";
     const Event& event = c.events[*c.decisive];
-    if (!isTest(event) || c.fate == PixelFate::Hole) return "";
+    if (!isTest(event) || c.fate.kind == FateKind::Absent) return "";
     if (event.unmovedDepth)
         return fmt::format(" (Its material's relief moved it back from {:.9g} to {:.9g}.)", *event.unmovedDepth,
                            event.depth);
@@ -196,25 +156,20 @@ std::string reliefOf(const PixelCandidate& c, const DrawRequest& request)
 PixelExplanation explained(PixelHistories::History& history, PixelPosition p, const DrawRequest& request,
                            const Frame& frame)
 {
-    const Pipeline&  pipeline   = request.pipeline;
-    const float      background = frame.visible.empty();
+    const Pipeline&  pipeline = request.pipeline;
     PixelExplanation explanation{.pixel = p, .algorithm = nameOf(pipeline), .grains = grainsOf(pipeline)};
     explanation.winner     = frame.visible.idAt(p.x, p.y);
     explanation.depth      = frame.visible.depthAt(p.x, p.y);
     explanation.candidates = inOrderMet(history);
     for (PixelCandidate& c : explanation.candidates) {
-        const Scene& scene = request.scene->scene();
-        for (Event& event : c.events) {
-            event.isMirrored = scene.instances[scene.instanceOf(c.triangle).value].toWorld.isMirrored();
-            event.sentence   = sentenceOf(event, c.drawnAs, pipeline, background);
+        for (const Event& event : c.events)
             if (event.node) c.node = event.node;
-        }
-        decide(c, explanation, background);
+        decide(c, explanation);
         stateOpacity(c, request.scene->scene());
         c.sentence = sentenceOf(c, explanation, pipeline, request.shade);
         c.sentence += reliefOf(c, request);
-        if (history.comparedBecause && c.decisive && isTest(c.events[*c.decisive]))
-            c.sentence += " (" + sentenceOf(*history.comparedBecause) + ".)";
+        if (!history.remark.empty() && c.decisive && isTest(c.events[*c.decisive]))
+            c.sentence += " (" + history.remark + ".)";
     }
     explanation.sentence = sentenceOf(explanation, pipeline);
     return explanation;
@@ -223,7 +178,7 @@ PixelExplanation explained(PixelHistories::History& history, PixelPosition p, co
 }  // namespace
 
 Result<std::vector<PixelExplanation>> explainPixels(const DrawRequest& asked, std::span<const PixelPosition> pixels,
-                                                    const Progress& progress)
+                                                    const Progress& progress, const ObservedMethod* method)
 try {
     if (const auto error = cannotExplain(asked, pixels)) return *error;
     const DrawRequest request = repeatable(asked);
@@ -231,18 +186,17 @@ try {
     const auto        covers  = coversOf(scene, request.camera, request.faceCulling, pixels, progress);
     if (!covers) return covers.error();
 
-    Frame          frame;
-    StepCounter    steps;
+    Observed       run(request);
     PixelHistories histories(scene, request.camera.width, request.camera.height, pixels, *covers,
-                             drawsFaces(request.pipeline), steps);
-    if (const auto done = runWith(request, frame, steps, histories); !done) return done.error();
+                             drawsFaces(request.pipeline), run.steps, run.telling);
+    if (const auto done = runWith(method, request, run, histories); !done) return done.error();
 
     std::vector<PixelExplanation>      all;
     std::map<std::size_t, std::size_t> first;  // which answer explains a history
     for (const PixelPosition p : pixels) {
         const auto [known, isNew] = first.try_emplace(histories.of(p), all.size());
         if (isNew)
-            all.push_back(explained(histories.histories()[known->first], p, request, frame));
+            all.push_back(explained(histories.histories()[known->first], p, request, run.frame));
         else
             all.push_back(PixelExplanation(all[known->second]));
     }
@@ -278,26 +232,25 @@ void findTakers(TriangleExplanation& e, const TriangleCovers& covers, const Visi
     e.takers.resize(TriangleExplanation::kMostTakers);
 }
 
-PixelFate fateOf(const TriangleExplanation& e, const TriangleCovers& covers, float background)
+PixelFate fateOf(const TriangleExplanation& e, const TriangleCovers& covers)
 {
     const TriangleTally& t = e.tally;
-    if (covers.isTransparent) return t.covered > 0 ? PixelFate::Blended : PixelFate::NotFilled;
-    if (t.shown > 0) return PixelFate::Winner;
-    if (t.passed > 0 || t.intervalWon > 0) return PixelFate::Overwritten;
-    if (const auto last = lastOf(e.events, isTest)) return fateOf(e.events[*last], background);
-    const auto isEnd = [](const Event& event) {
-        return endsIt(event) && event.happening != Happening::NodeEntered && event.happening != Happening::NodeRecalled;
-    };
-    if (const auto last = lastOf(e.events, isEnd)) return fateOf(e.events[*last], background);
-    if (covers.isBehindNear) return PixelFate::NearClip;
-    if (t.backFacing > 0) return PixelFate::BackFace;
-    if (covers.parts > 0 && e.events.empty()) return PixelFate::BatchOutside;
-    return PixelFate::NotFilled;
+    if (covers.isTransparent) return t.covered > 0 ? fates::kBlended : fates::kNotFilled;
+    if (t.shown > 0) return fates::kWinner;
+    if (t.won > 0) return fates::kOverwritten;
+    if (const auto last = lastOf(e.events, [](const Event& event) { return isTest(event); }))
+        return e.events[*last].fate;
+    if (const auto last = lastOf(e.events, Effect::Ends)) return e.events[*last].fate;
+    if (covers.isBehindNear) return fates::kNearClip;
+    if (t.backFacing > 0) return fates::kBackFace;
+    if (covers.parts > 0 && e.events.empty()) return fates::kBatchOutside;
+    return fates::kNotFilled;
 }
 
 }  // namespace
 
-Result<TriangleExplanation> explainTriangle(const DrawRequest& asked, TriangleId triangle, const Progress& progress)
+Result<TriangleExplanation> explainTriangle(const DrawRequest& asked, TriangleId triangle, const Progress& progress,
+                                            const ObservedMethod* method)
 try {
     if (const auto error = cannotExplain(asked, {})) return *error;
     const DrawRequest request = repeatable(asked);
@@ -308,11 +261,10 @@ try {
     progress.at(0, "explaining");
     const TriangleCovers covers = coversOf(scene, request.camera, request.faceCulling, triangle);
 
-    Frame           frame;
-    StepCounter     steps;
+    Observed        run(request);
     const bool      byFace = drawsFaces(request.pipeline);
-    TriangleHistory history(scene, triangle, byFace, steps);
-    if (const auto done = runWith(request, frame, steps, history); !done) return done.error();
+    TriangleHistory history(scene, triangle, byFace, run.steps, run.telling);
+    if (const auto done = runWith(method, request, run, history); !done) return done.error();
 
     TriangleExplanation e;
     e.triangle      = triangle;
@@ -329,12 +281,8 @@ try {
     e.tally.inHoles = covers.holes, e.tally.beyondFar = covers.beyondFar, e.tally.backFacing = covers.backFacing;
     e.events  = std::move(history.events());
     e.leftOut = history.leftOut();
-    findTakers(e, covers, frame.visible);
-    for (Event& event : e.events) {
-        event.isMirrored = scene.instances[e.instance.value].toWorld.isMirrored();
-        event.sentence   = sentenceOf(event, e.drawnAs, request.pipeline, frame.visible.empty());
-    }
-    e.fate     = fateOf(e, covers, frame.visible.empty());
+    findTakers(e, covers, run.frame.visible);
+    e.fate     = fateOf(e, covers);
     e.sentence = sentenceOf(e, request.pipeline);
     return e;
 } catch (const std::bad_alloc&) {

@@ -18,14 +18,17 @@
 
 namespace zscope {
 
+struct ObservedMethod;  // core/frame/observed_run.h
+
 /// One answer per pixel, in their order; repeats allowed. Errors: Usage (a pixel outside the picture, what the renderer
-/// refuses), Limit, Cancelled.
+/// refuses), Limit, Cancelled. `method` is explained in place of the pipeline's.
 Result<std::vector<PixelExplanation>> explainPixels(const DrawRequest& request, std::span<const PixelPosition> pixels,
-                                                    const Progress& progress = {});
+                                                    const Progress&       progress = {},
+                                                    const ObservedMethod* method   = nullptr);
 Result<PixelExplanation> explainPixel(const DrawRequest& request, PixelPosition pixel, const Progress& progress = {});
 /// Errors likewise; Usage also if the scene has no such triangle.
 Result<TriangleExplanation> explainTriangle(const DrawRequest& request, TriangleId triangle,
-                                            const Progress& progress = {});
+                                            const Progress& progress = {}, const ObservedMethod* method = nullptr);
 
 std::string explanationToJson(const PixelExplanation& explanation);
 std::string explanationToJson(const TriangleExplanation& explanation);

@@ -1,9 +1,11 @@
 #include <array>
+#include <type_traits>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
 #include "core/lesson/explain.h"
-#include "core/sweep/interval_reason.h"
+#include "core/lesson/explain_sentences.h"
 
 namespace zscope {
 
@@ -18,8 +20,6 @@ Json toJson(const NodeName& node)
     return {{"instance", node.instance ? Json(node.instance->value) : Json(nullptr)}, {"path", node.path}};
 }
 
-Json toJson(const PixelBox& box) { return {box.x0, box.y0, box.x1, box.y1}; }
-
 /// Only the grains that the method has: nobody can step by the others.
 Json toJson(const Moment& moment, const std::vector<Grain>& grains)
 {
@@ -28,52 +28,42 @@ Json toJson(const Moment& moment, const std::vector<Grain>& grains)
     return json;
 }
 
-std::string_view wordOf(SetUp fate)
+Json toJson(const Values& values);
+
+Json toJson(const Value& value)
 {
-    constexpr std::array<std::string_view, 8> words{"drawn",       "transparent", "outside",         "clipped-away",
-                                                    "back-facing", "degenerate",  "no-pixel-centre", "out-of-range"};
-    return words[static_cast<std::size_t>(fate)];
+    return std::visit(
+        [](const auto& each) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(each)>, Values>)
+                return toJson(each);
+            else
+                return Json(each);
+        },
+        value);
+}
+
+Json toJson(const Values& values)
+{
+    Json json = Json::object();
+    for (const auto& [name, value] : values) json[std::string(name)] = toJson(value);
+    return json;
 }
 
 Json toJson(const Event& e, const std::vector<Grain>& grains)
 {
-    Json json{{"event", wordOf(e.happening)},
-              {"grain", wordOf(e.grain)},
-              {"steps", toJson(e.moment, grains)},
-              {"sentence", e.sentence}};
+    Json json{
+        {"event", e.word}, {"grain", wordOf(e.grain)}, {"steps", toJson(e.moment, grains)}, {"sentence", e.sentence}};
     if (e.isPrepass) json["prepass"] = true;
     if (e.pass > 0) json["pass"] = e.pass;
     if (e.unmovedDepth) json["unmoved_depth"] = *e.unmovedDepth;
     if (e.pixel) json["pixel"] = {e.pixel->x, e.pixel->y};
     if (e.node) json["node"] = toJson(*e.node);
-    if (e.query)
-        json["query"] = {{"rectangle", toJson(e.query->box)}, {"level", e.query->level},
-                         {"value", e.query->value},           {"nearest", e.query->nearest},
-                         {"cells_read", e.query->cells},      {"hidden", e.query->hidden}};
-    if (e.tile)
-        json["tile"] = {
-            {"rectangle", toJson(e.tile->box)}, {"nearest", e.tile->nearest}, {"farthest", e.tile->farthest}};
-    if (e.interval)
-        json["interval"] = {
-            {"line", e.interval->y0}, {"x0", e.interval->x0}, {"x1", e.interval->x1}, {"reason", wordOf(e.reason)}};
-    switch (e.happening) {
-        case Happening::SetUp:
-            json["set_up"] = wordOf(e.setUp);
-            json["cut"]    = e.isCut;
-            break;
-        case Happening::Won:
-        case Happening::Lost:
-        case Happening::Overtaken:
-        case Happening::IntervalLost:
-            json["rival"]       = toJson(e.rival);
-            json["rival_depth"] = e.rivalDepth;
-            [[fallthrough]];
-        case Happening::IntervalWon:
-            json["depth"] = e.depth;
-            break;
-        default:
-            break;
+    for (const auto& [name, value] : e.values) json[std::string(name)] = toJson(value);
+    if (e.rivalDepth) {
+        json["rival"]       = toJson(e.rival);
+        json["rival_depth"] = *e.rivalDepth;
     }
+    if (isTest(e.effect) && e.effect != Effect::IsAbsent) json["depth"] = e.depth;
     return json;
 }
 
@@ -101,27 +91,30 @@ Json wordsOf(const std::vector<Grain>& grains)
     return list;
 }
 
+/// What is counted by the definition, and by the names that have always a place; then other names as they turned up.
+Json pixelsOf(const TriangleTally& t)
+{
+    Json       json{{"covered", t.covered}, {"shown", t.shown}};
+    const auto count = [&](std::string_view name) { json[std::string(name)] = t.of(name); };
+    for (const std::string_view name : {"tested", "passed", "prepass_tested", "prepass_passed"}) count(name);
+    json["in_holes"]    = t.inHoles;
+    json["beyond_far"]  = t.beyondFar;
+    json["back_facing"] = t.backFacing;
+    for (const std::string_view name : {"tile_rejected", "interval_won", "interval_lost"}) count(name);
+    for (const auto& [name, pixels] : t.counted) json[std::string(name)] = pixels;
+    return json;
+}
+
 /// Names come from files, which may hold any bytes.
 std::string textOf(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace
 
-std::string_view wordOf(Happening happening)
+std::string_view wordOf(SetUp setUp)
 {
-    constexpr std::array<std::string_view, 15> words{
-        "set-up",          "node-outside",    "node-hidden",   "node-small", "node-entered", "node-recalled",
-        "triangle-hidden", "triangle-passed", "tile-rejected", "discarded",  "won",          "lost",
-        "overtaken",       "interval-won",    "interval-lost"};
-    return words[static_cast<std::size_t>(happening)];
-}
-
-std::string_view wordOf(PixelFate fate)
-{
-    constexpr std::array<std::string_view, 18> words{
-        "winner",        "overwritten",   "farther",         "lost-tie",    "interval-lost", "hole",
-        "beyond-far",    "tile-rejected", "triangle-hidden", "node-hidden", "node-outside",  "node-small",
-        "batch-outside", "back-face",     "near-clip",       "not-filled",  "blended",       "behind-opaque"};
-    return words[static_cast<std::size_t>(fate)];
+    constexpr std::array<std::string_view, 8> words{"drawn",       "transparent", "outside",         "clipped-away",
+                                                    "back-facing", "degenerate",  "no-pixel-centre", "out-of-range"};
+    return words[static_cast<std::size_t>(setUp)];
 }
 
 std::string explanationToJson(const PixelExplanation& e)
@@ -135,8 +128,7 @@ std::string explanationToJson(const PixelExplanation& e)
 
 std::string explanationToJson(const TriangleExplanation& e)
 {
-    const TriangleTally& t = e.tally;
-    Json                 json{{"algorithm", e.algorithm},
+    Json json{{"algorithm", e.algorithm},
               {"triangle", e.triangle.value},
               {"drawn_as", e.drawnAs.value},
               {"instance", e.instance.value},
@@ -147,18 +139,7 @@ std::string explanationToJson(const TriangleExplanation& e)
               {"fate", wordOf(e.fate)},
               {"sentence", e.sentence},
               {"grains", wordsOf(e.grains)}};
-    json["pixels"]   = {{"covered", t.covered},
-                        {"shown", t.shown},
-                        {"tested", t.tested},
-                        {"passed", t.passed},
-                        {"prepass_tested", t.prepassTested},
-                        {"prepass_passed", t.prepassPassed},
-                        {"in_holes", t.inHoles},
-                        {"beyond_far", t.beyondFar},
-                        {"back_facing", t.backFacing},
-                        {"tile_rejected", t.tileRejected},
-                        {"interval_won", t.intervalWon},
-                        {"interval_lost", t.intervalLost}};
+    json["pixels"]   = pixelsOf(e.tally);
     json["taken_by"] = Json::array();
     for (const Taker& taker : e.takers) json["taken_by"].push_back({{"id", taker.id}, {"pixels", taker.pixels}});
     json["taken_by_others"] = e.otherTakers;

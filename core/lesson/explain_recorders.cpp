@@ -2,58 +2,45 @@
 
 #include <algorithm>
 
+#include "core/lesson/explain_sentences.h"
+
 namespace zscope {
-
-namespace {
-
-Happening happeningOf(Verdict verdict)
-{
-    switch (verdict) {
-        case Verdict::Outside:
-            return Happening::NodeOutside;
-        case Verdict::Hidden:
-            return Happening::NodeHidden;
-        case Verdict::Small:
-            return Happening::NodeSmall;
-        case Verdict::Entered:
-            break;
-    }
-    return Happening::NodeEntered;
-}
-
-Happening happeningOf(const PixelTested& e)
-{
-    return e.discarded ? Happening::Discarded : e.won ? Happening::Won : Happening::Lost;
-}
-
-bool holds(const PixelBox& box, PixelPosition p)
-{
-    return box.x0 <= p.x && p.x < box.x1 && box.y0 <= p.y && p.y < box.y1;
-}
-
-std::optional<TriangleId> rivalOf(const PixelTested& e)
-{
-    return e.rivalRank == 0 ? std::nullopt : std::optional(TriangleId{e.rivalRank - 1});
-}
-
-}  // namespace
 
 NodeName nameOf(const NodePlace& place)
 {
     return {place.isInstanceTree ? std::nullopt : std::optional(place.instance), pathOf(place.node)};
 }
 
-float depthOf(const DepthPlane& plane, int x, int y)
+Event Histories::eventOf(const Outcome& outcome, Meaning meaning) const
 {
-    const double z = plane.a * (x + 0.5) + (plane.b * (y + 0.5) + plane.c);
-    return static_cast<float>(std::min(std::max(z, double{plane.farthest}), double{plane.nearest}));
+    Event event{outcome, std::move(meaning)};
+    event.moment    = m_steps.of(*m_heard);
+    event.grain     = grainAtHand();
+    event.isPrepass = m_isPrepass;
+    event.pass      = m_pass;
+    return event;
+}
+
+Event Histories::eventOf(const TriangleSetUp& e, TriangleId polygon) const
+{
+    const bool isDrawn = e.fate == SetUp::Drawn;
+    Meaning    meaning;
+    if (e.fate == SetUp::BackFacing) meaning.fate = fates::kBackFace;
+    if (e.fate == SetUp::ClippedAway) meaning.fate = fates::kNearClip;
+    meaning.values         = {{"set_up", std::string(wordOf(e.fate))}, {"cut", e.cut}};
+    const InstanceId owner = m_scene.instanceOf(e.triangle);
+    meaning.sentence = sentenceOf(e, m_telling.nameOf(polygon), m_scene.instances[owner.value].toWorld.isMirrored());
+    Event event      = eventOf({.word = kSetUpWord, .effect = isDrawn ? Effect::Passes : Effect::Ends, .isOfAll = true},
+                               std::move(meaning));
+    event.isUsual    = isDrawn && !e.cut;
+    return event;
 }
 
 PixelHistories::PixelHistories(const Scene& scene, int width, int height, std::span<const PixelPosition> pixels,
                                const std::vector<std::vector<PixelCover>>& covers, bool byFace,
-                               const StepCounter& steps)
-    : m_scene(scene), m_steps(steps), m_place(width, height, -1), m_hasPixels(static_cast<std::size_t>(height), 0),
-      m_byFace(byFace)
+                               const StepCounter& steps, const Telling& telling)
+    : Histories(scene, byFace, steps, telling), m_place(width, height, -1),
+      m_hasPixels(static_cast<std::size_t>(height), 0)
 {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const PixelPosition p = pixels[i];
@@ -101,151 +88,106 @@ PixelHistories::Range PixelHistories::rangeOrNew(History& history, TriangleId dr
     return range;
 }
 
-Event PixelHistories::begin(Happening happening, const Moment& moment, Grain grain) const
-{
-    Event event;
-    event.happening = happening;
-    event.moment    = moment;
-    event.grain     = grain;
-    event.isPrepass = m_isPrepass;
-    event.pass      = m_pass;
-    return event;
-}
-
 void PixelHistories::note(History& history, std::size_t candidate, Event event)
 {
     if (history.met[candidate] == kNever) history.met[candidate] = m_clock++;
     history.candidates[candidate].events.push_back(std::move(event));
 }
 
-void PixelHistories::noteOf(TriangleId triangle, const Event& event, const PixelBox* box)
+template <class Visit>
+void PixelHistories::forEachIn(const PixelBox& box, const Visit& visit)
+{
+    for (int y = box.y0; y < box.y1; ++y) {
+        if (!m_hasPixels[static_cast<std::size_t>(y)]) continue;
+        for (int x = box.x0; x < box.x1; ++x)
+            if (const std::int32_t place = m_place.at(x, y); place >= 0)
+                visit(m_histories[static_cast<std::size_t>(place)], PixelPosition{x, y});
+    }
+}
+
+template <class Visit>
+void PixelHistories::forEachOf(TriangleId triangle, const PixelBox* box, const Visit& visit)
 {
     const std::pair<std::uint32_t, std::uint32_t> from(triangle.value, 0);
     for (auto at = std::lower_bound(m_where.begin(), m_where.end(), from);
          at != m_where.end() && at->first == triangle.value; ++at) {
-        if (box && !holds(*box, m_pixels[at->second])) continue;
+        if (box && !box->holds(m_pixels[at->second])) continue;
         History&    history = m_histories[at->second];
         const Range range   = rangeOf(history, m_byFace ? m_scene.firstOfFace(triangle) : triangle);
         for (std::size_t i = range.first; i < range.end; ++i)
-            if (history.candidates[i].triangle == triangle) note(history, i, event);
+            if (history.candidates[i].triangle == triangle) visit(history, i, m_pixels[at->second]);
     }
 }
 
-void PixelHistories::observe(const NodeJudged& e)
+bool PixelHistories::asksAbout(const PixelBox& pixels) const
 {
-    if (m_isPrepass || e.verdict == Verdict::Entered) return;
-    std::optional<Event> event;
-    forEachBelow(m_scene, e.place, m_ids, [&](std::uint32_t id) {
-        if (!event) {
-            event.emplace(begin(happeningOf(e.verdict), m_steps.of(e), Grain::Node));
-            event->node = nameOf(e.place);
-            if (e.query) event->query = *e.query, event->depth = e.query->nearest;
-        }
-        noteOf(TriangleId{id}, *event);
+    for (int y = pixels.y0; y < pixels.y1; ++y) {
+        if (!m_hasPixels[static_cast<std::size_t>(y)]) continue;
+        for (int x = pixels.x0; x < pixels.x1; ++x)
+            if (m_place.at(x, y) >= 0) return true;
+    }
+    return false;
+}
+
+bool PixelHistories::isMet(TriangleId triangle) const
+{
+    return std::binary_search(m_ids.begin(), m_ids.end(), triangle.value);
+}
+
+void PixelHistories::of(TriangleId polygon, const PixelBox& pixels, const Outcome& outcome, const Make& make)
+{
+    if (outcome.effect == Effect::Passes || !counts(outcome.effect)) return;
+    const auto noteAt = [&](History& history, std::size_t candidate, PixelPosition at) {
+        Event event  = eventOf(outcome, make(polygon, at));
+        event.pixels = event.pixels.value_or(pixels);
+        note(history, candidate, std::move(event));
+    };
+    // What is tested at a pixel is there, whatever the definition says.
+    if (isTest(outcome.effect))
+        forEachIn(pixels, [&](History& history, PixelPosition at) {
+            const Range range = rangeOrNew(history, polygon);
+            for (std::size_t i = range.first; i < range.end; ++i) noteAt(history, i, at);
+        });
+    else if (m_byFace)
+        forEachIn(pixels, [&](History& history, PixelPosition at) {
+            const Range range = rangeOf(history, polygon);
+            for (std::size_t i = range.first; i < range.end; ++i) noteAt(history, i, at);
+        });
+    else if (isMet(polygon))
+        forEachOf(polygon, &pixels, noteAt);
+}
+
+void PixelHistories::below(const NodePlace& place, const Outcome& outcome, const Make& make)
+{
+    if (outcome.effect == Effect::Passes || !counts(outcome.effect)) return;
+    forEachBelow(m_scene, place, m_ids, [&](std::uint32_t id) {
+        forEachOf(TriangleId{id}, nullptr, [&](History& history, std::size_t candidate, PixelPosition at) {
+            Event event = eventOf(outcome, make(history.candidates[candidate].drawnAs, at));
+            event.node  = nameOf(place);
+            note(history, candidate, std::move(event));
+        });
     });
 }
 
-void PixelHistories::observe(const TriangleSetUp& e)
+void PixelHistories::remark(const PixelBox& pixels, const Remark& make)
 {
-    if (m_isPrepass || !std::binary_search(m_ids.begin(), m_ids.end(), e.triangle.value)) return;
-    Event event = begin(Happening::SetUp, m_steps.next(), Grain::Stage);
-    event.setUp = e.fate;
-    event.isCut = e.cut;
-    if (!m_holder.path.empty()) event.node = m_holder;
-    noteOf(e.triangle, event);
+    forEachIn(pixels, [&](History& history, PixelPosition) { history.remark = make(); });
 }
 
-void PixelHistories::observe(const PyramidAsked& e)
+void PixelHistories::setUp(const TriangleSetUp& e)
 {
-    if (!e.node) m_asked = m_steps.of(e);
+    if (!isMet(e.triangle)) return;
+    forEachOf(e.triangle, nullptr, [&](History& history, std::size_t candidate, PixelPosition) {
+        Event event = eventOf(e, history.candidates[candidate].drawnAs);
+        if (!m_holder.path.empty()) event.node = m_holder;
+        note(history, candidate, std::move(event));
+    });
 }
 
-void PixelHistories::observe(const TriangleHidden& e)
-{
-    if (m_isPrepass || !std::binary_search(m_ids.begin(), m_ids.end(), e.triangle.value)) return;
-    Event event = begin(Happening::TriangleHidden, m_asked, Grain::Query);
-    event.query = e.query;
-    event.depth = e.query.nearest;
-    noteOf(e.triangle, event, &e.query.box);
-}
-
-void PixelHistories::observe(const TileTested& e)
-{
-    if (!e.rejected || !std::binary_search(m_ids.begin(), m_ids.end(), e.triangle.value)) return;
-    Event event = begin(Happening::TileRejected, m_steps.of(e), Grain::Query);
-    event.tile  = e;
-    event.depth = e.nearest;
-    noteOf(e.triangle, event, &e.box);
-}
-
-void PixelHistories::overtake(History& history, TriangleId loser, TriangleId winner, float depth, float winnersDepth,
-                              const Moment& moment)
-{
-    const Range range = rangeOrNew(history, loser);
-    for (std::size_t i = range.first; i < range.end; ++i) {
-        Event event      = begin(Happening::Overtaken, moment, Grain::Pixel);
-        event.depth      = depth;
-        event.rival      = winner;
-        event.rivalDepth = winnersDepth;
-        note(history, i, std::move(event));
-    }
-}
-
-void PixelHistories::observe(const PixelTested& e)
-{
-    const std::int32_t place = m_place.at(e.x, e.y);
-    if (place < 0) return;
-    History&     history = m_histories[static_cast<std::size_t>(place)];
-    const Moment moment  = m_steps.of(e);
-    if (e.won && e.keep != Keep::DepthOnly)
-        if (const auto loser = rivalOf(e)) overtake(history, *loser, e.triangle, e.rivalDepth, e.depth, moment);
-    const Range range = rangeOrNew(history, e.triangle);
-    for (std::size_t i = range.first; i < range.end; ++i) {
-        Event event      = begin(happeningOf(e), moment, Grain::Pixel);
-        event.isPrepass  = e.keep == Keep::DepthOnly;
-        event.depth      = e.depth;
-        event.rival      = rivalOf(e);
-        event.rivalDepth = e.rivalDepth;
-        if (e.moved) event.unmovedDepth = e.unmovedDepth;
-        note(history, i, std::move(event));
-    }
-}
-
-void PixelHistories::observe(const plain::IntervalDecided& e)
-{
-    if (!m_hasPixels[static_cast<std::size_t>(e.y)]) return;
-    const Moment moment = m_steps.of(e);
-    for (int x = e.x0; x < e.x1; ++x) {
-        const std::int32_t place = m_place.at(x, e.y);
-        if (place < 0) continue;
-        History& history = m_histories[static_cast<std::size_t>(place)];
-        if (!e.winner) {
-            history.comparedBecause = e.reason;
-            continue;
-        }
-        for (const std::uint32_t part : e.open) {
-            const plain::Polygon& polygon = e.polygons[part];
-            const bool            isIt    = polygon.id == e.winner->id;
-            Event event    = begin(isIt ? Happening::IntervalWon : Happening::IntervalLost, moment, Grain::Interval);
-            event.depth    = depthOf(polygon.depth, x, e.y);
-            event.interval = PixelBox{e.x0, e.y, e.x1, e.y + 1};
-            event.reason   = e.reason;
-            if (!isIt) event.rival = e.winner->id, event.rivalDepth = depthOf(e.winner->depth, x, e.y);
-            const Range range = rangeOrNew(history, polygon.id);
-            for (std::size_t i = range.first; i < range.end; ++i) note(history, i, event);
-        }
-    }
-}
-
-void PixelHistories::observe(const PixelBlended& e)
-{
-    const std::int32_t place = m_place.at(e.x, e.y);
-    if (place >= 0) m_histories[static_cast<std::size_t>(place)].blended = m_steps.of(e);
-}
-
-TriangleHistory::TriangleHistory(const Scene& scene, TriangleId triangle, bool byFace, const StepCounter& steps)
-    : m_scene(scene), m_steps(steps), m_triangle(triangle), m_drawnAs(byFace ? scene.firstOfFace(triangle) : triangle),
-      m_instance(scene.instanceOf(triangle))
+TriangleHistory::TriangleHistory(const Scene& scene, TriangleId triangle, bool byFace, const StepCounter& steps,
+                                 const Telling& telling)
+    : Histories(scene, byFace, steps, telling), m_triangle(triangle),
+      m_drawnAs(byFace ? scene.firstOfFace(triangle) : triangle), m_instance(scene.instanceOf(triangle))
 {}
 
 bool TriangleHistory::holds(const NodePlace& place) const
@@ -260,17 +202,6 @@ bool TriangleHistory::holds(const NodePlace& place) const
     return mayHold && std::find(items.begin(), items.end(), item) != items.end();
 }
 
-Event TriangleHistory::begin(Happening happening, const Moment& moment, Grain grain) const
-{
-    Event event;
-    event.happening = happening;
-    event.moment    = moment;
-    event.grain     = grain;
-    event.isPrepass = m_isPrepass;
-    event.pass      = m_pass;
-    return event;
-}
-
 void TriangleHistory::note(Event event)
 {
     if (m_events.size() < TriangleExplanation::kMostEvents)
@@ -279,109 +210,47 @@ void TriangleHistory::note(Event event)
         ++m_leftOut;
 }
 
-void TriangleHistory::noteOnce(Event event, bool& noted)
+void TriangleHistory::count(const PixelBox& pixels, const Outcome& outcome)
 {
-    if (!noted) note(std::move(event));
-    noted = true;
+    if (outcome.effect == Effect::Wins && !m_isPrepass) m_tally.won += pixels.area();
+    for (const std::string_view name : outcome.countedAs) {
+        if (name.empty()) continue;
+        const auto known = std::ranges::find(m_tally.counted, name, &std::pair<std::string_view, std::uint64_t>::first);
+        if (known == m_tally.counted.end())
+            m_tally.counted.emplace_back(name, pixels.area());
+        else
+            known->second += pixels.area();
+    }
 }
 
-void TriangleHistory::observe(const NodeJudged& e)
+void TriangleHistory::of(TriangleId polygon, const PixelBox& pixels, const Outcome& outcome, const Make& make)
 {
-    if (m_isPrepass || !holds(e.place)) return;
-    Event event = begin(happeningOf(e.verdict), m_steps.of(e), Grain::Node);
-    event.node  = nameOf(e.place);
-    if (e.query) event.query = *e.query, event.depth = e.query->nearest;
+    if (polygon != m_drawnAs || outcome.effect == Effect::Overtaken || !counts(outcome.effect)) return;
+    count(pixels, outcome);
+    if (m_isPrepass && outcome.effect != Effect::Wins) return;
+    if (!outcome.isOfAll) {
+        const std::pair key(outcome.word, m_isPrepass);
+        if (std::ranges::find(m_noted, key) != m_noted.end()) return;
+        m_noted.push_back(key);
+    }
+    const PixelPosition at{pixels.x0, pixels.y0};
+    Event               event = eventOf(outcome, make(polygon, at));
+    event.pixels              = event.pixels.value_or(pixels);
+    if (event.grain == Grain::Pixel) event.pixel = at;
     note(std::move(event));
 }
 
-void TriangleHistory::observe(const NodeRecalled& e)
+void TriangleHistory::below(const NodePlace& place, const Outcome& outcome, const Make& make)
 {
-    if (!holds(e.place)) return;
-    Event event = begin(Happening::NodeRecalled, m_steps.of(e), Grain::Node);
-    event.node  = nameOf(e.place);
+    if (!counts(outcome.effect) || !holds(place)) return;
+    Event event = eventOf(outcome, make(m_drawnAs, {}));
+    event.node  = nameOf(place);
     note(std::move(event));
 }
 
-void TriangleHistory::observe(const TriangleSetUp& e)
+void TriangleHistory::setUp(const TriangleSetUp& e)
 {
-    if (m_isPrepass || e.triangle != m_triangle) return;
-    Event event = begin(Happening::SetUp, m_steps.next(), Grain::Stage);
-    event.setUp = e.fate;
-    event.isCut = e.cut;
-    note(std::move(event));
-}
-
-void TriangleHistory::observe(const PyramidAsked& e)
-{
-    if (!e.node) m_asked = m_steps.of(e);
-}
-
-void TriangleHistory::observe(const TriangleHidden& e)
-{
-    if (m_isPrepass || e.triangle != m_drawnAs) return;
-    Event event = begin(Happening::TriangleHidden, m_asked, Grain::Query);
-    event.query = e.query;
-    event.depth = e.query.nearest;
-    note(std::move(event));
-}
-
-void TriangleHistory::observe(const TrianglePassed& e)
-{
-    if (m_isPrepass || e.triangle != m_drawnAs) return;
-    Event event = begin(Happening::TrianglePassed, m_asked, Grain::Query);
-    event.query = e.query;
-    event.depth = e.query.nearest;
-    note(std::move(event));
-}
-
-void TriangleHistory::observe(const TileTested& e)
-{
-    if (!e.rejected || e.triangle != m_drawnAs) return;
-    m_tally.tileRejected += e.box.area();
-    if (m_wasRejected) return;
-    Event event = begin(Happening::TileRejected, m_steps.of(e), Grain::Query);
-    event.tile  = e;
-    event.depth = e.nearest;
-    noteOnce(std::move(event), m_wasRejected);
-}
-
-void TriangleHistory::observe(const PixelTested& e)
-{
-    if (e.triangle != m_drawnAs) return;
-    const bool inPrepass = e.keep == Keep::DepthOnly;
-    ++(inPrepass ? m_tally.prepassTested : m_tally.tested);
-    if (e.won) ++(inPrepass ? m_tally.prepassPassed : m_tally.passed);
-    const Happening happening = happeningOf(e);
-    bool&           noted     = happening == Happening::Discarded ? m_wasDiscarded
-                                : !e.won                          ? m_hasLost
-                                : inPrepass                       ? m_wonInPrepass
-                                                                  : m_hasWon;
-    if (noted || (inPrepass && !e.won)) return;
-    Event event      = begin(happening, m_steps.of(e), Grain::Pixel);
-    event.isPrepass  = inPrepass;
-    event.depth      = e.depth;
-    event.rival      = rivalOf(e);
-    event.rivalDepth = e.rivalDepth;
-    if (e.moved) event.unmovedDepth = e.unmovedDepth;
-    event.pixel = PixelPosition{e.x, e.y};
-    noteOnce(std::move(event), noted);
-}
-
-void TriangleHistory::observe(const plain::IntervalDecided& e)
-{
-    if (!e.winner) return;
-    const auto mine =
-        std::ranges::find_if(e.open, [&](std::uint32_t part) { return e.polygons[part].id == m_drawnAs; });
-    if (mine == e.open.end()) return;
-    const bool won = e.winner->id == m_drawnAs;
-    (won ? m_tally.intervalWon : m_tally.intervalLost) += static_cast<std::uint64_t>(e.x1 - e.x0);
-    if (won ? m_hadInterval : m_lostInterval) return;
-    Event event    = begin(won ? Happening::IntervalWon : Happening::IntervalLost, m_steps.of(e), Grain::Interval);
-    event.depth    = depthOf(e.polygons[*mine].depth, e.x0, e.y);
-    event.interval = PixelBox{e.x0, e.y, e.x1, e.y + 1};
-    event.reason   = e.reason;
-    if (!won) event.rival = e.winner->id, event.rivalDepth = depthOf(e.winner->depth, e.x0, e.y);
-    noteOnce(std::move(event), won ? m_hadInterval : m_lostInterval);
+    if (e.triangle == m_triangle) note(eventOf(e, m_drawnAs));
 }
 
 }  // namespace zscope

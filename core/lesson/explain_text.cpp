@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/lesson/explain.h"
-#include "core/lesson/words.h"
+#include "core/probe/words.h"
 
 namespace zscope {
 
@@ -22,10 +22,9 @@ std::string linesOf(const std::vector<Event>& events, const std::vector<Grain>& 
 {
     std::string text;
     for (const Event& event : events) {
-        // nearly all have been
-        if (event.happening == Happening::SetUp && event.setUp == SetUp::Drawn && !event.isCut) continue;
-        text += fmt::format("      {:<15} {}\n{:22}at step: {}\n", wordOf(event.happening), event.sentence, "",
-                            stepsOf(event, grains));
+        if (event.isUsual) continue;
+        text +=
+            fmt::format("      {:<15} {}\n{:22}at step: {}\n", event.word, event.sentence, "", stepsOf(event, grains));
     }
     return text;
 }
@@ -51,7 +50,7 @@ std::string explanationToText(const TriangleExplanation& e)
     text += fmt::format("  instance {}, mesh '{}', material '{}', opacity {}, {}\n", grouped(e.instance.value), e.mesh,
                         e.material, e.isTransparent ? e.opacityText : "1", wordOf(e.fate));
     text += fmt::format("  pixels: {} covered, {} shown, {} tested, {} passed at the time\n", grouped(t.covered),
-                        grouped(t.shown), grouped(t.tested), grouped(t.passed));
+                        grouped(t.shown), grouped(t.of("tested")), grouped(t.of("passed")));
     for (const Taker& taker : e.takers) {
         if (taker.id < 0)
             text += fmt::format("  {} show the background\n", counted(taker.pixels, "pixel", "pixels"));

@@ -11,13 +11,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/cull/cull_events.h"
 #include "core/measure/pixel_covers.h"
 #include "core/probe/grain.h"
-#include "core/scan/pixel_events.h"
-#include "core/sweep/interval_reason.h"
+#include "core/probe/meaning.h"
 
 namespace zscope {
 
@@ -38,71 +38,27 @@ struct NodeName {
 };
 NodeName nameOf(const NodePlace& place);
 
-/// What happened to a triangle, as far as it concerns a pixel.
-enum class Happening {
-    SetUp,           // it was set up; but for Drawn it ends there
-    NodeOutside,     // left out with a node that lies outside the view
-    NodeHidden,      // ... that the pyramid hides
-    NodeSmall,       // ... that has too few pixels (an approximation)
-    NodeEntered,     // a node that holds it was entered (of a triangle's own history only)
-    NodeRecalled,    // its node was drawn unasked, because the last frame saw it (likewise)
-    TriangleHidden,  // the pyramid hides it
-    TrianglePassed,  // the pyramid was asked and does not hide it
-    TileRejected,    // it cannot win in this tile
-    Discarded,       // the pixel lies in a hole of its material
-    Won,             // it passed the depth test, or has the depth that a pre-pass kept
-    Lost,            // it failed the test
-    Overtaken,       // somebody else took the pixel from it
-    IntervalWon,     // an interval went to it as a whole
-    IntervalLost,    // ... to another, without a test
-};
-std::string_view wordOf(Happening happening);
+/// What happened to a triangle, as far as it concerns a pixel: what an event of the run meant for it.
+struct Event : Outcome, Meaning {
+    Moment moment    = {};
+    Grain  grain     = Grain::Pixel;  // of the step that shows it best; always one that the method has
+    bool   isPrepass = false;         // it belongs to a depth pre-pass
+    bool   isUsual   = false;         // nearly every triangle has one like it
+    int    pass      = 0;             // of two passes: 1, 2
 
-struct Event {
-    Happening happening = Happening::SetUp;
-    Moment    moment;
-    Grain     grain      = Grain::Pixel;  // of the step that shows it best; always one that the method has
-    SetUp     setUp      = SetUp::Drawn;  // of SetUp
-    bool      isCut      = false;         // likewise: the near plane left a part of it
-    bool      isMirrored = false;         // likewise: the triangle's instance is
-    bool      isPrepass  = false;         // it belongs to a depth pre-pass
-    int       pass       = 0;             // of two passes: 1, 2
-    float     depth      = 0;             // its own, as the run stored or would have stored it
-    // of a test: where the triangle is, if its material's relief was asked
-    std::optional<float>         unmovedDepth;
-    std::optional<TriangleId>    rival;           // who held the pixel, or took it
-    float                        rivalDepth = 0;  // of Won and Lost: the buffer's value, also where there is no rival
-    std::optional<NodeName>      node;
-    std::optional<PyramidQuery>  query;  // what the pyramid was asked
-    std::optional<TileTested>    tile;
-    std::optional<PixelPosition> pixel;                           // of a triangle's own history: where it was tested
-    std::optional<PixelBox>      interval;                        // the pixels between two neighbouring edges
-    IntervalReason               reason = IntervalReason::Alone;  // of the interval
-    std::string                  sentence;
+    std::optional<NodeName>      node  = {};
+    std::optional<PixelPosition> pixel = {};  // of a triangle's own history: where it was tested
 };
 
-/// What it came to.
-enum class PixelFate {
-    Winner,        // the picture shows it
-    Overwritten,   // it held the pixel until somebody nearer, or as near with a lower id, came
-    Farther,       // it lost the depth test
-    LostTie,       // ... at equal depth, by its id
-    IntervalLost,  // an interval went to another as a whole
-    Hole,
-    BeyondFar,  // it does not exist there, or is not kept
-    TileRejected,
-    TriangleHidden,
-    NodeHidden,
-    NodeOutside,
-    NodeSmall,
-    BatchOutside,
-    BackFace,
-    NearClip,
-    NotFilled,     // it meets the pixel by the definition, but this method did not fill it there
-    Blended,       // transparent, over what the picture shows
-    BehindOpaque,  // transparent, but not nearer than what the picture shows
-};
-std::string_view wordOf(PixelFate fate);
+/// Fates that no event leads to, or the set-up.
+namespace fates {
+inline constexpr PixelFate kBatchOutside{"batch-outside", "in a batch outside the view", FateKind::LeftOut, 2};
+inline constexpr PixelFate kBackFace{"back-face", "showing its back", FateKind::LeftOut, 3};
+inline constexpr PixelFate kNearClip{"near-clip", "cut away at the near plane", FateKind::LeftOut, 4};
+// transparent, over what the picture shows, or not nearer than that
+inline constexpr PixelFate kBlended{"blended", "transparent, blended over it", FateKind::Blended};
+inline constexpr PixelFate kBehindOpaque{"behind-opaque", "transparent, behind it", FateKind::NotBlended};
+}  // namespace fates
 
 /// One triangle at the pixel.
 struct PixelCandidate {
@@ -112,7 +68,7 @@ struct PixelCandidate {
     // by the definition; nothing: the run tested it, but it should not be there
     std::optional<Cover>       cover       = {};
     float                      depth       = 0;  // by the definition; 0 if there is no cover
-    PixelFate                  fate        = PixelFate::NotFilled;
+    PixelFate                  fate        = fates::kNotFilled;
     std::optional<TriangleId>  rival       = {};  // who is in front of it, if it lost to somebody
     std::uint64_t              stepsBehind = 0;   // float32 steps between the two depths when it was decided; 0: a tie
     std::optional<NodeName>    node        = {};  // that held it, if a hierarchy was visited
@@ -144,13 +100,19 @@ struct Taker {
 
 /// Pixels of one triangle by what became of them.
 struct TriangleTally {
-    std::uint64_t covered = 0;             // by the definition
-    std::uint64_t shown   = 0;             // the picture shows it, or its face
-    std::uint64_t tested = 0, passed = 0;  // fragments; passed: at the time of the test
-    std::uint64_t prepassTested = 0, prepassPassed = 0;
+    std::uint64_t covered = 0;                                 // by the definition
+    std::uint64_t shown   = 0;                                 // the picture shows it, or its face
     std::uint64_t inHoles = 0, beyondFar = 0, backFacing = 0;  // by the definition
-    std::uint64_t tileRejected = 0;                            // of tiles that it may cover; some it does not
-    std::uint64_t intervalWon = 0, intervalLost = 0;
+    std::uint64_t won = 0;  // at the time of a test, one by one or as a whole; those of a pre-pass are not
+    // by the names under which events count them; of a tile it may count pixels that the triangle does not cover
+    std::vector<std::pair<std::string_view, std::uint64_t>> counted = {};
+
+    std::uint64_t of(std::string_view name) const
+    {
+        for (const auto& [each, pixels] : counted)
+            if (each == name) return pixels;
+        return 0;
+    }
 };
 
 struct TriangleExplanation {
@@ -167,8 +129,8 @@ struct TriangleExplanation {
     std::uint64_t      otherTakers = 0;  // how many more there are
     // of the triangle as a whole; of its pixels only the first that it won and lost
     std::vector<Event> events;
-    std::uint64_t      leftOut = 0;                     // events beyond kMostEvents
-    PixelFate          fate    = PixelFate::NotFilled;  // Winner if it is seen anywhere; else what kept it from that
+    std::uint64_t      leftOut = 0;                  // events beyond kMostEvents
+    PixelFate          fate    = fates::kNotFilled;  // kWinner if it is seen anywhere; else what kept it from that
     std::string        sentence;
 
     static constexpr std::size_t kMostTakers = 16;

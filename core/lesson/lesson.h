@@ -23,6 +23,7 @@
 #include "core/measure/reference.h"
 #include "core/probe/grain.h"
 #include "core/scene/view.h"
+#include "core/sweep/interval_reason.h"
 
 namespace zscope {
 

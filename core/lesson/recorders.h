@@ -64,25 +64,28 @@ private:
     std::optional<TriangleState> m_triangle;
 };
 
-/// Keeps the last span, the last tile and the last pixel's test; a new triangle or line makes both old.
+/// Keeps the last span, the last tile, and the last pixel's test and blending; a new triangle or line makes a span old.
 class PixelRecorder {
 public:
-    using Events = Wants<SpanFilled, PixelTested, TileTested, TriangleReached, plain::LineReady>;
+    using Events = Wants<SpanFilled, PixelTested, TileTested, PixelBlended, TriangleReached, plain::LineReady>;
 
     void observe(const SpanFilled& e) { m_span = SpanRow{e.x0, e.x1, e.triangle}; }
     void observe(const PixelTested& e);
     void observe(const TileTested& e) { m_tile = e; }
+    void observe(const PixelBlended& e) { m_blend = BlendState{e.x, e.y, e.surfaces, e.before, e.after}; }
     void observe(const TriangleReached&) { m_span.reset(); }
     void observe(const plain::LineReady&) { m_span.reset(); }
 
     std::optional<SpanRow>    span() const { return m_span; }
     std::optional<PixelState> pixel() const { return m_pixel; }
     std::optional<TileTested> tile() const { return m_tile; }
+    std::optional<BlendState> blend() const { return m_blend; }
 
 private:
     std::optional<SpanRow>    m_span;
     std::optional<PixelState> m_pixel;
     std::optional<TileTested> m_tile;
+    std::optional<BlendState> m_blend;
 };
 
 /// Keeps the last interval decided; a new line makes it old.
@@ -149,62 +152,16 @@ private:
     Grid<std::uint32_t> m_tests;
 };
 
-/// Keeps which stage the run is in, and what the last step was.
-class MomentRecorder {
+/// Keeps which stage the run is in, or has just been in.
+class CurrentStage {
 public:
-    using Events = Wants<StageStarted, StageFinished, NodeRecalled, NodeJudged, TriangleFinished, PyramidAsked,
-                         plain::LineReady, plain::LineFinished, plain::IntervalDecided, SpanFilled, CellUpdated,
-                         TileTested, PixelTested, PixelBlended, FrameFinished>;
+    using Events = Wants<StageStarted>;
 
-    enum class Moment {
-        None,
-        StageOver,
-        NodeOver,
-        TriangleOver,
-        QueryOver,
-        TileOver,
-        LineReady,
-        LineOver,
-        IntervalOver,
-        SpanOver,
-        UpdateOver,
-        PixelOver,
-        BlendOver,
-        FrameOver
-    };
-
-    void observe(const StageStarted& e) { m_stage = e.stage; }
-    void observe(const StageFinished& e) { m_stage = e.stage, m_moment = Moment::StageOver; }
-    void observe(const NodeRecalled&) { m_moment = Moment::NodeOver; }
-    void observe(const NodeJudged&) { m_moment = Moment::NodeOver; }
-    void observe(const TriangleFinished&) { m_moment = Moment::TriangleOver; }
-    void observe(const PyramidAsked&) { m_moment = Moment::QueryOver; }
-    void observe(const plain::LineReady&) { m_moment = Moment::LineReady; }
-    void observe(const plain::LineFinished&) { m_moment = Moment::LineOver; }
-    void observe(const plain::IntervalDecided&) { m_moment = Moment::IntervalOver; }
-    void observe(const SpanFilled&) { m_moment = Moment::SpanOver; }
-    void observe(const CellUpdated&) { m_moment = Moment::UpdateOver; }
-    void observe(const TileTested&) { m_moment = Moment::TileOver; }
-    void observe(const PixelTested&) { m_moment = Moment::PixelOver; }
-    void observe(const PixelBlended& e)
-    {
-        m_moment = Moment::BlendOver;
-        m_blend  = {e.x, e.y, e.surfaces, e.before, e.after};
-    }
-    void observe(const FrameFinished&) { m_moment = Moment::FrameOver; }
-
-    Stage  stage() const { return m_stage; }
-    Moment moment() const { return m_moment; }
-    /// Nothing unless the last step blended a pixel.
-    std::optional<BlendState> blend() const
-    {
-        return m_moment == Moment::BlendOver ? std::optional(m_blend) : std::nullopt;
-    }
+    void  observe(const StageStarted& e) { m_stage = e.stage; }
+    Stage stage() const { return m_stage; }
 
 private:
-    Stage      m_stage  = Stage::Clear;
-    Moment     m_moment = Moment::None;
-    BlendState m_blend;
+    Stage m_stage = Stage::Clear;
 };
 
 }  // namespace zscope

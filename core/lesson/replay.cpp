@@ -10,7 +10,7 @@
 #include "core/frame/observed_run.h"
 #include "core/lesson/checkpoints.h"
 #include "core/lesson/recorders.h"
-#include "core/lesson/sentences.h"
+#include "core/lesson/run_telling.h"
 
 namespace zscope {
 
@@ -68,18 +68,14 @@ Error noSuchStep(Grain grain, StepIndex step, std::uint64_t count)
 Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to step through this frame"}; }
 Error wasCancelled() { return {Trouble::Cancelled, "stepping was cancelled"}; }
 
-bool isSweep(Scan scan)
-{
-    return scan == Scan::SweepZLine || scan == Scan::SweepIntervals || scan == Scan::SweepPolygons;
-}
-
 /// One run with everything that observes it. It stays where it is: its parts know each other.
 class Run final : public Observer {
 public:
     /// Up to a step, in memory that outlives it.
     Run(const DrawRequest& request, Grain grain, std::uint64_t step, plain::Scratch& memory)
-        : recorders(request.camera.width, request.camera.height), stages(recorders.steps), stop(grain, step),
-          scratch(memory), keeper({recorders, frame, scratch, stop, grain}, isSweep(repeatable(request).pipeline.scan))
+        : recorders(request.camera.width, request.camera.height), stages(recorders.steps),
+          telling(request, frame, recorders.triangle), stop(grain, step, &telling), scratch(memory),
+          keeper({recorders, frame, scratch, stop, grain}, drawsLineByLine(repeatable(request).pipeline))
     {
         scratch.pyramid = {};  // what coherence would take over
         scratch.memory  = {};
@@ -87,10 +83,10 @@ public:
     Run(const Run&)            = delete;
     Run& operator=(const Run&) = delete;
 
-    void perform(const DrawRequest& request)
+    void perform(const DrawRequest& request, const ObservedMethod* method)
     {
         try {
-            drawObserved(request, frame, scratch, *this);
+            drawObserved(method, request, frame, scratch, *this);
         } catch (const RunStopped&) {}
     }
 
@@ -111,8 +107,9 @@ public:
 
     RunRecorders     recorders;
     StageRecorder    stages;
-    StopAt           stop;
     Frame            frame;
+    RunTelling       telling;
+    StopAt           stop;
     plain::Scratch&  scratch;
     CheckpointKeeper keeper;
 };
@@ -136,7 +133,9 @@ struct Replay::Survey {
     }
 };
 
-Replay::Replay(DrawRequest request, CheckpointSpacing spacing) : m_request(std::move(request)), m_spacing(spacing) {}
+Replay::Replay(DrawRequest request, CheckpointSpacing spacing, const ObservedMethod* method)
+    : m_request(std::move(request)), m_spacing(spacing), m_method(method)
+{}
 Replay::Replay(Replay&&) noexcept            = default;
 Replay& Replay::operator=(Replay&&) noexcept = default;
 Replay::~Replay()                            = default;
@@ -151,7 +150,7 @@ std::optional<Error> Replay::survey(Grain grain)
     auto survey = std::make_unique<Survey>();
     Run  run(m_request, Grain::Frame, StopAt::kNever, survey->scratch);
     run.keeper.keepIn(survey->checkpoints, m_spacing.events, m_spacing.bytes);
-    run.perform(m_request);
+    run.perform(m_request, m_method);
     if (isCancelled()) return wasCancelled();
     survey->steps  = run.recorders.steps;
     survey->stages = run.stages.take();
@@ -170,7 +169,7 @@ std::optional<Error> Replay::runTo(Grain grain, StepIndex step)
     m_survey->latest.reset();
     auto run = std::make_unique<Run>(m_request, grain, step.value, from ? m_survey->scratch : m_survey->before);
     if (from) run->keeper.beginAt(*from, m_survey->checkpoints);
-    run->perform(m_request);
+    run->perform(m_request, m_method);
     if (isCancelled()) return wasCancelled();
     if (run->frame.colour.height() == 0) shadePicture(m_request, run->frame);
     m_survey->latest = std::move(run);
@@ -217,10 +216,9 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
 {
     try {
         if (const auto error = runTo(grain, step)) return *error;
-        const Run&           run       = *m_survey->latest;
-        const RunRecorders&  recorders = run.recorders;
-        const MomentRecorder moment    = recorders.moment;
-        const Pipeline       pipeline  = repeatable(m_request).pipeline;
+        const Run&          run       = *m_survey->latest;
+        const RunRecorders& recorders = run.recorders;
+        const Pipeline      pipeline  = repeatable(m_request).pipeline;
 
         StepState state;
         state.frame         = run.frame;
@@ -231,7 +229,7 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.event         = run.stop.lastGrain();
         state.method        = run.stop.method();
         state.part          = run.stop.part();
-        state.stage         = moment.stage();
+        state.stage         = recorders.stage.stage();
         state.sweep         = recorders.sweep.state();
         const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
         state.hierarchy     = recorders.hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
@@ -242,10 +240,10 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         state.triangle = recorders.triangle.state();
         state.span     = recorders.pixel.span();
         state.interval = recorders.interval.state();
-        if (moment.moment() == MomentRecorder::Moment::PixelOver) state.pixel = recorders.pixel.pixel();
-        if (moment.moment() == MomentRecorder::Moment::TileOver) state.tile = recorders.pixel.tile();
-        state.blend    = moment.blend();
-        state.sentence = sentenceFor(state, pipeline, moment.moment(), m_request.scene->scene().triangleCount());
+        if (run.stop.lastWas<PixelTested>()) state.pixel = recorders.pixel.pixel();
+        if (run.stop.lastWas<TileTested>()) state.tile = recorders.pixel.tile();
+        if (run.stop.lastWas<PixelBlended>()) state.blend = recorders.pixel.blend();
+        state.sentence = run.stop.sentence();
         if (m_request.pipeline.chooser == Chooser::Measured)
             state.sentence +=
                 " (auto has measured nothing here: its steps are those of " + nameOf(pipeline) + ", its first choice.)";

@@ -22,6 +22,8 @@
 
 namespace zscope {
 
+struct ObservedMethod;  // core/frame/observed_run.h
+
 /// Whether the JSON of a step holds the value of every stored cell of the pyramid, or only the sizes of its levels.
 enum class PyramidCells { Left, Written };
 /// The JSON of `zscope-cli step --state`.
@@ -44,7 +46,8 @@ struct CheckpointSpacing {
 
 class Replay {
 public:
-    explicit Replay(DrawRequest request, CheckpointSpacing spacing = {});
+    /// `method` is stepped through in place of the pipeline's; it outlives this.
+    explicit Replay(DrawRequest request, CheckpointSpacing spacing = {}, const ObservedMethod* method = nullptr);
     Replay(Replay&&) noexcept;
     Replay& operator=(Replay&&) noexcept;
     ~Replay();
@@ -74,6 +77,7 @@ private:
 
     DrawRequest             m_request;
     CheckpointSpacing       m_spacing;
+    const ObservedMethod*   m_method;
     std::unique_ptr<Survey> m_survey;  // nullptr: the run has not been seen from end to end
 };
 

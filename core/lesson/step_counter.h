@@ -27,10 +27,9 @@ public:
     /// Of an event that is no step, or of what has just happened between two: the next step shows it.
     Moment next() const { return moment(kGrains.size()); }
     /// Of an event that is being heard right now: it is a step of its own grain and of finer ones.
-    template <isStep Event>
-    Moment of(const Event&) const
+    Moment of(const Heard& heard) const
     {
-        return moment(static_cast<std::size_t>(Event::grain));
+        return heard.kind.grain ? moment(static_cast<std::size_t>(*heard.kind.grain)) : next();
     }
 
 private:

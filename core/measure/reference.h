@@ -15,6 +15,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/depth/visibility_buffer.h"
+#include "core/geometry/pixel_box.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
 
@@ -23,13 +24,6 @@ namespace zscope {
 /// Errors: Limit (the picture does not fit into memory), Cancelled.
 Result<Picture> referencePicture(const Scene& scene, const Camera& camera, FaceCulling faceCulling,
                                  const Progress& progress = {});
-
-struct PixelPosition {
-    int x = 0;
-    int y = 0;
-
-    friend bool operator==(const PixelPosition&, const PixelPosition&) = default;
-};
 
 /// What the reference picture holds at one pixel.
 struct SampleTruth {

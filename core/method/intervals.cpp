@@ -77,7 +77,7 @@ void tellRuns(const Work& work, int y, int x0, int x1)
         while (end < x1 && rank(end) == rank(x)) ++end;
         if (rank(x) != 0) {
             work.tally.add(Unit::Spans);
-            work.tell(SpanFilled{y, x, end, TriangleId{rank(x) - 1}});
+            work.tell(SpanFilled{y, x, end, TriangleId{rank(x) - 1}, true});
         }
         x = end;
     }
@@ -93,7 +93,7 @@ void decide(Work& work, int y, int x0, int x1)
         test.beginLine(y, x0);
         for (int x = x0; x < x1; ++x) test.store(x);
         work.tally.add(Unit::Spans);
-        work.tell(SpanFilled{y, x0, x1, leader.polygon->id});
+        work.tell(SpanFilled{y, x0, x1, leader.polygon->id, true});
     } else {
         for (const std::uint32_t polygon : work.scratch.open) offerSpan(work, polygons[polygon], y, x0, x1);
         tellRuns(work, y, x0, x1);

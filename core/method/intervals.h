@@ -19,6 +19,15 @@ namespace zscope::plain {
 /// The part resolveLine of the interval scanline.
 void resolveByIntervals(Call work, int y);
 
+}  // namespace zscope::plain
+
+namespace zscope::fates {
+inline constexpr PixelFate kIntervalLost{"interval-lost", "lay behind the leader of an interval", FateKind::Behind, 2,
+                                         true};
+}
+
+namespace zscope::plain {
+
 /// The pixels [x0, x1) between two neighbouring active edges of line y are decided; never empty.
 struct IntervalDecided {
     static constexpr Grain         grain = Grain::Interval;
@@ -28,7 +37,9 @@ struct IntervalDecided {
     const Polygon*                 winner;  // nullptr: the open polygons were compared pixel by pixel
     IntervalReason                 reason;
 
-    About about() const { return {.line = y, .pixels = PixelBox{x0, y, x1, y + 1}, .interval = wordOf(reason)}; }
+    About       about() const { return {.line = y, .pixels = PixelBox{x0, y, x1, y + 1}, .interval = wordOf(reason)}; }
+    std::string sentence(const Telling& telling) const;
+    void        mean(Meanings& to) const;
 };
 
 }  // namespace zscope::plain

@@ -17,9 +17,11 @@ void scanline(Work& work, const Parts& parts)
         active.retireBefore(y, work);
         active.admit(edges, y, work);
         active.sortByX(work);
-        work.tell(LineReady{y, active.edges()});
+        work.tell(LineReady{y, active.edges(), edges.polygons(), active.changes()});
+        const std::uint64_t spans = work.tally.of(Unit::Spans);
         parts.resolveLine(work, y);
-        work.tell(LineFinished{y});
+        work.tell(
+            LineFinished{y, active.edges(), edges.polygons(), active.changes(), work.tally.of(Unit::Spans) - spans});
         active.advance();
     }
 }

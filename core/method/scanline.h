@@ -7,6 +7,8 @@
 // Source     Wylie, Romney, Evans, Erdahl: Half-tone perspective drawings by computer, FJCC 1967
 #pragma once
 
+#include <string>
+
 #include "core/plain/parts.h"
 
 namespace zscope::plain {
@@ -18,6 +20,9 @@ void scanline(Work& work, const Parts& parts);
 void fillEdgeTable(Work& work, const Parts& parts);
 /// The same of whole faces, as they were read.
 void fillEdgeTableWithFaces(Work& work);
+
+/// What the set-up of a sweep has come to, as a sentence.
+std::string tableIsComplete(std::uint64_t edges);
 
 /// The plain part resolveLine: every active polygon offers its pixels to the depth test.
 void resolveByDepth(Call work, int y);

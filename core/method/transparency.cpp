@@ -111,7 +111,7 @@ private:
         const std::uint32_t after = 0xFF000000u | rounded(red) << 16 | rounded(green) << 8 | rounded(blue);
         m_colour.at(x, m_y)       = after;
         m_work.tally.add(Unit::PixelsBlended);
-        m_work.tell(PixelBlended{x, m_y, static_cast<std::uint32_t>(fragments.size()), before, after});
+        m_work.tell(PixelBlended{x, m_y, static_cast<std::uint32_t>(fragments.size()), before, after, m_order});
     }
 
     static float channel(std::uint32_t colour, int shift) { return static_cast<float>(colour >> shift & 0xFFu); }

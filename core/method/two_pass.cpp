@@ -25,12 +25,13 @@ void drawRemembered(Work& work, const Parts& parts, const Pass& pass, TreeVisit&
 void twoPass(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit)
 {
     work.scratch.memory.begin(visit.trees());
-    Pass unasked      = pass;
+    Pass unasked = pass, asking = pass;
     unasked.asksNodes = unasked.asksTriangles = false;
+    unasked.ofTwo = 1, asking.ofTwo = 2;
     work.tell(PassStarted{1});
     drawRemembered(work, parts, unasked, visit);
     work.tell(PassStarted{2});
-    hierarchical(work, parts, pass, visit, true);
+    hierarchical(work, parts, asking, visit, true);
     work.scratch.memory.finish();
 }
 

@@ -14,8 +14,12 @@ void ActiveEdges::begin(const EdgeTable& table)
 
 void ActiveEdges::retireBefore(int y, Call work)
 {
+    m_changes = {};
     std::erase_if(m_edges, [&](const Edge& edge) {
         if (edge.lastLine >= y) return false;
+        ++m_changes.left;
+        m_changes.polygonLeft = edge.polygon;
+        m_changes.lastLine    = edge.lastLine;
         work->tell(EdgeLeft{edge});
         return true;
     });
@@ -25,6 +29,8 @@ void ActiveEdges::admit(const EdgeTable& table, int y, Call work)
 {
     for (const std::uint32_t place : table.startingAt(y)) {
         m_edges.push_back(table.edge(place));
+        ++m_changes.entered;
+        m_changes.polygonEntered = m_edges.back().polygon;
         work->tell(EdgeEntered{m_edges.back()});
     }
 }

@@ -8,11 +8,13 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/plain/edge_table.h"
 #include "core/probe/about.h"
 #include "core/probe/grain.h"
+#include "core/probe/telling.h"
 
 namespace zscope::plain {
 
@@ -27,6 +29,13 @@ struct PolygonSpan {
     bool isOpen() const { return winding != 0; }
 };
 
+/// What has become of the active edges between a line and the one before.
+struct EdgeChanges {
+    std::size_t   entered = 0, left = 0;
+    std::uint32_t polygonEntered = 0, polygonLeft = 0;  // of the last edge that did
+    int           lastLine = 0;                         // of the last edge that left
+};
+
 class ActiveEdges {
 public:
     /// No edge is active and every polygon of the table is closed.
@@ -38,11 +47,13 @@ public:
     void advance();
 
     std::span<const Edge> edges() const { return m_edges; }
+    const EdgeChanges&    changes() const { return m_changes; }
     std::size_t           bytes() const;
     PolygonSpan&          spanOf(std::uint32_t polygon) { return m_spans[polygon]; }
 
 private:
     std::vector<Edge>        m_edges;
+    EdgeChanges              m_changes;
     std::vector<PolygonSpan> m_spans;  // one per polygon of the edge table
 };
 
@@ -63,18 +74,26 @@ struct EdgeLeft {
 };
 /// The active edge table is complete for line y; nothing of that line has been drawn yet.
 struct LineReady {
-    static constexpr Grain grain = Grain::Span;
-    int                    y;       // 0 is the top line
-    std::span<const Edge>  active;  // sorted by x; valid only during the call
+    static constexpr Grain   grain = Grain::Span;
+    int                      y;       // 0 is the top line
+    std::span<const Edge>    active;  // sorted by x; valid only during the call, like the next
+    std::span<const Polygon> polygons;
+    EdgeChanges              changes;
 
-    About about() const { return {.line = y}; }
+    About       about() const { return {.line = y}; }
+    std::string sentence(const Telling& telling) const;
 };
 /// Line y is drawn; the active edge table still stands at it.
 struct LineFinished {
-    static constexpr Grain grain = Grain::Line;
-    int                    y;
+    static constexpr Grain   grain = Grain::Line;
+    int                      y;
+    std::span<const Edge>    active;  // as for LineReady
+    std::span<const Polygon> polygons;
+    EdgeChanges              changes;
+    std::uint64_t            spans;  // of the line
 
-    About about() const { return {.line = y}; }
+    About       about() const { return {.line = y}; }
+    std::string sentence(const Telling& telling) const;
 };
 
 }  // namespace zscope::plain

@@ -6,8 +6,18 @@
 
 namespace zscope::plain {
 
+namespace {
+
+SpoiltTest spoiltTest(const ChosenRules& rules)
+{
+    return {rules.firstComerKeepsTie(), rules.drawsOver(), rules.equalPassWantsNearer(), rules.keepsLastDepths()};
+}
+
+}  // namespace
+
 DepthTest::DepthTest(Work& work, const Pass& pass, const DepthPlane& plane, TriangleId id, bool patterned)
-    : m_work(work), m_pass(pass), m_plane(plane), m_rank(id.value + 1), m_empty(work.stripe.visible.empty())
+    : m_work(work), m_pass(pass), m_plane(plane), m_rank(id.value + 1), m_empty(work.stripe.visible.empty()),
+      m_shading(work.stripe.painter ? pass.shading : ShadingMoment::Never)
 {
     if (patterned) m_pattern = patternPlaneOf(work.stripe.scene.scene(), work.stripe.projection, id);
 }
@@ -36,7 +46,7 @@ void DepthTest::offer(int x)
 {
     const double   flat  = limitedDepthAt(x);
     const PixelKey bound = keyOfDepth(flat), held = m_row[x];
-    const bool     shadesFirst = m_pass.shading == ShadingMoment::BeforeTest;
+    const bool     shadesFirst = m_shading == ShadingMoment::BeforeTest;
 
     PixelKey fragment = bound;
     bool     exists = true, moved = false, looked = false;
@@ -50,8 +60,7 @@ void DepthTest::offer(int x)
     if (won) m_row[x] = fragment;
 
     // A fragment that its pattern has spared is shaded with it, whether it passes the test then or not.
-    const bool shades =
-        shadesFirst || (m_pass.shading == ShadingMoment::AfterTest && (m_pattern ? looked && exists : won));
+    const bool shades = shadesFirst || (m_shading == ShadingMoment::AfterTest && (m_pattern ? looked && exists : won));
     if (shades && won) shade(x);
     ++m_tested;
     m_won += won;
@@ -64,10 +73,12 @@ void DepthTest::offer(int x)
                             .rivalRank    = rankOf(held),
                             .rivalDepth   = depthOf(held),
                             .keep         = m_pass.keep,
+                            .shading      = m_pass.shading,
                             .shaded       = shades,
                             .discarded    = looked && !exists,
                             .moved        = moved,
-                            .unmovedDepth = m_pattern ? depthOf(bound) : 0});
+                            .unmovedDepth = m_pattern ? depthOf(bound) : 0,
+                            .spoilt       = spoiltTest(m_work.rules)});
 }
 
 void DepthTest::store(int x) { m_row[x] = keyOfDepth(limitedDepthAt(x)); }

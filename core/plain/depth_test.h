@@ -47,8 +47,9 @@ private:
     Work&                       m_work;
     const Pass&                 m_pass;
     const DepthPlane&           m_plane;
-    std::uint32_t               m_rank;     // id + 1
-    float                       m_empty;    // depth of background
+    std::uint32_t               m_rank;   // id + 1
+    float                       m_empty;  // depth of background
+    ShadingMoment               m_shading;
     std::optional<PatternPlane> m_pattern;  // of the material, if it has one
     int                         m_y       = 0;
     PixelKey*                   m_row     = nullptr;

@@ -18,6 +18,11 @@ struct Tell {
     {
         work.tell(event);
     }
+    void operator()(TriangleSetUp event) const
+    {
+        event.isFlipped = work.rules.takesFrontsForBacks();
+        work.tell(event);
+    }
 };
 
 /// Takes what set-up makes of a face.

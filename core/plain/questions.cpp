@@ -10,22 +10,24 @@ namespace {
 
 /// Reports each cell that the pyramid computes anew.
 struct TellCells {
-    const Work& work;
-    void        operator()(const CellWrite& write) const
+    const Work&  work;
+    AfterDrawing upkeep;
+    void         operator()(const CellWrite& write) const
     {
         work.tally.add(Unit::CellsWritten);
-        work.tell(CellUpdated{write});
+        work.tell(CellUpdated{write, upkeep});
     }
 };
 
 template <class Shape>
-PyramidQuery ask(Work& work, const PixelBox& box, double nearest, const Shape& shape)
+PyramidQuery ask(Work& work, const Pass& pass, const PixelBox& box, double nearest, const Shape& shape)
 {
     Pyramid&           pyramid = work.scratch.pyramid;
     const float        depth   = work.rules.stored(nearest);
-    const PyramidQuery query   = work.rules.asksOneLevel()  // an approximation
-                                     ? pyramid.askOneLevel(box, depth, TellCells{work})
-                                     : pyramid.ask(box, depth, shape, TellCells{work});
+    const TellCells    told{work, pass.afterDrawing};
+    const PyramidQuery query = work.rules.asksOneLevel()  // an approximation
+                                   ? pyramid.askOneLevel(box, depth, told)
+                                   : pyramid.ask(box, depth, shape, told);
     work.tally.add(Unit::Questions);
     work.tally.add(Unit::CellsRead, static_cast<std::uint64_t>(query.cells));
     return query;
@@ -42,7 +44,9 @@ Verdict judgeNode(Call call, const Pass& pass, TreeVisit& visit, PlacedNode& nod
     if (pass.keep != Keep::DepthOnly) work.tally.add(Unit::Nodes);
     const PlacedTree& placed = visit.treeOf(node);
     const auto        tell   = [&](Verdict verdict, const PyramidQuery* query = nullptr) {
-        work.tell(NodeJudged{placed.place(*node.node), verdict, query});
+        const bool isDrawnAhead =
+            pass.ofTwo == 2 && !node.isInstanceTree() && work.scratch.memory.isDrawnAhead(node.instance, *node.node);
+        work.tell(NodeJudged{placed.place(*node.node), verdict, query, pass.ofTwo, isDrawnAhead, pass.asksNodes});
         return verdict;
     };
     const ViewBox box = placed.view(node.node->bounds);
@@ -56,19 +60,19 @@ Verdict judgeNode(Call call, const Pass& pass, TreeVisit& visit, PlacedNode& nod
     if (work.rules.truncatesNodeBoxes()) --reach.pixels.x1, --reach.pixels.y1;  // a fault
     if (reach.pixels.isEmpty()) return tell(Verdict::Outside);
 
-    const PyramidQuery query = ask(work, reach.pixels, reach.nearest, WholeBox{});
+    const PyramidQuery query = ask(work, pass, reach.pixels, reach.nearest, WholeBox{});
     const NodePlace    asked = placed.place(*node.node);
-    work.tell(PyramidAsked{query, &asked, {}});
+    work.tell(PyramidAsked{query, &asked, {}, work.rules.asksOneLevel(), pass.afterDrawing});
     return tell(query.hidden ? Verdict::Hidden : Verdict::Entered, &query);
 }
 
 bool isHidden(Work& work, const Pass& pass, const ScreenTriangle& triangle)
 {
     if (!pass.asksTriangles) return false;
-    const PyramidQuery query = pass.asksByShape ? ask(work, triangle.box, triangle.depth.nearest,
+    const PyramidQuery query = pass.asksByShape ? ask(work, pass, triangle.box, triangle.depth.nearest,
                                                       TriangleCover(triangle, work.rules.notOwned()))
-                                                : ask(work, triangle.box, triangle.depth.nearest, WholeBox{});
-    work.tell(PyramidAsked{query, nullptr, triangle.id});
+                                                : ask(work, pass, triangle.box, triangle.depth.nearest, WholeBox{});
+    work.tell(PyramidAsked{query, nullptr, triangle.id, work.rules.asksOneLevel(), pass.afterDrawing});
     if (query.hidden)
         work.tell(TriangleHidden{triangle.id, query});
     else
@@ -78,10 +82,11 @@ bool isHidden(Work& work, const Pass& pass, const ScreenTriangle& triangle)
 
 bool isHiddenInTile(Work& work, const ScreenTriangle& triangle, const PixelBox& pixels)
 {
-    const PixelBox tile     = work.scratch.pyramid.tileAt(pixels.x0, pixels.y0);
-    const bool     isPlane  = work.rules.depthNumbers() == DepthNumbers::Float64 && !work.rules.interpolatesDistance();
-    const float    nearest  = work.rules.stored(isPlane ? nearestOver(triangle.depth, pixels) : triangle.depth.nearest);
-    const TileAnswer answer = work.scratch.pyramid.askTile(tile.x0, tile.y0, nearest, TellCells{work});
+    const PixelBox tile    = work.scratch.pyramid.tileAt(pixels.x0, pixels.y0);
+    const bool     isPlane = work.rules.depthNumbers() == DepthNumbers::Float64 && !work.rules.interpolatesDistance();
+    const float    nearest = work.rules.stored(isPlane ? nearestOver(triangle.depth, pixels) : triangle.depth.nearest);
+    const TileAnswer answer =
+        work.scratch.pyramid.askTile(tile.x0, tile.y0, nearest, TellCells{work, AfterDrawing::MarkStale});
     work.tell(TileTested{pixels, triangle.id, nearest, answer.farthest, answer.hidden});
     return answer.hidden;
 }
@@ -89,7 +94,7 @@ bool isHiddenInTile(Work& work, const ScreenTriangle& triangle, const PixelBox& 
 void keepPyramidTrue(Work& work, const Pass& pass, const ScreenTriangle& triangle)
 {
     Pyramid&        pyramid = work.scratch.pyramid;
-    const TellCells told{work};
+    const TellCells told{work, pass.afterDrawing};
     if (pass.testsTiles) return pyramid.touched(triangle.box);
     switch (pass.afterDrawing) {
         case AfterDrawing::Nothing:

@@ -62,7 +62,7 @@ void setUpTriangle(Work& work, const BatchPlace& place, std::uint32_t t, const F
         }
         if (fate != SetUp::Drawn) fate = partFate;
     }
-    work.tell(TriangleSetUp{place.idOf(t), fate, kept.isCut, wide});
+    work.tell(TriangleSetUp{place.idOf(t), fate, kept.isCut, wide, work.rules.takesFrontsForBacks()});
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // An Observer hears the events that methods and parts report. A run at full speed has none.
 //
 // Event      a small aggregate of values already at hand, declared beside the text that makes it. One with a static
-//            member `grain` is a step, and about() says what it is about; any other is a fact for counters and
-//            recorders
+//            member `grain` is a step: about() says what it is about, and sentence() says what has happened and by
+//            which rule. Any other is a fact for counters and recorders. One that has a member mean() says what it
+//            means for triangles and pixels (core/probe/meaning.h)
 // Kind       one static object per type of event: an observer compares addresses to find the events that it wants
 // Source     each event carries two lines: the method's call, and the part's statement that reported it
 // Stopping   an observer may throw RunStopped out of hear(): the run unwinds, and every buffer, left as it is, is the
@@ -14,10 +15,13 @@
 #include <concepts>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/probe/about.h"
 #include "core/probe/grain.h"
+#include "core/probe/meaning.h"
 #include "core/probe/source_line.h"
+#include "core/probe/telling.h"
 
 namespace zscope {
 
@@ -32,15 +36,25 @@ concept isStep = requires
 struct EventKind {
     std::optional<Grain> grain;  // nothing: not a step
     About (*about)(const void* event);
+    std::string (*sentence)(const void* event, const Telling& telling);
+    void (*mean)(const void* event, Meanings& to);  // nullptr: nothing
 };
 
 template <class Event>
 constexpr EventKind eventKind()
 {
-    if constexpr (isStep<Event>)
-        return {Event::grain, [](const void* event) { return static_cast<const Event*>(event)->about(); }};
-    else
-        return {{}, [](const void*) { return About(); }};
+    EventKind kind{
+        {}, [](const void*) { return About(); }, [](const void*, const Telling&) { return std::string(); }, nullptr};
+    if constexpr (isStep<Event>) {
+        kind.grain    = Event::grain;
+        kind.about    = [](const void* event) { return static_cast<const Event*>(event)->about(); };
+        kind.sentence = [](const void* event, const Telling& telling) {
+            return static_cast<const Event*>(event)->sentence(telling);
+        };
+    }
+    if constexpr (requires(const Event& event, Meanings& to) { event.mean(to); })
+        kind.mean = [](const void* event, Meanings& to) { static_cast<const Event*>(event)->mean(to); };
+    return kind;
 }
 template <class Event>
 inline constexpr EventKind kEventKind = eventKind<Event>();
@@ -59,6 +73,12 @@ struct Heard {
         return &kind == &kEventKind<Event> ? static_cast<const Event*>(event) : nullptr;
     }
     About about() const { return kind.about(event); }
+    /// Empty if it is no step.
+    std::string sentence(const Telling& telling) const { return kind.sentence(event, telling); }
+    void        mean(Meanings& to) const
+    {
+        if (kind.mean) kind.mean(event, to);
+    }
     /// Whether it is a step of this grain or of a coarser one.
     bool isStepOf(Grain grain) const { return kind.grain && *kind.grain <= grain; }
 };

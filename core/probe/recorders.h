@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <tuple>
 
 #include "core/probe/observer.h"
@@ -49,36 +50,52 @@ private:
     std::tuple<Recorders&...> m_recorders;
 };
 
-/// Counts the steps of one grain and all coarser ones, and ends the run after the wanted one.
+/// Counts the steps of one grain and all coarser ones, and ends the run after the wanted one, of which it keeps the
+/// sentence.
 class StopAt {
 public:
     static constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
-    explicit StopAt(Grain grain, std::uint64_t step = kNever) : m_grain(grain), m_step(step) {}
+    /// `telling` outlives it; nullptr: no sentence is made.
+    explicit StopAt(Grain grain, std::uint64_t step = kNever, const Telling* telling = nullptr)
+        : m_grain(grain), m_step(step), m_telling(telling)
+    {}
 
     void hear(const Heard& heard)
     {
         if (!heard.isStepOf(m_grain)) return;
-        m_lastGrain = *heard.kind.grain;
-        m_method    = heard.method;
-        m_part      = heard.part;
-        if (m_seen++ == m_step) throw RunStopped{};
+        m_last   = &heard.kind;
+        m_method = heard.method;
+        m_part   = heard.part;
+        if (m_seen++ != m_step) return;
+        if (m_telling) m_sentence = heard.sentence(*m_telling);
+        throw RunStopped{};
     }
 
     std::uint64_t seen() const { return m_seen; }
     /// So many of them have happened before the run began.
     void  beginAfter(std::uint64_t seen) { m_seen = seen; }
-    Grain lastGrain() const { return m_lastGrain; }
+    Grain lastGrain() const { return m_last ? *m_last->grain : Grain::Frame; }
+    /// Whether the last step was one of this type.
+    template <class Event>
+    bool lastWas() const
+    {
+        return m_last == &kEventKind<Event>;
+    }
+    /// Of the step that ended the run.
+    const std::string& sentence() const { return m_sentence; }
     /// Of the last step: the method's call, and the part's statement.
     const SourceLine& method() const { return m_method; }
     const SourceLine& part() const { return m_part; }
 
 private:
-    Grain         m_grain;
-    std::uint64_t m_step;
-    std::uint64_t m_seen      = 0;
-    Grain         m_lastGrain = Grain::Frame;
-    SourceLine    m_method, m_part;
+    Grain            m_grain;
+    std::uint64_t    m_step;
+    const Telling*   m_telling;
+    std::uint64_t    m_seen = 0;
+    const EventKind* m_last = nullptr;
+    SourceLine       m_method, m_part;
+    std::string      m_sentence;
 };
 
 }  // namespace zscope

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
+#include "core/base/blend_order.h"
 #include "core/probe/about.h"
 #include "core/probe/grain.h"
+#include "core/probe/telling.h"
 
 namespace zscope {
 
@@ -12,10 +15,12 @@ namespace zscope {
 struct PixelBlended {
     static constexpr Grain grain = Grain::Pixel;
     int                    x, y;
-    std::uint32_t          surfaces;       // blended, farthest first
+    std::uint32_t          surfaces;       // blended
     std::uint32_t          before, after;  // its colour, 0xAARRGGBB
+    BlendOrder             order;
 
-    About about() const { return {.line = y, .pixels = PixelBox{x, y, x + 1, y + 1}}; }
+    About       about() const { return {.line = y, .pixels = PixelBox{x, y, x + 1, y + 1}}; }
+    std::string sentence(const Telling&) const;
 };
 
 /// Fragments of one line that were found, and how many of them the opaque surface hides.

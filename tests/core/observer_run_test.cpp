@@ -13,13 +13,18 @@ struct Coarse {
     static constexpr Grain grain = Grain::Line;
     int                    value;
 
-    About about() const { return {.line = value}; }
+    About       about() const { return {.line = value}; }
+    std::string sentence(const Telling& telling) const
+    {
+        return "line " + std::to_string(value) + " of " + std::to_string(telling.triangles());
+    }
 };
 struct Fine {
     static constexpr Grain grain = Grain::Pixel;
     int                    value;
 
-    About about() const { return {.won = value > 20}; }
+    About       about() const { return {.won = value > 20}; }
+    std::string sentence(const Telling&) const { return "pixel " + std::to_string(value); }
 };
 struct Fact {
     int value;
@@ -84,6 +89,28 @@ TEST(Observer, AStopKnowsTheLineOfTheStatementAndTheLineOfTheCall)
     EXPECT_TRUE(std::string_view(stop.part().file).ends_with("observer_run_test.cpp"));
     EXPECT_EQ(std::string_view(stop.part().function), "run");
     EXPECT_EQ(std::string_view(stop.method().file), "method");
+}
+
+TEST(Observer, TheSentenceIsMadeOnceWhenTheRunStops)
+{
+    struct Counted : Telling {
+        mutable int asked = 0;
+
+        bool          drawsFaces() const override { return false; }
+        std::uint64_t triangles() const override { return ++asked, 12; }
+        std::uint64_t coveredPixels() const override { return 0; }
+        std::uint64_t pixelsWon() const override { return 0; }
+        float         background() const override { return 0; }
+    } telling;
+    StopAt lines(Grain::Line, 2, &telling), pixels(Grain::Pixel, 1, &telling);
+    EXPECT_THROW(run(Listening(lines)), RunStopped);
+    EXPECT_EQ(lines.sentence(), "line 3 of 12");
+    EXPECT_EQ(telling.asked, 1);
+    EXPECT_TRUE(lines.lastWas<Coarse>());
+    EXPECT_THROW(run(Listening(pixels)), RunStopped);
+    EXPECT_EQ(pixels.sentence(), "pixel 11");
+    EXPECT_TRUE(pixels.lastWas<Fine>());
+    EXPECT_FALSE(pixels.lastWas<Coarse>());
 }
 
 TEST(Observer, StopAtCountsItsGrainAndAllCoarserOnes)

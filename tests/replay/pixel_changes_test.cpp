@@ -78,7 +78,7 @@ TEST(PixelChanges, TellWhenTransparentSurfacesAreBlended)
         const auto changes = changesOfPixel(request, Grain::Pixel, p);
         ASSERT_TRUE(e.ok() && changes.ok());
         const bool lies =
-            std::ranges::any_of(e->candidates, [](const PixelCandidate& c) { return c.fate == PixelFate::Blended; });
+            std::ranges::any_of(e->candidates, [](const PixelCandidate& c) { return c.fate == fates::kBlended; });
         const auto told = std::ranges::count(*changes, true, &PixelChange::isBlended);
         EXPECT_LE(told, lies ? 1 : 0);
         blended += static_cast<int>(told);

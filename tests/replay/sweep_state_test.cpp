@@ -229,7 +229,7 @@ TEST(SweepState, EveryLineHoldsExactlyTheEdgesPolygonsAndSpansOfTheDefinition)
 {
     for (const Sweep& sweep : sweeps()) {
         for (const Preset& preset : presets()) {
-            if (familyOf(preset.pipeline) != Family::Sweep) continue;
+            if (!drawsLineByLine(preset.pipeline)) continue;
             if (preset.claim == Claim::ExactByFace && !isOfTriangles(sweep.seen.scene->scene()))
                 expectTrueFaces(sweep, preset);
             else
@@ -242,7 +242,7 @@ TEST(SweepState, EveryLineHoldsExactlyTheEdgesPolygonsAndSpansOfTheDefinition)
 TEST(SweepState, BeforeTheFirstLineTheTableIsThereAndNothingIsActive)
 {
     for (const Preset& preset : presets()) {
-        if (familyOf(preset.pipeline) != Family::Sweep) continue;
+        if (!drawsLineByLine(preset.pipeline)) continue;
         Replay                  replay(builtinScene("cubes", 40, 30).request(preset.pipeline));
         const Result<StepState> state = replay.at(Grain::Stage, StepIndex{0});
         ASSERT_TRUE(state.ok());
@@ -261,8 +261,8 @@ TEST(SweepState, StreamMethodsHaveNoSweepAndSweepsHaveNoTriangleAtHand)
         Replay                  replay(builtinScene("cubes", 40, 30).request(preset.pipeline));
         const Result<StepState> state = replay.at(Grain::Frame, StepIndex{0});
         ASSERT_TRUE(state.ok());
-        EXPECT_EQ(state->sweep.has_value(), familyOf(preset.pipeline) == Family::Sweep) << preset.name;
-        EXPECT_EQ(state->triangle.has_value(), familyOf(preset.pipeline) == Family::Stream) << preset.name;
+        EXPECT_EQ(state->sweep.has_value(), drawsLineByLine(preset.pipeline)) << preset.name;
+        EXPECT_EQ(state->triangle.has_value(), !drawsLineByLine(preset.pipeline)) << preset.name;
     }
 }
 

@@ -66,7 +66,7 @@ private slots:
             QAbstractItemModelTester tester(model, QAbstractItemModelTester::FailureReportingMode::QtTest);
             int                      winners = 0;
             for (const PixelCandidate& candidate : panel.answer()->candidates)
-                winners += candidate.fate == PixelFate::Winner;
+                winners += candidate.fate == fates::kWinner;
             QCOMPARE(winners, 1);
         }
     }
@@ -167,7 +167,7 @@ private slots:
         // The first triangle that a hidden node kept out.
         QModelIndex hidden;
         for (int row = 0; row < model->rowCount() && !hidden.isValid(); ++row)
-            if (panel.answer()->candidates[static_cast<std::size_t>(row)].fate == PixelFate::NodeHidden)
+            if (panel.answer()->candidates[static_cast<std::size_t>(row)].fate == fates::kNodeHidden)
                 hidden = model->index(row, 0);
         QVERIFY(hidden.isValid());
         tree->setCurrentIndex(hidden);

@@ -108,7 +108,7 @@ private slots:
             QVERIFY(desk.settles());
             QVERIFY(desk.session.now().pipeline == presets()[i].pipeline);
             QVERIFY(desk.session.now().camera == camera);
-            const bool sweeps = familyOf(presets()[i].pipeline) == Family::Sweep;
+            const bool sweeps = drawsLineByLine(presets()[i].pipeline);
             QCOMPARE(desk.window.dock("active-edges")->isVisible(), sweeps);
         }
     }

@@ -30,7 +30,6 @@ Panel* make(Session& session)
 }
 
 bool always(const Pipeline&) { return true; }
-bool sweeps(const Pipeline& pipeline) { return familyOf(pipeline) == Family::Sweep; }
 
 bool keepsPyramid(const Pipeline& pipeline)
 {
@@ -46,7 +45,7 @@ constexpr std::array kPanels{
     PanelEntry{"lessons", QT_TRANSLATE_NOOP("Panels", "Lessons"), Qt::LeftDockWidgetArea, make<LessonsPanel>, always,
                "scene"},
     PanelEntry{"active-edges", QT_TRANSLATE_NOOP("Panels", "Active edges"), Qt::RightDockWidgetArea,
-               make<ActiveEdgesPanel>, sweeps, nullptr, 72},
+               make<ActiveEdgesPanel>, drawsLineByLine, nullptr, 72},
     PanelEntry{"pyramid", QT_TRANSLATE_NOOP("Panels", "Pyramid"), Qt::RightDockWidgetArea, make<PyramidPanel>,
                keepsPyramid, nullptr, 40},
     PanelEntry{"hierarchy", QT_TRANSLATE_NOOP("Panels", "Hierarchy"), Qt::RightDockWidgetArea, make<HierarchyPanel>,

@@ -16,12 +16,6 @@ namespace {
 constexpr std::chrono::milliseconds kRest{120};
 constexpr std::chrono::milliseconds kProgressEvery{40};
 
-/// The grain to show at first: what a teacher would step through.
-Grain naturalGrain(const Pipeline& pipeline)
-{
-    return familyOf(pipeline) == Family::Sweep ? Grain::Line : Grain::Triangle;
-}
-
 bool has(const std::vector<Grain>& grains, Grain grain) { return std::ranges::find(grains, grain) != grains.end(); }
 
 }  // namespace
@@ -31,7 +25,7 @@ Session::Session(const DrawSettings& settings, QObject* parent)
       m_otherEngine(std::make_shared<Engine>()), m_worker(std::make_unique<Worker>())
 {
     m_now.pipeline = findPreset(kDefaultPreset)->pipeline;
-    m_now.grain    = naturalGrain(m_now.pipeline);
+    m_now.grain    = ownGrainOf(m_now.pipeline);
     m_wish.grain = m_wish.counted = m_now.grain;
 
     m_rest.setSingleShot(true);
@@ -301,10 +295,10 @@ void Session::repaint()
 void Session::adoptGrain()
 {
     const std::vector<Grain> grains  = grainsOf(m_now.pipeline);
-    const Grain              wanted  = m_preferredGrain.value_or(naturalGrain(m_now.pipeline));
-    const Grain              adopted = has(grains, wanted)                         ? wanted
-                                       : has(grains, naturalGrain(m_now.pipeline)) ? naturalGrain(m_now.pipeline)
-                                                                                   : grains.back();
+    const Grain              wanted  = m_preferredGrain.value_or(ownGrainOf(m_now.pipeline));
+    const Grain              adopted = has(grains, wanted)                       ? wanted
+                                       : has(grains, ownGrainOf(m_now.pipeline)) ? ownGrainOf(m_now.pipeline)
+                                                                                 : grains.back();
     if (adopted == m_now.grain) return;
     StepWish wish{.grain = adopted, .counted = adopted};
     // steps of another kind: keep the place in the run

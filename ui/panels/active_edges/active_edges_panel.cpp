@@ -137,7 +137,7 @@ void ActiveEdgesPanel::showRows(const Snapshot& shown, Changes what)
 
     const SweepState* sweep = shown.sweep();
     if (rows) return;
-    if (familyOf(shown.pipeline) != Family::Sweep)
+    if (!drawsLineByLine(shown.pipeline))
         m_hint->setText(tr("This algorithm keeps no active edges. Choose the scanline algorithm to see them."));
     else if (!sweep)
         m_hint->setText(shown.scene ? tr("The edges appear when the edge table has been built.")

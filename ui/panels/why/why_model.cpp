@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/why/why_model.h"
 
+#include <algorithm>
+#include <array>
+
 #include <QCoreApplication>
 #include <QFont>
 
@@ -10,136 +13,94 @@
 namespace zscope::ui {
 namespace {
 
-struct Words {
-    Q_DECLARE_TR_FUNCTIONS(Why)
+constexpr quintptr kTop = 0;  // internal id of a top row; of an event: 1 + the row of its triangle
+
+/// What the window calls the words of core; a word that is not here is shown as it is.
+struct Name {
+    std::string_view word;
+    const char*      name;
+};
+constexpr std::array kFateNames{
+    Name{"winner", QT_TRANSLATE_NOOP("Why", "seen")},
+    Name{"overwritten", QT_TRANSLATE_NOOP("Why", "overwritten")},
+    Name{"farther", QT_TRANSLATE_NOOP("Why", "farther")},
+    Name{"lost-tie", QT_TRANSLATE_NOOP("Why", "lost a tie")},
+    Name{"interval-lost", QT_TRANSLATE_NOOP("Why", "interval lost")},
+    Name{"hole", QT_TRANSLATE_NOOP("Why", "in a hole")},
+    Name{"beyond-far", QT_TRANSLATE_NOOP("Why", "beyond far")},
+    Name{"tile-rejected", QT_TRANSLATE_NOOP("Why", "tile rejected")},
+    Name{"triangle-hidden", QT_TRANSLATE_NOOP("Why", "hidden")},
+    Name{"node-hidden", QT_TRANSLATE_NOOP("Why", "node hidden")},
+    Name{"node-outside", QT_TRANSLATE_NOOP("Why", "node outside")},
+    Name{"node-small", QT_TRANSLATE_NOOP("Why", "node too small")},
+    Name{"batch-outside", QT_TRANSLATE_NOOP("Why", "outside")},
+    Name{"back-face", QT_TRANSLATE_NOOP("Why", "back face")},
+    Name{"near-clip", QT_TRANSLATE_NOOP("Why", "before near")},
+    Name{"not-filled", QT_TRANSLATE_NOOP("Why", "not filled")},
+    Name{"blended", QT_TRANSLATE_NOOP("Why", "blended")},
+    Name{"behind-opaque", QT_TRANSLATE_NOOP("Why", "behind opaque")},
+};
+constexpr std::array kEventNames{
+    Name{"set-up", QT_TRANSLATE_NOOP("Why", "set up")},
+    Name{"node-outside", QT_TRANSLATE_NOOP("Why", "its node lies outside")},
+    Name{"node-hidden", QT_TRANSLATE_NOOP("Why", "its node is hidden")},
+    Name{"node-small", QT_TRANSLATE_NOOP("Why", "its node is too small")},
+    Name{"node-entered", QT_TRANSLATE_NOOP("Why", "its node is entered")},
+    Name{"node-recalled", QT_TRANSLATE_NOOP("Why", "its node is recalled")},
+    Name{"triangle-hidden", QT_TRANSLATE_NOOP("Why", "hidden by the pyramid")},
+    Name{"triangle-passed", QT_TRANSLATE_NOOP("Why", "passed the pyramid")},
+    Name{"tile-rejected", QT_TRANSLATE_NOOP("Why", "rejected with the tile")},
+    Name{"discarded", QT_TRANSLATE_NOOP("Why", "in a hole of its material")},
+    Name{"won", QT_TRANSLATE_NOOP("Why", "won the depth test")},
+    Name{"lost", QT_TRANSLATE_NOOP("Why", "lost the depth test")},
+    Name{"overtaken", QT_TRANSLATE_NOOP("Why", "overtaken")},
+    Name{"interval-won", QT_TRANSLATE_NOOP("Why", "won the interval")},
+    Name{"interval-lost", QT_TRANSLATE_NOOP("Why", "lost the interval")},
 };
 
-constexpr quintptr kTop = 0;  // internal id of a top row; of an event: 1 + the row of its triangle
+template <class Names>
+QString named(const Names& names, std::string_view word)
+{
+    const auto found = std::ranges::find(names, word, &Name::word);
+    return found == names.end() ? QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()))
+                                : QCoreApplication::translate("Why", found->name);
+}
 
 }  // namespace
 
-QString nameOf(PixelFate fate)
-{
-    switch (fate) {
-        case PixelFate::Winner:
-            return Words::tr("seen");
-        case PixelFate::Overwritten:
-            return Words::tr("overwritten");
-        case PixelFate::Farther:
-            return Words::tr("farther");
-        case PixelFate::LostTie:
-            return Words::tr("lost a tie");
-        case PixelFate::IntervalLost:
-            return Words::tr("interval lost");
-        case PixelFate::Hole:
-            return Words::tr("in a hole");
-        case PixelFate::BeyondFar:
-            return Words::tr("beyond far");
-        case PixelFate::TileRejected:
-            return Words::tr("tile rejected");
-        case PixelFate::TriangleHidden:
-            return Words::tr("hidden");
-        case PixelFate::NodeHidden:
-            return Words::tr("node hidden");
-        case PixelFate::NodeOutside:
-            return Words::tr("node outside");
-        case PixelFate::NodeSmall:
-            return Words::tr("node too small");
-        case PixelFate::BatchOutside:
-            return Words::tr("outside");
-        case PixelFate::BackFace:
-            return Words::tr("back face");
-        case PixelFate::NearClip:
-            return Words::tr("before near");
-        case PixelFate::NotFilled:
-            return Words::tr("not filled");
-        case PixelFate::Blended:
-            return Words::tr("blended");
-        case PixelFate::BehindOpaque:
-            return Words::tr("behind opaque");
-    }
-    return {};
-}
+QString nameOf(const PixelFate& fate) { return named(kFateNames, fate.word); }
+QString nameOfEvent(std::string_view word) { return named(kEventNames, word); }
 
-QString nameOf(Happening happening)
+QString shapeOf(const PixelFate& fate)
 {
-    switch (happening) {
-        case Happening::SetUp:
-            return Words::tr("set up");
-        case Happening::NodeOutside:
-            return Words::tr("its node lies outside");
-        case Happening::NodeHidden:
-            return Words::tr("its node is hidden");
-        case Happening::NodeSmall:
-            return Words::tr("its node is too small");
-        case Happening::NodeEntered:
-            return Words::tr("its node is entered");
-        case Happening::NodeRecalled:
-            return Words::tr("its node is recalled");
-        case Happening::TriangleHidden:
-            return Words::tr("hidden by the pyramid");
-        case Happening::TrianglePassed:
-            return Words::tr("passed the pyramid");
-        case Happening::TileRejected:
-            return Words::tr("rejected with the tile");
-        case Happening::Discarded:
-            return Words::tr("in a hole of its material");
-        case Happening::Won:
-            return Words::tr("won the depth test");
-        case Happening::Lost:
-            return Words::tr("lost the depth test");
-        case Happening::Overtaken:
-            return Words::tr("overtaken");
-        case Happening::IntervalWon:
-            return Words::tr("won the interval");
-        case Happening::IntervalLost:
-            return Words::tr("lost the interval");
-    }
-    return {};
-}
-
-QString shapeOf(PixelFate fate)
-{
-    switch (fate) {
-        case PixelFate::Winner:
+    switch (fate.kind) {
+        case FateKind::Seen:
             return QStringLiteral("\u25CF");
-        case PixelFate::Blended:
+        case FateKind::Blended:
             return QStringLiteral("\u25D0");
-        case PixelFate::Overwritten:
+        case FateKind::Overtaken:
             return QStringLiteral("\u25BC");
-        case PixelFate::TriangleHidden:
-        case PixelFate::NodeHidden:
-        case PixelFate::TileRejected:
+        case FateKind::Hidden:
             return QStringLiteral("\u00D7");
-        case PixelFate::NodeOutside:
-        case PixelFate::BatchOutside:
-        case PixelFate::NearClip:
-        case PixelFate::BackFace:
-        case PixelFate::NodeSmall:
+        case FateKind::LeftOut:
             return QStringLiteral("\u25CB");
         default:
             return QStringLiteral("\u25BD");
     }
 }
 
-const QColor& colourOf(PixelFate fate, const Theme& theme)
+const QColor& colourOf(const PixelFate& fate, const Theme& theme)
 {
-    switch (fate) {
-        case PixelFate::Winner:
+    switch (fate.kind) {
+        case FateKind::Seen:
             return theme.entered;
-        case PixelFate::Blended:
+        case FateKind::Blended:
             return theme.picked;
-        case PixelFate::TriangleHidden:
-        case PixelFate::NodeHidden:
-        case PixelFate::TileRejected:
+        case FateKind::Hidden:
             return theme.hidden;
-        case PixelFate::NodeOutside:
-        case PixelFate::BatchOutside:
-        case PixelFate::NearClip:
-        case PixelFate::BackFace:
-        case PixelFate::NodeSmall:
+        case FateKind::LeftOut:
             return theme.outside;
-        case PixelFate::NotFilled:
+        case FateKind::NotFilled:
             return theme.error;
         default:
             return theme.left;
@@ -237,10 +198,10 @@ QString WhyModel::text(const Event& event, Column column) const
 {
     switch (column) {
         case What:
-            return nameOf(event.happening);
+            return nameOfEvent(event.word);
         case Fate:
             return event.node    ? QString::fromStdString(event.node->path)
-                   : event.query ? tr("level %1").arg(event.query->level)
+                   : event.level ? tr("level %1").arg(*event.level)
                                  : QString();
         case Depth:
             return event.depth > 0 ? depthText(event.depth) : QString();
@@ -285,7 +246,7 @@ QVariant WhyModel::data(const QModelIndex& at, int role) const
             if (isTriangle && column == Fate) return colourOf(candidateOf(at)->fate, theme);
             return isTriangle ? theme.text : theme.softText;
         case Qt::FontRole: {
-            if (!isTriangle || candidateOf(at)->fate != PixelFate::Winner) return {};
+            if (!isTriangle || candidateOf(at)->fate != fates::kWinner) return {};
             QFont bold;
             bold.setBold(true);
             return bold;

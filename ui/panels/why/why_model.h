@@ -52,9 +52,9 @@ private:
     QPalette                                   m_palette;
 };
 
-QString       nameOf(PixelFate fate);  // translated
-QString       nameOf(Happening happening);
-QString       shapeOf(PixelFate fate);
-const QColor& colourOf(PixelFate fate, const Theme& theme);
+QString       nameOf(const PixelFate& fate);  // translated
+QString       nameOfEvent(std::string_view word);
+QString       shapeOf(const PixelFate& fate);
+const QColor& colourOf(const PixelFate& fate, const Theme& theme);
 
 }  // namespace zscope::ui

@@ -274,7 +274,7 @@ void WhyPanel::showRow(const QModelIndex& at)
     session().selectTriangle(m_model->triangleOf(at));
     const Event* event = m_model->eventOf(at);
     if (event && event->node) session().selectNode(event->node);
-    if (event && event->query) session().selectLevel(event->query->level);
+    if (event && event->level) session().selectLevel(*event->level);
 }
 
 void WhyPanel::jump(const QModelIndex& at)
