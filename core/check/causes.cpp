@@ -24,6 +24,11 @@ constexpr std::array kLessons{
     Lesson{"depth-numbers=accumulated", "04-depth-along-a-span"},
     Lesson{"depth-format=float32-standard", "14-depth-that-lies"},
     Lesson{"depth-format=fixed-16", "14-depth-that-lies"},
+    Lesson{"half-pixel", "16-five-common-mistakes"},
+    Lesson{"box-short", "16-five-common-mistakes"},
+    Lesson{"winding-flipped", "16-five-common-mistakes"},
+    Lesson{"linear-z", "16-five-common-mistakes"},
+    Lesson{"painter-order", "16-five-common-mistakes"},
     Lesson{"snap=4-bits", "15-speed-against-error"},
 };
 

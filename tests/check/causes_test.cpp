@@ -34,7 +34,10 @@ std::string sceneFor(Fault fault)
         case Fault::EqualIsHidden:
             return "builtin:layers?order=back";
         case Fault::NearRejected:
+        case Fault::BehindTheEye:
             return "builtin:wall-and-city";
+        case Fault::LinearZ:
+            return "builtin:cubes";
         default:
             return "builtin:city?blocks=8";
     }
