@@ -4,6 +4,8 @@
 //            way: the same kind, the same id where there are ids, and a depth that is closer to the file's than a
 //            quarter of what the file is off
 // Adds       pixels that the mistake would spoil, beyond rounding, and that the file has right
+// Pairs      where no mistake explains enough, the three that explain most are tried two at a time. A pair counts if it
+//            explains better than each of its two
 // Order      by explained / (wrong + adds), the best first; equal ones as causeEntries() has them
 #pragma once
 
@@ -18,7 +20,7 @@ namespace zscope::check {
 
 struct Cause {
     std::string      name;
-    std::string_view title;
+    std::string      title;
     double           explains  = 0;  // share of the wrong pixels
     std::uint64_t    explained = 0;  // of them
     std::uint64_t    adds      = 0;
@@ -31,8 +33,8 @@ struct Cluster {
     double           share = 0, usual = 0;
 };
 
-/// The picture with the mistake of causeEntries()[cause], drawn by its pipelines[which]. Kept by the caller.
-using SpoiltSource = std::function<Result<const SpoiltPicture*>(std::size_t cause, std::size_t which)>;
+/// The picture of a pipeline with mistakes. Kept by the caller.
+using SpoiltSource = std::function<Result<const SpoiltPicture*>(const Pipeline& pipeline)>;
 
 /// Those that explain a fifth or more. Errors: those of the source.
 Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgement, const Truth& truth,

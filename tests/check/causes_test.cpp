@@ -49,11 +49,10 @@ TEST_F(Causes, EveryMistakeOfTheGalleryIsNamedFirst)
         if (entry.fault == Fault::FarFirst || entry.fault == Fault::NoTopLeft) continue;  // rounding, by definition
         const auto  scene  = preparedScene(sceneFor(entry.fault));
         const auto  camera = cameraOf(scene->scene(), 233, 151);
-        DrawRequest request{.scene    = scene,
-                            .camera   = camera,
-                            .pipeline = check::withMistake(findPreset(entry.preset)->pipeline, entry.fault),
-                            .shade    = false};
-        Frame       frame;
+        DrawRequest request{
+            .scene = scene, .camera = camera, .pipeline = findPreset(entry.preset)->pipeline, .shade = false};
+        request.pipeline.fault = entry.fault;
+        Frame frame;
         ASSERT_TRUE(Renderer().draw(request, frame));
         check::Checker checker(scene);
         const Picture  picture = pictureOf(frame.visible);
@@ -71,6 +70,24 @@ TEST_F(Causes, EveryMistakeOfTheGalleryIsNamedFirst)
             EXPECT_GT(own->explains, 0.95) << entry.word << answer->sentence;
         }
     }
+}
+
+TEST_F(Causes, TwoMistakesAtOnceAreNamedAsAPair)
+{
+    const auto  scene  = preparedScene("builtin:city?blocks=8");
+    const auto  camera = cameraOf(scene->scene(), 233, 151);
+    DrawRequest request{
+        .scene = scene, .camera = camera, .pipeline = findPreset("hzb-octree")->pipeline, .shade = false};
+    request.pipeline.fault.add(Fault::BoxShort);
+    request.pipeline.fault.add(Fault::NearestInCells);
+    Frame frame;
+    ASSERT_TRUE(Renderer().draw(request, frame));
+    const auto answer = check::Checker(scene).check(requestFor(camera, pictureOf(frame.visible), true));
+    ASSERT_TRUE(answer) << answer.error().text();
+    ASSERT_FALSE(answer->causes.empty()) << answer->sentence;
+    const std::string name = answer->causes.front().name;
+    EXPECT_TRUE(name == "box-short + nearest-in-cells" || name == "nearest-in-cells + box-short") << answer->sentence;
+    EXPECT_GT(answer->causes.front().explains, 0.95) << answer->sentence;
 }
 
 /// Nobody's mistake of the gallery: the right picture, moved by seven pixels.
