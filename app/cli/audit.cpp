@@ -56,7 +56,7 @@ Json jsonOf(const Audit& audit)
     return json;
 }
 
-std::string textOf(const Audit& audit, bool ofPyramid)
+std::string describe(const Audit& audit, bool ofPyramid)
 {
     if (ofPyramid) {
         const check::PyramidJudgement& p = audit.pyramid;
@@ -144,7 +144,7 @@ Result<Exit> audit(const AuditOptions& options, Session& session)
         }
         audit.pyramid = check::auditPyramid(levels);
     }
-    session.print(options.json ? textOf(jsonOf(audit)) : textOf(audit, !options.pyramid.empty()));
+    session.print(options.json ? cli::textOf(jsonOf(audit)) : describe(audit, !options.pyramid.empty()));
     return audit.isRight() ? Exit::Done : Exit::CheckFailed;
 }
 
