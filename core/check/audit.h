@@ -5,7 +5,8 @@
 // Owns       a box: the point that is seen at the pixel's centre lies in it, grown by a millionth of its size. A name:
 //            the triangle that is seen there belongs to it
 // Pyramid    levels in near/z, the pixels first. A cell may not be nearer than the farthest pixel below it: it would
-//            hide what that pixel lets through. Level k + 1 has half the width and height of level k, rounded up or down
+//            hide what that pixel lets through. Level k + 1 has half the width and height of level k, rounded up or
+//            down
 // Source     docs/check.md, Culling
 #pragma once
 

@@ -41,6 +41,9 @@ std::string_view lessonOf(std::string_view cause)
 /// Axes of approximations that concern numbers.
 constexpr std::array<std::string_view, 5> kNumbers{"snap", "vertices", "depth-numbers", "depth-format", "edges"};
 
+/// No preset, but what most students write: in file order each triangle is asked about and drawn.
+constexpr Pipeline kTriangleByTriangle{.cull = Cull::Triangles, .upkeep = Upkeep::OnQuery};
+
 /// Pictures of a preset do not depend on what came before, so one frame shows the mistake.
 bool isOfOneFrame(const Preset& preset)
 {
@@ -51,12 +54,13 @@ bool isOfOneFrame(const Preset& preset)
 std::vector<Pipeline> pipelinesOf(const CauseEntry& cause, std::string_view first)
 {
     std::vector<Pipeline> pipelines;
-    const auto            add = [&](const Preset& preset) {
-        if (const auto with = cause.addedTo(preset.pipeline)) pipelines.push_back(*with);
+    const auto            add = [&](const Pipeline& pipeline) {
+        if (const auto with = cause.addedTo(pipeline)) pipelines.push_back(*with);
     };
-    add(*findPreset(first));
+    add(findPreset(first)->pipeline);
+    if (!cause.addedTo(findPreset("zbuffer")->pipeline)) add(kTriangleByTriangle);
     for (const Preset& preset : presets())
-        if (isOfOneFrame(preset) && preset.name != first) add(preset);
+        if (isOfOneFrame(preset) && preset.name != first) add(preset.pipeline);
     return pipelines;
 }
 

@@ -1,10 +1,10 @@
-// What may have gone wrong in somebody's renderer: the mistakes of the fault gallery and the approximations of numbers,
-// and which wrong pixels each of them makes in this view.
+// What may have gone wrong in another renderer: the mistakes of the fault gallery and the approximations of numbers, and
+// which wrong pixels each of them makes in this view.
 //
 // Name       a fault by its word ("x-truncated"), an approximation as axis=choice ("depth-format=fixed-16")
 // Pairs      two of them at once: "x-truncated + box-short"
-// Drawn      by the presets in which the mistake can happen: first by the gallery's own, by the others only where that
-//            is asked for
+// Drawn      by the presets in which the mistake can happen, and by triangles that ask the pyramid in file order: first
+//            by the gallery's own preset, by the others only where that is asked for
 // Kept       the pixels that differ from the reference, so that many pictures of one view are compared with the same
 // Growing    a fault that the gallery gains is a cause by itself; its lesson is a line in causes.cpp
 #pragma once

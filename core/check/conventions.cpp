@@ -168,7 +168,7 @@ std::int64_t coverScore(const ForeignIds& file, const Truth& truth, Rows rows,
         const std::int64_t found = file.values.at(x, fileRow(y, file.values.height(), rows)), id = found - from;
         if (isBackgroundValue(found, background)) continue;
         if (id < 0 || id >= (kind == IdKind::Triangles ? triangles : truth.faces.count())) continue;
-        const auto [first, end] = kind == IdKind::Triangles ? std::pair(id, id + 1) : truth.faces.trianglesOf(id);
+        const auto [first, end] = kind == IdKind::Triangles ? truth.faces.surfaceOf(id) : truth.faces.trianglesOf(id);
         bool covers             = false;
         for (std::int64_t t = first; t < end && !covers; ++t) covers = mayCover(t, x, y);
         if (covers) score += kFull * stride;
@@ -179,8 +179,13 @@ std::int64_t coverScore(const ForeignIds& file, const Truth& truth, Rows rows,
 IdFit fitIds(const ForeignIds& file, const Truth& truth, const Grid<std::int64_t>& faces, Rows rows,
              const Conventions& given)
 {
-    IdFit                                          best;
-    const std::int64_t                             disagreement = worthOfDisagreement(truth);
+    IdFit              best;
+    const std::int64_t disagreement = worthOfDisagreement(truth);
+    const auto         triangles    = static_cast<std::int64_t>(truth.scene->scene().triangleCount());
+    const auto         isRight      = [&](std::int64_t shown, std::int64_t id, IdKind kind) {
+        if (kind == IdKind::Faces || shown < 0 || shown >= triangles) return shown == id;
+        return truth.faces.areOneSurface(id, shown);
+    };
     const std::vector<std::optional<std::int64_t>> backgrounds =
         file.areColours ? std::vector<std::optional<std::int64_t>>{-1}
                         : backgroundsOf<std::int64_t>(file.values, truth, rows, {0, 1, -1});
@@ -196,7 +201,7 @@ IdFit fitIds(const ForeignIds& file, const Truth& truth, const Grid<std::int64_t
                           const std::int64_t found = file.values.at(x, row), id = right.at(x, y);
                           const bool         isCovered = id >= 0, isShown = !isBackgroundValue(found, background);
                           if (isCovered != isShown) return disagreement;
-                          return !isCovered ? kFull : found - from == id ? 2 * kFull : kFull;
+                          return !isCovered ? kFull : isRight(found - from, id, kind) ? 2 * kFull : kFull;
                       });
                 if (score > best.score) best = {score, background, kind, from};
             }

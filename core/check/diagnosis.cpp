@@ -9,7 +9,7 @@
 namespace zscope::check {
 namespace {
 
-constexpr double kLeastShare = 0.2;  // a cause that explains less is none
+constexpr double kLeastShare = 0.2;  // of explained / (wrong + adds): what is below is no cause
 constexpr double kGoodEnough = 0.9;  // of explained / (wrong + adds): other presets are not tried any more
 
 class Comparison {
@@ -20,6 +20,7 @@ public:
 
     struct Counts {
         std::uint64_t explained = 0, adds = 0;
+        std::uint64_t addsDepth = 0;  // of them: only the depth would be wrong
     };
     Counts of(const SpoiltPicture& picture) const
     {
@@ -28,8 +29,10 @@ public:
             const Verdict verdict = m_judgement.verdicts.values()[spoilt.pixel];
             if (verdict.isWrong())
                 counts.explained += isExplained(verdict.mistake(), spoilt);
-            else if (verdict.isSame() || !isExplained(verdict.mistake(), spoilt))
-                counts.adds += wouldBeWrong(spoilt);
+            else if ((verdict.isSame() || !isExplained(verdict.mistake(), spoilt)) && wouldBeWrong(spoilt)) {
+                ++counts.adds;
+                counts.addsDepth += spoilt.verdict.isSame();
+            }
         }
         return counts;
     }
@@ -146,9 +149,10 @@ Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgeme
         for (std::size_t which = first; which < std::min(end, entry.pipelines.size()); ++which) {
             const auto picture = spoilt(entry.pipelines[which]);
             if (!picture) return picture.error();
-            const auto [explained, adds] = comparison.of(**picture);
-            const Cause tried{entry.name, entry.title, static_cast<double>(explained) / static_cast<double>(wrong),
-                              explained,  adds,        entry.lesson};
+            const auto [explained, adds, addsDepth] = comparison.of(**picture);
+            const Cause tried{entry.name,  entry.title, static_cast<double>(explained) / static_cast<double>(wrong),
+                              explained,   adds,        addsDepth,
+                              entry.lesson};
             if (!found || ratioOf(tried, wrong) > ratioOf(*found, wrong)) found = tried;
         }
         return found;
@@ -185,7 +189,11 @@ Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgeme
     for (Tried& t : tried) causes.push_back(std::move(t.cause));
     causes.insert(causes.end(), pairs.begin(), pairs.end());
 
-    std::erase_if(causes, [](const Cause& cause) { return cause.explains < kLeastShare; });
+    const bool hasWrongDepths = judgement.wrong.of(Mistake::WrongDepth) > 0;
+    std::erase_if(causes, [&](const Cause& cause) {
+        const std::uint64_t adds = hasWrongDepths ? cause.adds : cause.adds - cause.addsDepth;
+        return static_cast<double>(cause.explained) < kLeastShare * static_cast<double>(wrong + adds);
+    });
     std::ranges::stable_sort(causes, std::greater{}, [&](const Cause& cause) { return ratioOf(cause, wrong); });
     return causes;
 }

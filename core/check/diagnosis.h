@@ -24,7 +24,8 @@ struct Cause {
     double           explains  = 0;  // share of the wrong pixels
     std::uint64_t    explained = 0;  // of them
     std::uint64_t    adds      = 0;
-    std::string_view lesson;  // empty: none teaches it
+    std::uint64_t    addsDepth = 0;  // of them: only the depth would be wrong
+    std::string_view lesson;         // empty: none teaches it
 };
 
 /// A place where wrong pixels gather: their share there, and that of all covered pixels.
@@ -36,7 +37,9 @@ struct Cluster {
 /// The picture of a pipeline with mistakes. Kept by the caller.
 using SpoiltSource = std::function<Result<const SpoiltPicture*>(const Pipeline& pipeline)>;
 
-/// Those that explain a fifth or more. Errors: those of the source.
+/// Those of which explained / (wrong + adds) is a fifth or more: a mistake that would spoil far more than is wrong is no
+/// cause. For this, depths that a mistake adds count only if the files have wrong depths: a program may err in coverage
+/// and find its depths rightly. Errors: those of the source.
 Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgement, const Truth& truth,
                                     const SpoiltSource& spoilt);
 

@@ -76,10 +76,7 @@ private:
     bool isSameSurface(std::int64_t id, std::int64_t shown) const
     {
         if (m_shown.kind == IdKind::Faces) return m_truth.faces.faceOf(id) == shown;
-        if (id == shown) return true;
-        if (!isTriangle(shown)) return false;
-        const std::int64_t face = m_truth.faces.faceOf(id);
-        return face == m_truth.faces.faceOf(shown) && m_truth.faces.mayBeCutOtherwise(face);
+        return isTriangle(shown) && m_truth.faces.areOneSurface(id, shown);
     }
     bool isTriangle(std::int64_t id) const
     {

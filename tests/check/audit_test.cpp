@@ -1,5 +1,5 @@
-// Audits of foreign culling: a right culler is right; one that is broken in a known way loses exactly the objects that it
-// loses; each broken pyramid is found at its cells, with its cause.
+// Audits of foreign culling: a right culler is right; of a broken one exactly the lost objects are named; each broken
+// pyramid is found at its cells, with its cause.
 #include <algorithm>
 #include <map>
 

@@ -92,7 +92,7 @@ TEST_F(Causes, TwoMistakesAtOnceAreNamedAsAPair)
     EXPECT_GT(answer->causes.front().explains, 0.95) << answer->sentence;
 }
 
-/// Nobody's mistake of the gallery: the right picture, moved by seven pixels.
+/// A mistake that the gallery does not have: the right picture, moved by seven pixels.
 TEST_F(Causes, AreNoneWhereNothingExplainsAFifth)
 {
     const auto    scene   = preparedScene("builtin:teapot?tessellation=6");

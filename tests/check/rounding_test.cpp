@@ -1,5 +1,5 @@
-// What a careful renderer draws is judged "rounding only", whatever model it draws; one pixel that it could not have drawn
-// is judged wrong, at that pixel and nowhere else.
+// What a careful renderer draws is judged "rounding only", whatever model it draws; one pixel that it could not have
+// drawn is judged wrong, at that pixel and nowhere else.
 #include <random>
 
 #include "core/frame/renderer.h"
@@ -149,7 +149,7 @@ TEST_F(Rounding, DoesNotExplainCentresAtWholeNumbers)
     EXPECT_FALSE(judged(checker, camera, CarefulRenderer{.centre = 0}.draw(scene->scene(), camera)).isRight());
 }
 
-/// A coarser grid is rounding for whoever says that the program has it.
+/// A coarser grid is rounding if --subpixel-bits names it.
 TEST_F(Rounding, DependsOnTheGridThatIsSaid)
 {
     const auto  scene  = preparedScene("builtin:city?blocks=4");
