@@ -57,10 +57,10 @@ Exit run(int argc, char** argv)
                     "zscope-cli");
     parser.set_version_flag("--version", "ZScope " ZSCOPE_VERSION);
     parser.require_subcommand(1);
-    const std::vector<Command> commands{addRender(parser), addInfo(parser),    addExport(parser), addVerify(parser),
-                                        addCheck(parser),  addGrade(parser),   addStep(parser),   addExplain(parser),
-                                        addLesson(parser), addCompare(parser), addBench(parser),  addMerge(parser),
-                                        addList(parser)};
+    const std::vector<Command> commands{addRender(parser),  addInfo(parser),   addExport(parser),  addVerify(parser),
+                                        addCheck(parser),   addGrade(parser),  addAudit(parser),   addStep(parser),
+                                        addExplain(parser), addLesson(parser), addCompare(parser), addBench(parser),
+                                        addMerge(parser),   addList(parser)};
     bool                       quiet = false;
     for (const Command& command : commands) command.parser->add_flag("--quiet", quiet, "Show no progress");
 

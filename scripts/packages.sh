@@ -16,7 +16,7 @@ packages_for_the_window=(
 packages_to_compare=(libembree-dev libosmesa6-dev)  # other renderers, for `bench --peers`
 packages_to_test=(
     libgtest-dev libgmp-dev xvfb xauth parallel poppler-utils
-    bubblewrap  # programs that nobody trusts, for `grade`
+    bubblewrap  # runs untrusted programs, for `grade`
     clang libomp-dev libclang-rt-14-dev llvm clang-format
 )
 

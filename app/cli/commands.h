@@ -20,6 +20,7 @@ Command addExport(CLI::App& parent);
 Command addVerify(CLI::App& parent);
 Command addCheck(CLI::App& parent);
 Command addGrade(CLI::App& parent);
+Command addAudit(CLI::App& parent);
 Command addStep(CLI::App& parent);
 Command addExplain(CLI::App& parent);
 Command addLesson(CLI::App& parent);

@@ -1,6 +1,6 @@
 // The rows of a grading in the forms that people, scripts and courses read.
 //
-// Table       submission, scene, verdict, likeliest cause, first sentence of the detail: nothing that differs from run to run
+// Table       submission, scene, verdict, likeliest cause, first sentence of the detail: two runs give the same table
 // JUnit       a test suite for each submission, a case for each scene
 // Gradescope  results.json of one program: a test for each scene, one point each
 #pragma once

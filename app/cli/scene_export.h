@@ -1,7 +1,7 @@
-// The triangles of a scene as other programs can read them: world space, in the order of their ids, those of all instances.
+// The triangles of all instances of a scene as other programs can read them: in world space, in the order of their ids.
 //
-// Promise    the coordinates are ZScope's to the bit: float64 in the array, the shortest decimals that give them back in OBJ.
-//            So an OBJ that is read again has the same picture
+// Promise    the coordinates are ZScope's to the bit: float64 in the array, in OBJ the shortest decimals that give them
+//            back. So an OBJ that is read again has the same picture
 // Errors     Output; Cancelled
 #pragma once
 

@@ -20,5 +20,5 @@ struct Picture {
 /// Writes out.zdump and picture.ppm. Ends the program with a sentence if that fails.
 void write(const Picture& picture, const std::string& folder);
 
-/// Says once that a function is a gap which nobody has filled yet.
+/// Says once that a function is still a gap.
 void stillEmpty(const char* file, const char* function);

@@ -24,6 +24,11 @@ constexpr std::array kLessons{
     Lesson{"depth-numbers=accumulated", "04-depth-along-a-span"},
     Lesson{"depth-format=float32-standard", "14-depth-that-lies"},
     Lesson{"depth-format=fixed-16", "14-depth-that-lies"},
+    Lesson{"half-pixel", "16-five-common-mistakes"},
+    Lesson{"box-short", "16-five-common-mistakes"},
+    Lesson{"winding-flipped", "16-five-common-mistakes"},
+    Lesson{"linear-z", "16-five-common-mistakes"},
+    Lesson{"painter-order", "16-five-common-mistakes"},
     Lesson{"snap=4-bits", "15-speed-against-error"},
 };
 
@@ -36,37 +41,59 @@ std::string_view lessonOf(std::string_view cause)
 /// Axes of approximations that concern numbers.
 constexpr std::array<std::string_view, 5> kNumbers{"snap", "vertices", "depth-numbers", "depth-format", "edges"};
 
+/// No preset, but what most students write: in file order each triangle is asked about and drawn.
+constexpr Pipeline kTriangleByTriangle{.cull = Cull::Triangles, .upkeep = Upkeep::OnQuery};
+
 /// Pictures of a preset do not depend on what came before, so one frame shows the mistake.
 bool isOfOneFrame(const Preset& preset)
 {
     return preset.pipeline.coherence == Coherence::None && preset.pipeline.chooser == Chooser::Composed;
 }
 
-std::vector<Pipeline> pipelinesOf(const FaultEntry& entry)
+/// The gallery's own preset comes first.
+std::vector<Pipeline> pipelinesOf(const CauseEntry& cause, std::string_view first)
 {
-    std::vector<Pipeline> pipelines{withMistake(findPreset(entry.preset)->pipeline, entry.fault)};
-    for (const Preset& preset : presets()) {
-        const Pipeline with = withMistake(preset.pipeline, entry.fault);
-        if (isOfOneFrame(preset) && !explainInvalid(with) && with != pipelines.front()) pipelines.push_back(with);
-    }
+    std::vector<Pipeline> pipelines;
+    const auto            add = [&](const Pipeline& pipeline) {
+        if (const auto with = cause.addedTo(pipeline)) pipelines.push_back(*with);
+    };
+    add(findPreset(first)->pipeline);
+    if (!cause.addedTo(findPreset("zbuffer")->pipeline)) add(kTriangleByTriangle);
+    for (const Preset& preset : presets())
+        if (isOfOneFrame(preset) && preset.name != first) add(preset.pipeline);
     return pipelines;
+}
+
+/// Of an approximation one pipeline is enough: its picture does not depend on the method.
+std::vector<Pipeline> pipelinesOf(const CauseEntry& cause)
+{
+    for (const Preset& preset : presets())
+        if (isOfOneFrame(preset))
+            if (const auto with = cause.addedTo(preset.pipeline)) return {*with};
+    return {};
 }
 
 std::vector<CauseEntry> allCauses()
 {
     std::vector<CauseEntry> causes;
-    for (const FaultEntry& entry : faults())
-        causes.push_back({std::string(entry.word), entry.title, lessonOf(entry.word), pipelinesOf(entry)});
+    for (const FaultEntry& entry : faults()) {
+        CauseEntry cause{.name   = std::string(entry.word),
+                         .title  = std::string(entry.title),
+                         .lesson = lessonOf(entry.word),
+                         .fault  = entry.fault};
+        cause.pipelines = pipelinesOf(cause, entry.preset);
+        causes.push_back(std::move(cause));
+    }
     for (const AxisEntry& axis : axes()) {
         if (std::ranges::find(kNumbers, axis.word) == kNumbers.end()) continue;
         for (const ChoiceEntry& choice : axis.choices.subspan(1)) {
-            CauseEntry cause{std::string(axis.word) + "=" + std::string(choice.word), choice.title, {}, {}};
-            cause.lesson = lessonOf(cause.name);
-            for (const Preset& preset : presets()) {
-                const Result<Pipeline> with = withChoice(preset.pipeline, axis.word, choice.word);
-                if (cause.pipelines.empty() && isOfOneFrame(preset) && with && !explainInvalid(*with))
-                    cause.pipelines.push_back(*with);
-            }
+            CauseEntry cause{.name   = std::string(axis.word) + "=" + std::string(choice.word),
+                             .title  = std::string(choice.title),
+                             .lesson = {},
+                             .axis   = axis.word,
+                             .choice = choice.word};
+            cause.lesson    = lessonOf(cause.name);
+            cause.pipelines = pipelinesOf(cause);
             if (!cause.pipelines.empty()) causes.push_back(std::move(cause));
         }
     }
@@ -75,10 +102,28 @@ std::vector<CauseEntry> allCauses()
 
 }  // namespace
 
-Pipeline withMistake(Pipeline pipeline, Fault fault)
+std::optional<Pipeline> CauseEntry::addedTo(Pipeline pipeline) const
 {
-    pipeline.fault = fault;
+    if (fault != Fault::None) {
+        pipeline.fault.add(fault);
+    } else {
+        const Result<Pipeline> with = withChoice(pipeline, axis, choice);
+        if (!with) return std::nullopt;
+        pipeline = *with;
+    }
+    if (explainInvalid(pipeline)) return std::nullopt;
     return pipeline;
+}
+
+CauseEntry pairOf(const CauseEntry& a, const CauseEntry& b)
+{
+    CauseEntry        pair{.name   = a.name + " + " + b.name,
+                           .title  = a.title + "' and '" + b.title,
+                           .lesson = a.lesson.empty() ? b.lesson : a.lesson};
+    const CauseEntry &base = a.fault != Fault::None ? a : b, &other = a.fault != Fault::None ? b : a;
+    for (const Pipeline& pipeline : base.pipelines)
+        if (const auto with = other.addedTo(pipeline)) pair.pipelines.push_back(*with);
+    return pair;
 }
 
 const std::vector<CauseEntry>& causeEntries()

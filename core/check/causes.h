@@ -1,15 +1,17 @@
-// What may have gone wrong in somebody's renderer: the mistakes of the fault gallery and the approximations of numbers,
-// and which wrong pixels each of them makes in this view.
+// What may have gone wrong in another renderer: the mistakes of the fault gallery and the approximations of numbers, and
+// which wrong pixels each of them makes in this view.
 //
 // Name       a fault by its word ("x-truncated"), an approximation as axis=choice ("depth-format=fixed-16")
-// Drawn      by the presets in which the mistake can happen: first by the gallery's own, by the others only where that
-//            is asked for
+// Pairs      two of them at once: "x-truncated + box-short"
+// Drawn      by the presets in which the mistake can happen, and by triangles that ask the pyramid in file order: first
+//            by the gallery's own preset, by the others only where that is asked for
 // Kept       the pixels that differ from the reference, so that many pictures of one view are compared with the same
 // Growing    a fault that the gallery gains is a cause by itself; its lesson is a line in causes.cpp
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,15 +26,19 @@ namespace zscope::check {
 
 struct CauseEntry {
     std::string           name;
-    std::string_view      title;      // the gallery's, or the choice's
-    std::string_view      lesson;     // file in resources/lessons without its ending; empty: none teaches it
-    std::vector<Pipeline> pipelines;  // the one that shows it best first
+    std::string           title;                // the gallery's, or the choice's
+    std::string_view      lesson;               // file in resources/lessons without its ending; empty: none teaches it
+    Fault                 fault = Fault::None;  // or a choice on an axis:
+    std::string_view      axis = {}, choice = {};
+    std::vector<Pipeline> pipelines = {};  // the one that shows it best first
+
+    /// The pipeline with this mistake more; nothing if it cannot happen there.
+    std::optional<Pipeline> addedTo(Pipeline pipeline) const;
 };
 /// In the order of the gallery, then of the axes.
 const std::vector<CauseEntry>& causeEntries();
-
-/// The pipeline with one mistake more.
-Pipeline withMistake(Pipeline pipeline, Fault fault);
+/// Both at once. It has no pipelines if they cannot happen together.
+CauseEntry pairOf(const CauseEntry& a, const CauseEntry& b);
 
 /// A pixel of a picture with a mistake where it differs from the reference.
 struct SpoiltPixel {

@@ -100,8 +100,8 @@ using ViewKey = std::tuple<std::string, FaceCulling, int>;
 
 struct Checker::Kept {
     struct View {
-        std::shared_ptr<const Truth>                                 truth;
-        std::map<std::pair<std::size_t, std::size_t>, SpoiltPicture> spoilt;  // by cause and pipeline
+        std::shared_ptr<const Truth>         truth;
+        std::map<std::string, SpoiltPicture> spoilt;  // by the pipeline's name
     };
 
     std::shared_ptr<const PreparedScene> scene;
@@ -240,13 +240,18 @@ Result<CheckAnswer> Checker::check(const CheckRequest& request)
     if (diagnosed) {
         const auto view = m_kept->viewOf(truth.camera, truth.culling, request.subpixelBits, request.progress);
         if (!view) return view.error();
-        const auto spoilt = [&](std::size_t cause, std::size_t which) -> Result<const SpoiltPicture*> {
-            const auto kept = (*view)->spoilt.find({cause, which});
-            if (kept != (*view)->spoilt.end()) return &kept->second;
-            request.progress.at(static_cast<double>(cause) / static_cast<double>(causeEntries().size()), "causes");
-            auto drawn = drawSpoilt(truth, causeEntries()[cause].pipelines[which], request.progress);
-            if (!drawn) return drawn.error();
-            return &((*view)->spoilt[{cause, which}] = *std::move(drawn));
+        const auto spoilt = [&](const Pipeline& pipeline) -> Result<const SpoiltPicture*> {
+            const auto [kept, isNew] = (*view)->spoilt.try_emplace(nameOf(pipeline));
+            if (!isNew) return &kept->second;
+            const auto drawnSoFar = static_cast<double>((*view)->spoilt.size());
+            request.progress.at(drawnSoFar / (drawnSoFar + static_cast<double>(causeEntries().size())), "causes");
+            auto drawn = drawSpoilt(truth, pipeline, request.progress);
+            if (!drawn) {
+                (*view)->spoilt.erase(kept);
+                return drawn.error();
+            }
+            kept->second = *std::move(drawn);
+            return &kept->second;
         };
         auto causes = causesOf(shown, judgement, truth, spoilt);
         if (!causes) return causes.error();

@@ -7,6 +7,8 @@
 #include <limits>
 #include <unordered_map>
 
+#include "core/check/exact_triangle.h"
+
 namespace zscope::check {
 namespace {
 
@@ -144,11 +146,46 @@ struct IdFit {
     int                         from = 0;
 };
 
+/// What it is worth that the triangles of a file's ids may cover the pixels in which they stand, seen or not: a file whose
+/// surfaces are all wrong still shows by this what its numbers mean. Judged at about kMostSamples pixels.
+std::int64_t coverScore(const ForeignIds& file, const Truth& truth, Rows rows,
+                        const std::optional<std::int64_t>& background, IdKind kind, int from)
+{
+    constexpr std::int64_t kMostSamples = 4096;
+    const std::int64_t     pixels       = std::int64_t{file.values.width()} * file.values.height();
+    const std::int64_t     stride       = (pixels + kMostSamples - 1) / kMostSamples;
+    const auto             triangles    = static_cast<std::int64_t>(truth.scene->scene().triangleCount());
+    const auto             mayCover     = [&](std::int64_t id, int x, int y) {
+        return ExactTriangle(truth.scene->scene(), truth.camera, TriangleId{static_cast<std::uint32_t>(id)},
+                                             truth.halfStep)
+            .placeOf(x, y)
+            .isPossible;
+    };
+    std::int64_t score = 0;
+#pragma omp parallel for reduction(+ : score)
+    for (std::int64_t i = 0; i < pixels; i += stride) {
+        const int          x = static_cast<int>(i % file.values.width()), y = static_cast<int>(i / file.values.width());
+        const std::int64_t found = file.values.at(x, fileRow(y, file.values.height(), rows)), id = found - from;
+        if (isBackgroundValue(found, background)) continue;
+        if (id < 0 || id >= (kind == IdKind::Triangles ? triangles : truth.faces.count())) continue;
+        const auto [first, end] = kind == IdKind::Triangles ? truth.faces.surfaceOf(id) : truth.faces.trianglesOf(id);
+        bool covers             = false;
+        for (std::int64_t t = first; t < end && !covers; ++t) covers = mayCover(t, x, y);
+        if (covers) score += kFull * stride;
+    }
+    return score;
+}
+
 IdFit fitIds(const ForeignIds& file, const Truth& truth, const Grid<std::int64_t>& faces, Rows rows,
              const Conventions& given)
 {
-    IdFit                                          best;
-    const std::int64_t                             disagreement = worthOfDisagreement(truth);
+    IdFit              best;
+    const std::int64_t disagreement = worthOfDisagreement(truth);
+    const auto         triangles    = static_cast<std::int64_t>(truth.scene->scene().triangleCount());
+    const auto         isRight      = [&](std::int64_t shown, std::int64_t id, IdKind kind) {
+        if (kind == IdKind::Faces || shown < 0 || shown >= triangles) return shown == id;
+        return truth.faces.areOneSurface(id, shown);
+    };
     const std::vector<std::optional<std::int64_t>> backgrounds =
         file.areColours ? std::vector<std::optional<std::int64_t>>{-1}
                         : backgroundsOf<std::int64_t>(file.values, truth, rows, {0, 1, -1});
@@ -159,12 +196,13 @@ IdFit fitIds(const ForeignIds& file, const Truth& truth, const Grid<std::int64_t
                 if (file.areColours ? from != 0 : given.idsFrom && *given.idsFrom != from) continue;
                 const Grid<std::int64_t>& right = kind == IdKind::Triangles ? truth.picture.ids : faces;
                 const std::int64_t        score =
-                    sumOver(file.values.width(), file.values.height(), rows, [&](int x, int y, int row) {
-                        const std::int64_t found = file.values.at(x, row), id = right.at(x, y);
-                        const bool         isCovered = id >= 0, isShown = !isBackgroundValue(found, background);
-                        if (isCovered != isShown) return disagreement;
-                        return !isCovered ? kFull : found - from == id ? 2 * kFull : kFull;
-                    });
+                    coverScore(file, truth, rows, background, kind, from)
+                    + sumOver(file.values.width(), file.values.height(), rows, [&](int x, int y, int row) {
+                          const std::int64_t found = file.values.at(x, row), id = right.at(x, y);
+                          const bool         isCovered = id >= 0, isShown = !isBackgroundValue(found, background);
+                          if (isCovered != isShown) return disagreement;
+                          return !isCovered ? kFull : isRight(found - from, id, kind) ? 2 * kFull : kFull;
+                      });
                 if (score > best.score) best = {score, background, kind, from};
             }
     return best;

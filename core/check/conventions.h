@@ -1,14 +1,14 @@
-// Which way round somebody's files are: what their depths mean, which row comes first, what their ids number, which faces
-// are drawn. What is not given is found by trying all, and the combination stays that agrees with the reference at most
-// pixels; of equal ones the plainest, which comes first in every list. Readings that agree nearly as well are given back
-// too: judging them (core/check/judge.h) tells which one leaves the fewest pixels wrong.
+// The conventions of foreign files: what depths mean, which row comes first, what ids number, which faces are drawn.
+// What is not given is found by trying all combinations. The best one agrees with the reference at most pixels; of equal
+// ones the plainest is taken, which comes first in every list. Readings that agree nearly as well are given back too:
+// judging them (core/check/judge.h) tells which one leaves the fewest pixels wrong.
 //
 // Background  the value that stands on most pixels that the reference leaves empty; if it also stands on more than half
 //             of the covered ones, or nothing is empty, 0, 1, -1, infinity, NaN and the file's largest value are tried
 // Empty file  one that holds background alone has no conventions
 // Agreement   of a pixel: both empty, or both covered, with more for the right id and for a depth within its tolerance.
 //             A depth beyond it counts a little, the more the closer it is, so that a file without one right depth is
-//             read rightly as well
+//             read rightly as well. The same for ids: a triangle that may cover its pixel counts, seen or not
 #pragma once
 
 #include <cstdint>

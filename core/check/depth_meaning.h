@@ -1,4 +1,4 @@
-// What a number in somebody's depth buffer means, and how close it has to be to the true one.
+// What a number in a foreign depth buffer means, and how close it has to be to the true one.
 //
 // True       near/z as the reference has it (D, in (0, 1])
 // Tolerance  one step of the file's format, four float32 steps of the largest number that is added up on the way, and

@@ -9,7 +9,7 @@
 namespace zscope::check {
 namespace {
 
-constexpr double kLeastShare = 0.2;  // a cause that explains less is none
+constexpr double kLeastShare = 0.2;  // of explained / (wrong + adds): what is below is no cause
 constexpr double kGoodEnough = 0.9;  // of explained / (wrong + adds): other presets are not tried any more
 
 class Comparison {
@@ -20,6 +20,7 @@ public:
 
     struct Counts {
         std::uint64_t explained = 0, adds = 0;
+        std::uint64_t addsDepth = 0;  // of them: only the depth would be wrong
     };
     Counts of(const SpoiltPicture& picture) const
     {
@@ -28,8 +29,10 @@ public:
             const Verdict verdict = m_judgement.verdicts.values()[spoilt.pixel];
             if (verdict.isWrong())
                 counts.explained += isExplained(verdict.mistake(), spoilt);
-            else if (verdict.isSame() || !isExplained(verdict.mistake(), spoilt))
-                counts.adds += wouldBeWrong(spoilt);
+            else if ((verdict.isSame() || !isExplained(verdict.mistake(), spoilt)) && wouldBeWrong(spoilt)) {
+                ++counts.adds;
+                counts.addsDepth += spoilt.verdict.isSame();
+            }
         }
         return counts;
     }
@@ -139,31 +142,58 @@ Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgeme
 {
     const std::uint64_t wrong = judgement.wrong.total();
     if (wrong == 0) return std::vector<Cause>{};
-    const Comparison   comparison(shown, judgement, truth);
-    std::vector<Cause> causes;
-    const auto         tryOne = [&](std::size_t i, std::size_t which) -> Result<Done> {
-        const auto picture = spoilt(i, which);
-        if (!picture) return picture.error();
-        const Comparison::Counts counts = comparison.of(**picture);
-        const CauseEntry&        entry  = causeEntries()[i];
-        const Cause              tried{
-            entry.name,       entry.title, static_cast<double>(counts.explained) / static_cast<double>(wrong),
-            counts.explained, counts.adds, entry.lesson};
-        if (which == 0)
-            causes.push_back(tried);
-        else if (ratioOf(tried, wrong) > ratioOf(causes[i], wrong))
-            causes[i] = tried;
-        return Done{};
+    const Comparison comparison(shown, judgement, truth);
+    /// What the entry explains, drawn by pipelines [first, end) of its own.
+    const auto best = [&](const CauseEntry& entry, std::size_t first, std::size_t end) -> Result<std::optional<Cause>> {
+        std::optional<Cause> found;
+        for (std::size_t which = first; which < std::min(end, entry.pipelines.size()); ++which) {
+            const auto picture = spoilt(entry.pipelines[which]);
+            if (!picture) return picture.error();
+            const auto [explained, adds, addsDepth] = comparison.of(**picture);
+            const Cause tried{entry.name,  entry.title, static_cast<double>(explained) / static_cast<double>(wrong),
+                              explained,   adds,        addsDepth,
+                              entry.lesson};
+            if (!found || ratioOf(tried, wrong) > ratioOf(*found, wrong)) found = tried;
+        }
+        return found;
     };
-    for (std::size_t i = 0; i < causeEntries().size(); ++i)
-        if (const auto done = tryOne(i, 0); !done) return done.error();
-    const auto isGood = [&](const Cause& cause) { return ratioOf(cause, wrong) >= kGoodEnough; };
-    if (std::ranges::none_of(causes, isGood))
-        for (std::size_t i = 0; i < causeEntries().size(); ++i)
-            for (std::size_t which = 1; which < causeEntries()[i].pipelines.size(); ++which)
-                if (const auto done = tryOne(i, which); !done) return done.error();
+    struct Tried {
+        const CauseEntry* entry;
+        Cause             cause;
+    };
+    std::vector<Tried> tried;
+    for (const CauseEntry& entry : causeEntries()) {
+        const auto cause = best(entry, 0, 1);
+        if (!cause) return cause.error();
+        tried.push_back({&entry, **cause});
+    }
+    const auto         ratio  = [&](const Tried& t) { return ratioOf(t.cause, wrong); };
+    const auto         isGood = [&](const Tried& t) { return ratio(t) >= kGoodEnough; };
+    std::vector<Cause> pairs;
+    if (std::ranges::none_of(tried, isGood)) {
+        for (Tried& t : tried) {
+            const auto cause = best(*t.entry, 1, t.entry->pipelines.size());
+            if (!cause) return cause.error();
+            if (*cause && ratioOf(**cause, wrong) > ratio(t)) t.cause = **cause;
+        }
+        std::ranges::stable_sort(tried, std::greater{}, ratio);
+        for (std::size_t i = 0; i < 3 && std::ranges::none_of(tried, isGood); ++i)
+            for (std::size_t j = i + 1; j < 3; ++j) {
+                const CauseEntry pair  = pairOf(*tried[i].entry, *tried[j].entry);
+                const auto       cause = best(pair, 0, pair.pipelines.size());
+                if (!cause) return cause.error();
+                if (*cause && ratioOf(**cause, wrong) > ratio(tried[i])) pairs.push_back(**cause);
+            }
+    }
+    std::vector<Cause> causes;
+    for (Tried& t : tried) causes.push_back(std::move(t.cause));
+    causes.insert(causes.end(), pairs.begin(), pairs.end());
 
-    std::erase_if(causes, [](const Cause& cause) { return cause.explains < kLeastShare; });
+    const bool hasWrongDepths = judgement.wrong.of(Mistake::WrongDepth) > 0;
+    std::erase_if(causes, [&](const Cause& cause) {
+        const std::uint64_t adds = hasWrongDepths ? cause.adds : cause.adds - cause.addsDepth;
+        return static_cast<double>(cause.explained) < kLeastShare * static_cast<double>(wrong + adds);
+    });
     std::ranges::stable_sort(causes, std::greater{}, [&](const Cause& cause) { return ratioOf(cause, wrong); });
     return causes;
 }

@@ -4,6 +4,8 @@
 //            way: the same kind, the same id where there are ids, and a depth that is closer to the file's than a
 //            quarter of what the file is off
 // Adds       pixels that the mistake would spoil, beyond rounding, and that the file has right
+// Pairs      where no mistake explains enough, the three that explain most are tried two at a time. A pair counts if it
+//            explains better than each of its two
 // Order      by explained / (wrong + adds), the best first; equal ones as causeEntries() has them
 #pragma once
 
@@ -18,11 +20,12 @@ namespace zscope::check {
 
 struct Cause {
     std::string      name;
-    std::string_view title;
+    std::string      title;
     double           explains  = 0;  // share of the wrong pixels
     std::uint64_t    explained = 0;  // of them
     std::uint64_t    adds      = 0;
-    std::string_view lesson;  // empty: none teaches it
+    std::uint64_t    addsDepth = 0;  // of them: only the depth would be wrong
+    std::string_view lesson;         // empty: none teaches it
 };
 
 /// A place where wrong pixels gather: their share there, and that of all covered pixels.
@@ -31,10 +34,12 @@ struct Cluster {
     double           share = 0, usual = 0;
 };
 
-/// The picture with the mistake of causeEntries()[cause], drawn by its pipelines[which]. Kept by the caller.
-using SpoiltSource = std::function<Result<const SpoiltPicture*>(std::size_t cause, std::size_t which)>;
+/// The picture of a pipeline with mistakes. Kept by the caller.
+using SpoiltSource = std::function<Result<const SpoiltPicture*>(const Pipeline& pipeline)>;
 
-/// Those that explain a fifth or more. Errors: those of the source.
+/// Those of which explained / (wrong + adds) is a fifth or more: a mistake that would spoil far more than is wrong is no
+/// cause. For this, depths that a mistake adds count only if the files have wrong depths: a program may err in coverage
+/// and find its depths rightly. Errors: those of the source.
 Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgement, const Truth& truth,
                                     const SpoiltSource& spoilt);
 

@@ -1,6 +1,7 @@
 #include "core/check/judge.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 
@@ -75,10 +76,7 @@ private:
     bool isSameSurface(std::int64_t id, std::int64_t shown) const
     {
         if (m_shown.kind == IdKind::Faces) return m_truth.faces.faceOf(id) == shown;
-        if (id == shown) return true;
-        if (!isTriangle(shown)) return false;
-        const std::int64_t face = m_truth.faces.faceOf(id);
-        return face == m_truth.faces.faceOf(shown) && m_truth.faces.mayBeCutOtherwise(face);
+        return isTriangle(shown) && m_truth.faces.areOneSurface(id, shown);
     }
     bool isTriangle(std::int64_t id) const
     {
@@ -166,25 +164,24 @@ void explainByAnyTriangle(const PixelJudge& judge, const Truth& truth, Grid<Verd
     if (columns.empty()) return;
     explained.assign(columns.size(), 0);
     const auto triangles = static_cast<std::int64_t>(truth.scene->scene().triangleCount());
-#pragma omp        parallel for schedule(dynamic, 1024)
+    const auto explains  = [&](const Place& place, const Place& shown) {
+        const bool isEmpty  = shown.depth == 0;
+        const bool isNearer = isEmpty || place.depth > shown.depth;
+        return (isNearer ? place.isNearEdge() : !shown.isCertain) || (!isEmpty && isTie(place, shown))
+               || isAtFar(isNearer ? place : shown, truth.camera);
+    };
+#pragma omp parallel for schedule(dynamic, 1024)
     for (std::int64_t id = 0; id < triangles; ++id) {
-               const ExactTriangle triangle = judge.exactly(id);
-               if (!judge.isDrawn(triangle)) continue;
+        const ExactTriangle triangle = judge.exactly(id);
+        if (!judge.isDrawn(triangle)) continue;
         const ExactTriangle::Box box = triangle.box();
-               for (int y = box.y0; y <= box.y1; ++y) {
-                   const auto row = static_cast<std::size_t>(y);
-                   for (auto i = static_cast<std::size_t>(rowStart[row]); i < static_cast<std::size_t>(rowStart[row + 1]);
-                 ++i) {
-                       if (columns[i] < box.x0 || columns[i] > box.x1) continue;
+        for (int y = box.y0; y <= box.y1; ++y) {
+            const auto row = static_cast<std::size_t>(y), end = static_cast<std::size_t>(rowStart[row + 1]);
+            for (auto i = static_cast<std::size_t>(rowStart[row]); i < end; ++i) {
+                if (columns[i] < box.x0 || columns[i] > box.x1) continue;
                 const Place place = triangle.placeOf(columns[i], y);
-                       if (!place.isPossible || !judge.hasDepthOf(place, columns[i], y)) continue;
-                const bool isEmpty  = right[i].depth == 0;
-                       const bool isNearer = isEmpty || place.depth > right[i].depth;
-                       if ((isNearer ? place.isNearEdge() : !right[i].isCertain) || (!isEmpty && isTie(place, right[i]))
-                    || isAtFar(isNearer ? place : right[i], truth.camera)) {
-       #pragma omp atomic write
-                    explained[i] = 1;
-                }
+                if (place.isPossible && judge.hasDepthOf(place, columns[i], y) && explains(place, right[i]))
+                    std::atomic_ref(explained[i]).store(1, std::memory_order_relaxed);
             }
         }
     }

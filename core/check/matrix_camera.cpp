@@ -102,7 +102,7 @@ Decomposed decomposed(const MatrixRows& clip, int width, int height)
     return d;
 }
 
-/// The order in which a matrix was written, where nobody says: a view ends in the row 0 0 0 1, and a perspective's w is
+/// The order of a matrix whose file does not name it: a view ends in the row 0 0 0 1, and a perspective's w is
 /// the distance. The transpose of a perspective may be one as well, with another w.
 MatrixOrder orderOf(const CameraMatrices& matrices, const Decomposed& byRows, const Decomposed& byColumns)
 {

@@ -57,6 +57,19 @@ bool FaceNumbers::mayBeCutOtherwise(std::int64_t face) const
     return splitter.split(mesh.positions, outline, triangles) != PolygonSplit::Fan;
 }
 
+std::pair<std::int64_t, std::int64_t> FaceNumbers::surfaceOf(std::int64_t triangle) const
+{
+    const std::int64_t face = faceOf(triangle);
+    return mayBeCutOtherwise(face) ? trianglesOf(face) : std::pair(triangle, triangle + 1);
+}
+
+bool FaceNumbers::areOneSurface(std::int64_t triangle, std::int64_t other) const
+{
+    if (triangle == other) return true;
+    const std::int64_t face = faceOf(triangle);
+    return face == faceOf(other) && mayBeCutOtherwise(face);
+}
+
 Result<std::shared_ptr<const Truth>> truthOf(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera,
                                              FaceCulling culling, int subpixelBits, const Progress& progress)
 try {

@@ -29,6 +29,10 @@ public:
     std::size_t                           cornersOf(std::int64_t face) const;
     /// Its triangles depend on who cuts it: it has more than three corners and is not convex.
     bool mayBeCutOtherwise(std::int64_t face) const;
+    /// The triangles that other programs may number otherwise, because they cut the face otherwise: [first, end). Of a
+    /// convex face the triangle alone.
+    std::pair<std::int64_t, std::int64_t> surfaceOf(std::int64_t triangle) const;
+    bool                                  areOneSurface(std::int64_t triangle, std::int64_t other) const;
 
 private:
     struct Place {

@@ -121,7 +121,7 @@ void clear(Work& work)
 }
 
 /// A fault: the depths of the frame before. Its eye stood farther left and farther back, by a sixteenth of the way to
-/// the scene's centre. Nobody observes it.
+/// the scene's centre. It reports no events.
 void leaveDepthsOfFrameBefore(const Pass& pass, Work& work)
 {
     const Stripe& now    = work.stripe;

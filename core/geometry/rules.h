@@ -88,8 +88,8 @@ public:
                : m_approximation.snap == SnapBits::Twelve ? 4096
                                                           : kSubpixels;
     }
-    /// Which side of a triangle is drawn. A fault: the y axis of the screen runs down, which turns every triangle round,
-    /// and the test for the inside wants those that now turn away.
+    /// Which side of a triangle is drawn. A fault: the y axis of the screen runs down, so every triangle turns the other
+    /// way, and the test for the inside takes those that show their backs.
     Facing facing(const Facing& of) const
     {
         return takesFrontsForBacks() ? Facing{FaceCulling::Back, !of.isMirrored} : of;

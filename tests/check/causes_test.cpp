@@ -25,6 +25,9 @@ protected:
     }
 };
 
+/// A face whose fan covers what its notch leaves open. Elsewhere a fan is a face cut otherwise, which is no mistake.
+constexpr const char* kArrow = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nf 1 2 3 4\n";
+
 /// A scene in which the mistake shows beyond rounding; of FarFirst there is none, it decides ties alone.
 std::string sceneFor(Fault fault)
 {
@@ -34,7 +37,10 @@ std::string sceneFor(Fault fault)
         case Fault::EqualIsHidden:
             return "builtin:layers?order=back";
         case Fault::NearRejected:
+        case Fault::BehindTheEye:
             return "builtin:wall-and-city";
+        case Fault::LinearZ:
+            return "builtin:cubes";
         default:
             return "builtin:city?blocks=8";
     }
@@ -44,13 +50,13 @@ TEST_F(Causes, EveryMistakeOfTheGalleryIsNamedFirst)
 {
     for (const FaultEntry& entry : faults()) {
         if (entry.fault == Fault::FarFirst || entry.fault == Fault::NoTopLeft) continue;  // rounding, by definition
-        const auto  scene  = preparedScene(sceneFor(entry.fault));
+        const auto scene =
+            preparedScene(entry.fault == Fault::ConcaveFanned ? write("arrow.obj", kArrow) : sceneFor(entry.fault));
         const auto  camera = cameraOf(scene->scene(), 233, 151);
-        DrawRequest request{.scene    = scene,
-                            .camera   = camera,
-                            .pipeline = check::withMistake(findPreset(entry.preset)->pipeline, entry.fault),
-                            .shade    = false};
-        Frame       frame;
+        DrawRequest request{
+            .scene = scene, .camera = camera, .pipeline = findPreset(entry.preset)->pipeline, .shade = false};
+        request.pipeline.fault = entry.fault;
+        Frame frame;
         ASSERT_TRUE(Renderer().draw(request, frame));
         check::Checker checker(scene);
         const Picture  picture = pictureOf(frame.visible);
@@ -70,7 +76,23 @@ TEST_F(Causes, EveryMistakeOfTheGalleryIsNamedFirst)
     }
 }
 
-/// Nobody's mistake of the gallery: the right picture, moved by seven pixels.
+TEST_F(Causes, TwoMistakesAtOnceAreNamedAsAPair)
+{
+    const auto  scene  = preparedScene("builtin:city?blocks=8");
+    const auto  camera = cameraOf(scene->scene(), 233, 151);
+    DrawRequest request{.scene = scene, .camera = camera, .pipeline = findPreset("zbuffer")->pipeline, .shade = false};
+    request.pipeline.fault.add(Fault::BoxShort);
+    request.pipeline.fault.add(Fault::CrossingDropped);
+    Frame frame;
+    ASSERT_TRUE(Renderer().draw(request, frame));
+    const auto answer = check::Checker(scene).check(requestFor(camera, pictureOf(frame.visible), true));
+    ASSERT_TRUE(answer) << answer.error().text();
+    ASSERT_FALSE(answer->causes.empty()) << answer->sentence;
+    EXPECT_EQ(answer->causes.front().name, "box-short + crossing-dropped") << answer->sentence;
+    EXPECT_GT(answer->causes.front().explains, 0.95) << answer->sentence;
+}
+
+/// A mistake that the gallery does not have: the right picture, moved by seven pixels.
 TEST_F(Causes, AreNoneWhereNothingExplainsAFifth)
 {
     const auto    scene   = preparedScene("builtin:teapot?tessellation=6");

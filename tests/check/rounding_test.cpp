@@ -1,8 +1,9 @@
-// What a careful renderer draws is judged "rounding only", whatever model it draws; one pixel that it could not have drawn
-// is judged wrong, at that pixel and nowhere else.
+// What a careful renderer draws is judged "rounding only", whatever model it draws; one pixel that it could not have
+// drawn is judged wrong, at that pixel and nowhere else.
 #include <random>
 
 #include "core/frame/renderer.h"
+#include "tests/agreement/soups.h"
 #include "tests/check/careful_renderer.h"
 #include "tests/check/check_support.h"
 
@@ -81,8 +82,21 @@ TEST_F(Rounding, AloneIsWhatACarefulRendererDiffersBy)
     EXPECT_GT(differences, 100u) << "nothing was to be forgiven, so nothing was tested";
 }
 
+/// Far from the origin float32 places vertices by more than half a step of the grid.
+TEST_F(Rounding, GrowsWithTheDistanceFromTheOrigin)
+{
+    const auto     near   = preparedScene("builtin:teapot?tessellation=6");
+    const auto     place  = std::array{Affine::translation({20'000, -3'000, 50'000})};
+    const auto     scene  = std::make_shared<const PreparedScene>(sceneOf(*near->scene().meshes[0], place));
+    const Camera   camera = cameraOf(scene->scene(), 333, 217);
+    check::Checker checker(scene);
+    const auto     answer = judged(checker, camera, CarefulRenderer{}.draw(scene->scene(), camera));
+    EXPECT_TRUE(answer.isRight()) << answer.sentence << firstWrongOf(answer);
+    EXPECT_GT(answer.rounding.total(), 100u);
+}
+
 /// The reference's own picture with one pixel changed, in each way in which it can be.
-TEST_F(Rounding, DoesNotExplainOnePixelThatNobodyCouldHaveDrawn)
+TEST_F(Rounding, DoesNotExplainOneChangedPixel)
 {
     for (const char* word :
          {"builtin:teapot?tessellation=6", "builtin:city?blocks=4", "builtin:soccer-field?count=20"}) {
@@ -149,7 +163,7 @@ TEST_F(Rounding, DoesNotExplainCentresAtWholeNumbers)
     EXPECT_FALSE(judged(checker, camera, CarefulRenderer{.centre = 0}.draw(scene->scene(), camera)).isRight());
 }
 
-/// A coarser grid is rounding for whoever says that the program has it.
+/// A coarser grid is rounding if --subpixel-bits names it.
 TEST_F(Rounding, DependsOnTheGridThatIsSaid)
 {
     const auto  scene  = preparedScene("builtin:city?blocks=4");

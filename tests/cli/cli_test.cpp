@@ -49,7 +49,8 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
     };
     const std::vector<Mistake> mistakes{
         {{}, "subcommand"},
-        {{"draw"}, "render, info, export, verify, step, explain, lesson, compare, bench, merge or list"},
+        {{"draw"},
+         "render, info, export, verify, check, grade, audit, step, explain, lesson, compare, bench, merge or list"},
         {{"illuminate", kScene}, "unknown command"},
         {{"render"}, "SCENE"},
         {{"render", "builtin:no-such-scene"}, "list scenes"},

@@ -34,6 +34,7 @@ constexpr View kViews[] = {
     {"odd", "builtin:soup?count=3000", 67, 131, {}, {}, 45},
     {"stars", "stars.obj", 160, 120, {}, {}, 45},
     {"grid", "builtin:hard/A2", 16, 16, {}, {}, 45},
+    {"ties", "builtin:hard/C2", 160, 120, {}, {}, 45},
 };
 
 template <class T>

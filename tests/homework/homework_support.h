@@ -26,7 +26,7 @@ struct Task {
     Camera      view  = {};
 };
 
-/// The scenes that variants.json names: "blocks", "inside", "close", "soup", "odd", "stars", "grid".
+/// The scenes that variants.json names: "blocks", "inside", "close", "soup", "odd", "stars", "grid", "ties".
 Task taskNamed(const std::string& name, const std::filesystem::path& folder);
 
 /// A dump without matrices, as the kit writes it: row 0 is whatever was written first.

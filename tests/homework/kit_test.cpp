@@ -1,5 +1,5 @@
-// The homework kit: with its gaps it builds and draws nothing; with them filled it draws ZScope's picture to the bit; and each
-// variant of the solution errs as variants.json says.
+// The homework kit: with its gaps it builds and draws nothing; with them filled it draws ZScope's picture to the bit; and
+// each variant of the solution errs as variants.json says.
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/check/check.h"
 #include "core/measure/reference.h"
 #include "tests/homework/homework_support.h"
 
@@ -130,35 +131,37 @@ TEST_F(Kit, ConcaveFacesCoverWhatZScopeCovers)
     EXPECT_EQ(other, 0u);
 }
 
-/// In other conventions the numbers of the file differ, and nothing else; `check` finds those out. Here the table is held to
-/// what can be said without it.
+std::string verdictOf(const check::CheckAnswer& answer)
+{
+    return !answer.isRight() ? "wrong" : answer.rounding.total() > 0 ? "rounding" : "right";
+}
+
+/// `check` gives each variant the verdict of the table, and names its cause first. "miss" says why it does not.
 TEST_F(Kit, EachVariantErrsAsTheTableSays)
 {
     const std::string table = contentsOf(kTests + "/variants.json");
     const auto        all   = nlohmann::json::parse(table)["variants"];
     ASSERT_EQ(statusOf(fmt::format("'{}/make_variants.py' '{}'", kTests, path("class"))), 0);
-    std::map<std::string, Task> tasks;
-    std::map<std::string, Dump> truths;
-    int                         wrong = 0;
+    std::map<std::string, Task>           tasks;
+    std::map<std::string, check::Checker> checkers;
+    int                                   wrong = 0;
     for (const auto& variant : all) {
-        const std::string name = variant["name"], scene = variant["scene"], run = variant["run"];
+        const std::string name = variant["name"], scene = variant["scene"];
         SCOPED_TRACE(name);
-        if (!tasks.contains(scene)) tasks.emplace(scene, taskNamed(scene, m_folder));
-        const std::string key = scene + (run.ends_with("--cull") ? " --cull" : "");
-        if (!truths.contains(key))
-            truths.emplace(key, draw(path("class/solution-zbuffer/homework"), tasks.at(scene),
-                                     run.ends_with("--cull") ? "zbuffer --cull" : "zbuffer"));
-        const Dump&       truth = truths.at(key);
-        const Dump        drawn = draw(path("class/" + name + "/render"), tasks.at(scene), "");
-        const std::size_t bad   = differences(drawn, truth);
-        if (variant["edits"].empty()) {
-            EXPECT_EQ(bad, 0u);
+        if (!tasks.contains(scene)) {
+            tasks.emplace(scene, taskNamed(scene, m_folder));
+            checkers.emplace(
+                scene, std::make_shared<const PreparedScene>(std::make_shared<const Scene>(tasks.at(scene).scene)));
         }
-        if (variant["verdict"] == "wrong") {
-            EXPECT_GE(bad, 10u);
-        }
-        wrong += variant["verdict"] == "wrong" ? 1 : 0;
-        EXPECT_TRUE(variant["verdict"] == "wrong" || variant["cause"].is_null());
+        draw(path("class/" + name + "/render"), tasks.at(scene), "");
+        const auto answer = checkers.at(scene).check({.camera = tasks.at(scene).view, .dump = path("out/out.zdump")});
+        ASSERT_TRUE(answer) << answer.error().text();
+        EXPECT_EQ(verdictOf(*answer), variant["verdict"]) << answer->sentence;
+        if (variant.contains("miss")) continue;
+        EXPECT_EQ(answer->causes.empty(), variant["cause"].is_null()) << answer->sentence;
+        if (answer->causes.empty() || variant["cause"].is_null()) continue;
+        EXPECT_EQ(answer->causes.front().name, variant["cause"]) << answer->sentence;
+        ++wrong;
     }
     EXPECT_GE(wrong, 20);
 }

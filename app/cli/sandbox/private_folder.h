@@ -1,4 +1,4 @@
-// A folder of its own for one run of a program that nobody trusts: "work", "out" and "tmp" in it are the program's.
+// A folder for one run of an untrusted program, which may write into "work", "out" and "tmp" in it.
 //
 // Promise    removed with all that is in it, whatever rights the program has given its files
 // Links      are never followed: not when bytes are counted, not when the folder is removed

@@ -1,4 +1,4 @@
-// Runs a program that nobody trusts, under limits, and says how it ended.
+// Runs an untrusted program under limits, and says how it ended.
 //
 // Sandbox    bubblewrap: no network, no other processes; the program may read the system's programs and libraries and
 //            what the job shows, and write into a private folder. Without bubblewrap the limits below hold, too, but
