@@ -10,7 +10,7 @@
 #include "core/check/audit.h"
 #include "core/io/npy_read.h"
 #include "core/io/read_file.h"
-#include "core/lesson/words.h"
+#include "core/probe/words.h"
 
 namespace zscope::cli {
 namespace {
