@@ -261,7 +261,8 @@ Command addBench(CLI::App& parent)
     option("--algorithms", options->algorithms, "NAME[,NAME...]|all", "Which algorithms (default all, or the suite's)");
     option("--threads", options->threads, "N[,N...]", "Thread counts; 0: one per core (default 0, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
-    option("--shortcuts", options->shortcuts, "all|none", "Faster parts that change no bit (default all)");
+    option("--shortcuts", options->shortcuts, "all|none",
+           "all: the fast text; none: the plain text; same bits (default all)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
     option("--seconds", options->seconds, "S",
            "Timed frames go on, beyond --frames, until those of a run took S seconds (default 0)");

@@ -161,7 +161,8 @@ Command addCompare(CLI::App& parent)
            "Which algorithms; the others are held against the first");
     option("--threads", options->threads, "N", "How many threads; 0: one per core (default 0)");
     option("--simd", options->simd, "WORD", "Vector instructions, see 'list simd' (default auto)");
-    option("--shortcuts", options->shortcuts, "all|none", "Faster parts that change no bit (default all)");
+    option("--shortcuts", options->shortcuts, "all|none",
+           "all: the fast text; none: the plain text; same bits (default all)");
     option("--frames", options->frames, "N", "Timed frames of each (default 9)");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
     parser->add_flag("--require-equal", options->requireEqual,

@@ -132,7 +132,9 @@ void HowOptions::add(CLI::App& parser, Algorithms algorithms)
     parser.add_option("--simd", m_simd, "Vector instructions: auto, scalar, sse4, avx2 or avx512 (default auto)")
         ->type_name("WORD")
         ->group("How");
-    parser.add_option("--shortcuts", m_shortcuts, "Faster parts that change no bit: all or none (default all)")
+    parser
+        .add_option("--shortcuts", m_shortcuts,
+                    "all: the fast text; none: the plain text of the methods; same bits (default all)")
         ->type_name("WORD")
         ->group("How");
     parser

@@ -213,17 +213,18 @@ std::string AutoChoice::whyKept() const
             others += fmt::format("{} {} {:.2f} ms", others.empty() ? ";" : ",", candidate.preset->name,
                                   candidate.cost.whole);
     }
-    std::string share;  // of the work on triangles that culling saves
+    std::string share;  // of the time for triangles that culling saves
     if (plain && culls && plain->cost.geometry > 0)
-        share = fmt::format(", for {:.0f} % of the work on triangles saved",
+        share = fmt::format(", for {:.0f} % of the time for triangles saved",
                             100 * std::max(0.0, 1 - culls->cost.geometry / plain->cost.geometry));
     const double nsPerPixel = m_numbers.pixels > 0 ? 1e6 * kept.cost.raster / static_cast<double>(m_numbers.pixels) : 0;
     const std::string culling =
         &kept == culls ? fmt::format("culling takes {:.2f} ms{}", kept.cost.culling, share)
         : culls ? fmt::format("culling by {} would take {:.2f} ms{}", culls->preset->name, culls->cost.culling, share)
                 : "nothing else was tried";
-    return fmt::format("auto keeps {}, the fastest with {:.2f} ms a frame: {}, and pixels take {:.1f} ns each{}.",
-                       kept.preset->name, kept.cost.whole, culling, nsPerPixel, others);
+    return fmt::format(
+        "auto keeps {}, the fastest with {:.2f} ms a frame: {}, and a pixel of the picture takes {:.1f} ns{}.",
+        kept.preset->name, kept.cost.whole, culling, nsPerPixel, others);
 }
 
 }  // namespace zscope

@@ -4,9 +4,9 @@
 
 #include "core/frame/frame_events.h"
 #include "core/frame/methods.h"
-#include "core/method/depth_moments.h"
 #include "core/method/hierarchical.h"
 #include "core/method/intervals.h"
+#include "core/method/prepass.h"
 #include "core/method/scanline.h"
 #include "core/method/transparency.h"
 #include "core/method/two_pass.h"
@@ -155,7 +155,7 @@ void sweepLines(Work& work, void (*fill)(Work&, const Parts&), void (*resolveLin
     work.tally.add(Unit::Edges, work.scratch.edges.edgeCount());
     if (!work.leavesOut(Checkpoint::EdgeTable)) work.tell(EdgeTableReady{work.scratch.edges});
     work.clock.lap(Stage::Setup);
-    settingUp.finish(tableIsComplete, work.scratch.edges.edgeCount());
+    settingUp.finish(sentenceOfEdgeTable, work.scratch.edges.edgeCount());
 
     const InStage sweeping(work, Stage::Raster);
     scanline(work, parts);

@@ -120,7 +120,7 @@ public:
         // the legend stands in one
         m_cell                = std::max(m_pictureHeight, (static_cast<int>(differences().size()) + 2) * kLine);
         const auto columns    = static_cast<int>(m_comparison.algorithms.size());
-        const int  textLines  = 4 + static_cast<int>(kStages.size()) + 1 + static_cast<int>(m_counters.size());
+        const int  textLines  = 4 + static_cast<int>(kStages.size()) + 2 + static_cast<int>(m_counters.size());
         const int  header     = kTitle + 2 * kLine + 2 * kStep,
                   column      = kLarge + m_pictureHeight + m_cell + 3 * kStep + 2 * kLine + textLines * kLine;
         const int  sheetWidth = 2 * kMargin + columns * m_column + (columns - 1) * kGap;
@@ -214,8 +214,12 @@ private:
         }
     }
 
+    /// They come from a run of their own, not from the timed one above them.
     void drawCounters(int x, int y, const ComparedAlgorithm& a)
     {
+        if (m_counters.empty()) return;
+        write(x, y + kSmall, "Work of the textbook method", kSmall, kPale);
+        y += kLine;
         for (const std::string& name : m_counters) {
             const std::uint64_t count = countOf(a, name);
             m_canvas.name(x, y + kSmall, name, kSmall, count > 0 ? kInk : kPale);

@@ -79,7 +79,7 @@ std::string_view wordOf(WorkUnit unit)
 std::vector<UnitCost> unitCosts(const BenchRow& row, Stage stage)
 {
     if (!row.chosen.empty()) return {};
-    return shared(row.stageQuartiles[static_cast<std::size_t>(stage)].median, divisorsOf(row, stage));
+    return shared(row.stageMs[static_cast<std::size_t>(stage)], divisorsOf(row, stage));
 }
 
 std::vector<UnitCost> frameCosts(const BenchRow& row)

@@ -1,7 +1,8 @@
-// What one piece of work cost: the time of a stage divided by how many of the things it works on there were. Two
+// What one piece of work cost: the time of a stage divided by how many of the things it works on there were, both of
+// the median frame. Two
 // algorithms that meet different amounts of work can then be held against each other, stage by stage.
 //
-// Divisors   the tallies of the timed run itself (core/base/tally.h). Transform: vertices; setup: triangles, or of a
+// Divisors   the tallies of the timed frame itself (core/base/tally.h). Transform: vertices; setup: triangles, or of a
 //            sweep the edges of its edge table; cull: nodes; raster of a sweep: active edges, each once per line.
 //            Where plain text draws also prepass, raster: pixels tested; upkeep: pyramid cells; shade: fragments.
 //            Where shortcuts draw raster: triangles and windows; shade: pixels of the picture
@@ -29,7 +30,7 @@ struct UnitCost {
     double        ns    = 0;  // of one
 };
 
-/// Of the stage's own median; none, one, or two.
+/// Of the stage in the median frame; none, one, or two.
 std::vector<UnitCost> unitCosts(const BenchRow& row, Stage stage);
 
 /// Of the median frame: per triangle of the scene and per pixel of the picture.

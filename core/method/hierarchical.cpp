@@ -5,7 +5,7 @@
 
 namespace zscope::plain {
 
-void hierarchical(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit, bool remembers)
+void hierarchical(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit, Remembers remembers)
 {
     parts.push(work, visit.roots());
     for (PlacedNode node; parts.pop(work, node);) {
@@ -13,8 +13,8 @@ void hierarchical(Work& work, const Parts& parts, const Pass& pass, TreeVisit& v
         if (parts.judge(work, pass, visit, node) != Verdict::Entered) continue;
         parts.push(work, visit.childrenFarthestFirst(node));
         if (!visit.hasOwnItems(node)) continue;
-        if (remembers)
-            drawUnlessDrawnAhead(work, parts, pass, visit, node);
+        if (remembers == Remembers::Yes)
+            drawIfNotDrawnInPassOne(work, parts, pass, visit, node);
         else
             drawNode(work, parts, pass, visit, node);
     }

@@ -10,8 +10,8 @@ namespace zscope::plain {
 
 namespace {
 
-constexpr std::uint32_t kLead  = 2;    // float32 steps
-constexpr std::size_t   kCrowd = 256;  // polygons
+constexpr std::uint32_t kLead  = 2;    // float32 steps by which a leader must be nearer
+constexpr std::size_t   kCrowd = 256;  // with more polygons open at once a z-buffer is cheaper
 
 struct Leader {
     const Polygon* polygon;  // nullptr: none leads for certain
@@ -21,7 +21,7 @@ struct Leader {
 /// A polygon's depth at one pixel: rounded and limited as the picture stores it.
 struct EndDepth {
     float depth;
-    bool  limited;
+    bool  limited;  // the plane lies beyond the depths of the polygon's corners there
 };
 
 EndDepth depthAt(const DepthPlane& plane, int x, int y, const ChosenRules& rules)
@@ -31,7 +31,8 @@ EndDepth depthAt(const DepthPlane& plane, int x, int y, const ChosenRules& rules
     return {rules.stored(kept), kept != z};
 }
 
-/// More than kLead steps nearer. Depths are not negative, so their bits are in order.
+/// Whether `near` is nearer by more than kLead steps. A larger depth is nearer (it is near/z); depths are not negative,
+/// so their bits are in order.
 bool leads(float near, float far)
 {
     return std::bit_cast<std::uint32_t>(near) > std::bit_cast<std::uint32_t>(far) + kLead;
@@ -101,8 +102,9 @@ void decide(Work& work, int y, int x0, int x1)
     work.tell(IntervalDecided{y, x0, x1, work.scratch.open, polygons, leader.polygon, leader.reason});
 }
 
-/// Passing the edge opens or closes its polygon, or (a face with a hole) does neither.
-void pass(Work& work, const Edge& edge)
+/// An edge opens or closes its polygon, or (a face with a hole) does neither. The winding is Watkins' in/out flag, as a
+/// count.
+void cross(Work& work, const Edge& edge)
 {
     PolygonSpan& span    = work.scratch.active.spanOf(edge.polygon);
     const bool   wasOpen = span.isOpen();
@@ -114,12 +116,13 @@ void pass(Work& work, const Edge& edge)
         work.scratch.open.push_back(edge.polygon);
 }
 
-/// Closes what a fault, which has lost an edge, has left open.
+/// Closes the polygons that a fault left open.
 void closeAll(Work& work)
 {
     for (const std::uint32_t polygon : work.scratch.open) work.scratch.active.spanOf(polygon) = {};
 }
 
+/// Whether too many polygons are open at once somewhere on the line.
 bool isCrowded(Work& work)
 {
     std::size_t most = 0;
@@ -132,7 +135,7 @@ bool isCrowded(Work& work)
         open += span.isOpen();
         most = std::max(most, open);
     }
-    if (open > 0)  // a fault has lost edges that close
+    if (open > 0)  // a fault left polygons open
         for (const Edge& edge : work.scratch.active.edges()) work.scratch.active.spanOf(edge.polygon) = {};
     return most > kCrowd;
 }
@@ -148,7 +151,7 @@ void resolveByIntervals(Call work, int y)
         const int to = firstPixelRightOf(edge, work->stripe.visible.width(), work->rules);
         if (from < to && !work->scratch.open.empty()) decide(*work, y, from, to);
         from = to;
-        pass(*work, edge);
+        cross(*work, edge);
     }
     closeAll(*work);
 }

@@ -1,12 +1,12 @@
 // Interval scanline: between two neighbouring active edges the same polygons are open, so the nearest of them is found
-// once for the whole interval, without a z-buffer.
+// once for the whole interval, mostly without a z-buffer.
 //
 // Nearest    judged at both end pixels. Depth is affine along the line, so a polygon that leads every rival by more
 //            than two float32 steps at both ends, with no depth limited there, leads everywhere between
 // Crossing   an interval without such a leader (polygons that cross, touch or are equally near) is compared pixel by
 //            pixel: that is where the textbook's one test per interval goes wrong
 // Patterns   a polygon with holes or a relief covers no interval whole, so it does not lead
-// Cost       per interval one evaluation per open polygon and end; a line with more than 256 polygons open at once is
+// Cost       per interval about four depths per open polygon; a line with more than 256 polygons open at once is
 //            resolved like a line of the scanline z-buffer, whose cost does not grow with the number of intervals
 // Source     Watkins: A Real Time Visible Surface Algorithm, 1970; docs/correctness.md, Rules that make methods exact
 #pragma once

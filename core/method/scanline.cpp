@@ -46,20 +46,39 @@ void fillEdgeTableWithFaces(Work& work)
 
 void resolveByDepth(Call work, int y)
 {
-    forEachSpan(*work, [&](std::uint32_t polygon, int x0, int x1) {
-        const Polygon& of = work->scratch.edges.polygons()[polygon];
-        offerSpan(*work, of, y, x0, x1);
+    for (const auto& [place, x0, x1] : spansOf(*work)) {
+        const Polygon& polygon = work->scratch.edges.polygons()[place];
+        offerSpan(*work, polygon, y, x0, x1);
         work->tally.add(Unit::Spans);
-        work->tell(SpanFilled{y, x0, x1, of.id});
-    });
+        work->tell(SpanFilled{y, x0, x1, polygon.id});
+    }
 }
 
 void offerSpan(Work& work, const Polygon& polygon, int y, int x0, int x1)
 {
-    const Pass nearest;
+    const Pass nearest{.keep = Keep::Nearest};
     DepthTest  test(work, nearest, polygon.depth, polygon.id, polygon.patterned);
     test.beginLine(y, x0);
     for (int x = x0; x < x1; ++x) test.offer(x);
+}
+
+std::span<const LineSpan> spansOf(Work& work)
+{
+    ActiveEdges&           active = work.scratch.active;
+    std::vector<LineSpan>& spans  = work.scratch.spans;
+    spans.clear();
+    for (const Edge& edge : active.edges()) {
+        PolygonSpan& polygon = active.spanOf(edge.polygon);
+        const int    x       = firstPixelRightOf(edge, work.stripe.visible.width(), work.rules);
+        const bool   wasOpen = polygon.isOpen();
+        polygon.winding += edge.winding;
+        if (polygon.isOpen() == wasOpen) continue;
+        if (!wasOpen)
+            polygon.from = x;
+        else if (polygon.from < x)
+            spans.push_back({edge.polygon, polygon.from, x});
+    }
+    return spans;
 }
 
 }  // namespace zscope::plain

@@ -11,9 +11,10 @@ namespace zscope::plain {
 
 namespace {
 
+/// Of one part of a line: what its memory may hold. A part with more is halved.
 constexpr std::int64_t kMostFragments = std::int64_t{1} << 22;
 
-/// The transparent triangles of the batch, each with what it lays over what is behind it.
+/// The transparent triangles of the batch, each with its colour and opacity.
 void enterWithColours(Work& work, const ColourTable& colours)
 {
     const Scene& scene = work.stripe.scene.scene();
@@ -31,23 +32,18 @@ void enterWithColours(Work& work, const ColourTable& colours)
     work.clock.lap(Stage::Setup);
 }
 
-struct Span {
-    std::uint32_t polygon;
-    int           x0, x1;
-};
-
 class BlendedLine {
 public:
     BlendedLine(Work& work, BlendOrder order, GridView<std::uint32_t> colour, int y)
-        : m_work(work), m_polygons(work.scratch.edges.polygons()), m_order(order), m_colour(colour), m_y(y)
-    {
-        forEachSpan(work, [&](std::uint32_t polygon, int x0, int x1) { m_spans.push_back({polygon, x0, x1}); });
-    }
+        : m_work(work), m_polygons(work.scratch.edges.polygons()), m_order(order), m_colour(colour), m_y(y),
+          m_spans(spansOf(work))
+    {}
 
+    /// The pixels [x0, x1) of the line.
     void blend(int x0, int x1)
     {
         std::int64_t count = 0;
-        for (const Span& span : m_spans) count += std::max(0, std::min(span.x1, x1) - std::max(span.x0, x0));
+        for (const LineSpan& span : m_spans) count += std::max(0, std::min(span.x1, x1) - std::max(span.x0, x0));
         if (count == 0) return;
         if (count > kMostFragments && x1 - x0 > 1) {
             const int middle = x0 + (x1 - x0) / 2;
@@ -76,7 +72,7 @@ private:
     {
         auto& fragments = m_work.scratch.fragments;
         fragments.clear();
-        for (const Span& span : m_spans) {
+        for (const LineSpan& span : m_spans) {
             const Polygon&    polygon = m_polygons[span.polygon];
             const DepthPlane& plane   = polygon.depth;
             const double      line    = plane.b * (m_y + 0.5) + plane.c;
@@ -117,12 +113,12 @@ private:
     static float channel(std::uint32_t colour, int shift) { return static_cast<float>(colour >> shift & 0xFFu); }
     static std::uint32_t rounded(float channel) { return static_cast<std::uint32_t>(channel + 0.5f); }
 
-    Work&                    m_work;
-    std::span<const Polygon> m_polygons;
-    BlendOrder               m_order;
-    GridView<std::uint32_t>  m_colour;
-    int                      m_y;
-    std::vector<Span>        m_spans;
+    Work&                     m_work;
+    std::span<const Polygon>  m_polygons;
+    BlendOrder                m_order;
+    GridView<std::uint32_t>   m_colour;
+    int                       m_y;
+    std::span<const LineSpan> m_spans;
 };
 
 }  // namespace

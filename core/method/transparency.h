@@ -1,7 +1,7 @@
-// Transparent surfaces over the finished opaque picture: a sweep of their own, whose lines are blended.
+// Transparent surfaces are blended over the finished opaque picture, line by line, by a sweep of their own.
 //
-// Fragments  of the line, all that are nearer than the opaque depth; at each pixel they are put in order and laid
-//            "over" the colour that is there
+// Fragments  those that are nearer than the opaque depth are put in order at each pixel. Each lies "over" the colour
+// that            is there
 // Order      Sorted: from far to near by (depth, -id), right wherever surfaces cross. BackThenFront: back faces first,
 //            as submitted; right for one convex body, wrong where bodies overlap: what renderers do that keep no list
 // Over       per channel c += (source - c) * opacity, in float32, from the opaque colour; rounded once at the end

@@ -31,16 +31,23 @@ void twoPass(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit)
     work.tell(PassStarted{1});
     drawRemembered(work, parts, unasked, visit);
     work.tell(PassStarted{2});
-    hierarchical(work, parts, asking, visit, true);
+    hierarchical(work, parts, asking, visit, Remembers::Yes);
     work.scratch.memory.finish();
 }
 
-void drawUnlessDrawnAhead(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit, const PlacedNode& node)
+void drawIfNotDrawnInPassOne(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit, const PlacedNode& node)
 {
-    NodeMemory& memory       = work.scratch.memory;
-    const bool  isDrawnAhead = !node.isInstanceTree() && memory.isDrawnAhead(node.instance, *node.node);
-    const bool  isWorthIt    = isDrawnAhead || NodeMemory::isWorthIt(drawNode(work, parts, pass, visit, node));
-    if (isWorthIt && !node.isInstanceTree()) memory.remember({node.instance, node.holder, node.node});
+    if (node.isInstanceTree()) {
+        drawNode(work, parts, pass, visit, node);
+        return;
+    }
+    NodeMemory& memory     = work.scratch.memory;
+    bool        wasWorthIt = memory.isDrawnAhead(node.instance, *node.node);
+    if (!wasWorthIt) {
+        const DrawnTriangles drawn = drawNode(work, parts, pass, visit, node);
+        wasWorthIt                 = NodeMemory::isWorthIt(drawn);
+    }
+    if (wasWorthIt) memory.remember({node.instance, node.holder, node.node});
 }
 
 }  // namespace zscope::plain

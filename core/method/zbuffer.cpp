@@ -23,7 +23,7 @@ DrawnTriangles drawEachTriangle(Call work, const Pass& pass)
     DrawnTriangles all;
     for (const ScreenTriangle& triangle : work->scratch.triangles) {
         if (work->isCancelled()) break;
-        if (isHidden(*work, pass, triangle)) {
+        if (isHidden(*work, pass, triangle)) {  // only if the pass asks the pyramid about triangles
             all.add({.hidden = 1, .hiddenPixels = triangle.box.area()});
             continue;
         }

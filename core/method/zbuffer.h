@@ -1,7 +1,10 @@
 // The z-buffer: every triangle, every pixel that it covers; the nearest fragment keeps the pixel.
 //
+// Depth      near/z: a larger depth is nearer, and an empty pixel holds the smallest
 // Order      as submitted; any order gives the same picture, because the winner is a maximum
-// Cost       a depth test for every pixel of every triangle, hidden or not
+// Cost       three edge tests for every pixel of every triangle's box, and a depth test for every one that is covered,
+//            hidden or not. With tiles or a pyramid (zbuffer-zcull, quadtree) whole tiles and triangles are left out
+// Presets    zbuffer, edge-walk, zbuffer-late, -early, -zcull, -prepass, quadtree, hzb-simple (two passes: prepass.h)
 // Source     Catmull: A Subdivision Algorithm for Computer Display of Curved Surfaces, 1974; Pineda: A Parallel
 //            Algorithm for Polygon Rasterization, SIGGRAPH 1988
 #pragma once

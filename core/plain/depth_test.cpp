@@ -17,7 +17,8 @@ SpoiltTest spoiltTest(const ChosenRules& rules)
 
 DepthTest::DepthTest(Work& work, const Pass& pass, const DepthPlane& plane, TriangleId id, bool patterned)
     : m_work(work), m_pass(pass), m_plane(plane), m_rank(id.value + 1), m_empty(work.stripe.visible.empty()),
-      m_shading(work.stripe.painter ? pass.shading : ShadingMoment::Never)
+      m_shading(work.stripe.painter ? pass.shading : ShadingMoment::Never),
+      m_nearerWins(pass.keep != Keep::Equal && !work.rules.firstComerKeepsTie() && !work.rules.drawsOver())
 {
     if (patterned) m_pattern = patternPlaneOf(work.stripe.scene.scene(), work.stripe.projection, id);
 }
@@ -56,7 +57,8 @@ void DepthTest::offer(int x)
         moved  = exists && m_pattern->relief;
         if (m_pattern->relief) fragment = keyOfDepth(movedDepth(*m_pattern, flat, x, m_y));
     }
-    const bool won = exists && (!m_pattern || looked) && isNearer(fragment, held);
+    const bool won =
+        exists && (!m_pattern || looked) && (m_nearerWins ? fragment > held : winsByItsRule(fragment, held));
     if (won) m_row[x] = fragment;
 
     // A fragment that its pattern has spared is shaded with it, whether it passes the test then or not.
@@ -83,7 +85,13 @@ void DepthTest::offer(int x)
 
 void DepthTest::store(int x) { m_row[x] = keyOfDepth(limitedDepthAt(x)); }
 
-bool DepthTest::isNearer(PixelKey fragment, PixelKey held) const
+bool DepthTest::wins(PixelKey fragment, PixelKey held) const
+{
+    return m_nearerWins ? fragment > held : winsByItsRule(fragment, held);
+}
+
+/// After a pre-pass, and with a fault.
+bool DepthTest::winsByItsRule(PixelKey fragment, PixelKey held) const
 {
     if (m_pass.keep == Keep::Nearest && m_work.rules.drawsOver())  // a fault
         return fragment > keyOf(m_empty, 0) && rankOf(fragment) > rankOf(held);
@@ -102,7 +110,7 @@ bool DepthTest::isNearer(PixelKey fragment, PixelKey held) const
 /// False only if the fragment loses at this depth and at any farther one.
 bool DepthTest::mayBecomeNearer(PixelKey fragment, PixelKey held) const
 {
-    if (m_pass.keep != Keep::Equal || !m_pattern->relief) return isNearer(fragment, held);
+    if (m_pass.keep != Keep::Equal || !m_pattern->relief) return wins(fragment, held);
     return held >> 32 <= fragment >> 32;
 }
 

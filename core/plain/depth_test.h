@@ -39,7 +39,8 @@ public:
 
 private:
     double   limitedDepthAt(int x);
-    bool     isNearer(PixelKey fragment, PixelKey held) const;
+    bool     wins(PixelKey fragment, PixelKey held) const;
+    bool     winsByItsRule(PixelKey fragment, PixelKey held) const;
     bool     mayBecomeNearer(PixelKey fragment, PixelKey held) const;
     PixelKey keyOfDepth(double depth) const;
     void     shade(int x) const;
@@ -50,7 +51,8 @@ private:
     std::uint32_t               m_rank;   // id + 1
     float                       m_empty;  // depth of background
     ShadingMoment               m_shading;
-    std::optional<PatternPlane> m_pattern;  // of the material, if it has one
+    bool                        m_nearerWins;  // no pass after a pre-pass and no fault says otherwise
+    std::optional<PatternPlane> m_pattern;     // of the material, if it has one
     int                         m_y       = 0;
     PixelKey*                   m_row     = nullptr;
     double                      m_line    = 0;  // b*(y + 0.5) + c

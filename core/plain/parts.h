@@ -1,5 +1,5 @@
-// The table of parts that a method calls. Plain text fills it (plainParts()); each entry can be replaced by a faster
-// part with the same signature that draws the same picture. Methods know only the table.
+// The table of parts that a method calls: what the method does in each place is chosen at run time, so the method is
+// compiled once. Methods know only the table; plainParts() fills it.
 //
 // Calls      through a pointer, once per batch, node or line, never per pixel
 #pragma once

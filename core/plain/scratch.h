@@ -22,11 +22,18 @@ struct BlendFragment {
     std::uint32_t rank;  // triangle id + 1
 };
 
+/// The pixels [x0, x1) that a polygon of the edge table covers on the line at hand.
+struct LineSpan {
+    std::uint32_t polygon;
+    int           x0, x1;
+};
+
 struct Scratch {
     std::vector<dvec3>          view;       // the batch's vertices in view space
     std::vector<ScreenTriangle> triangles;  // the batch's triangles that reach pixels of the stripe
     EdgeTable                   edges;      // sweeps
     ActiveEdges                 active;
+    std::vector<LineSpan>       spans;      // of the line at hand
     std::vector<std::uint32_t>  open;       // of intervals: the polygons between two neighbouring edges, by their place
     FaceScratch                 faces;      // sweeps over whole faces
     std::vector<BlendFragment>  fragments;  // transparent surfaces

@@ -49,7 +49,7 @@ std::string PixelBlended::sentence(const Telling&) const
 
 namespace plain {
 
-std::string tableIsComplete(std::uint64_t edges)
+std::string sentenceOfEdgeTable(std::uint64_t edges)
 {
     return fmt::format("The edge table is complete: {} in the buckets of their first lines, none active yet.",
                        counted(edges, "edge waits", "edges wait"));

@@ -3636,8 +3636,8 @@
         <translation>该阶段处理的对象没有计数</translation>
     </message>
     <message>
-        <source>The stage&apos;s median over %1</source>
-        <translation>该阶段的中位数除以 %1</translation>
+        <source>The stage&apos;s time in the median frame over %1</source>
+        <translation>中位帧里该阶段的时间除以 %1</translation>
     </message>
     <message>
         <source>frame</source>
@@ -3648,8 +3648,8 @@
         <translation>占各阶段中位数之和的比例</translation>
     </message>
     <message>
-        <source>The stage&apos;s median over the number of things it works on; with several threads wall time, not work</source>
-        <translation>该阶段的中位数除以所处理对象的数目；多线程时是实际经过的时间，而非工作量</translation>
+        <source>The stage&apos;s time in the median frame over the number of things that it worked on in that frame; with several threads wall time, not work</source>
+        <translation>中位帧里该阶段的时间除以它在该帧处理的对象的数目；多线程时是实际经过的时间，而非工作量</translation>
     </message>
     <message>
         <source>stage</source>

@@ -353,8 +353,8 @@ TEST_F(Cli, EverySuiteRunsByNameOnItsScenesOrOnOthersAndSetsTimesAgainstTheZBuff
             hasBaseline = hasBaseline || rows[i]["algorithm"] == "zbuffer";
         }
         EXPECT_TRUE(hasBaseline);
-        for (const char* column :
-             {"median ms", "/ zbuffer", "raster", "in view", "culled by node", "by triangle", "share", "nodes"})
+        for (const char* column : {"median ms", "/ zbuffer", "raster", "textbook: in view", "culled by node",
+                                   "by triangle", "share", "nodes"})
             EXPECT_NE(answer.out.find(column), std::string::npos) << column;
         EXPECT_NE(answer.out.find("  1.00  "), std::string::npos) << "the z-buffer against itself";
     }

@@ -259,7 +259,7 @@ TEST(AutoChoice, TheSentenceNamesTheChoiceItsTimeAndTheOthers)
     EXPECT_NE(drawing.choice.why().find("70000 triangles"), std::string::npos) << drawing.choice.why();
     drawing.settle(kTreesPay);
     const std::string why = drawing.choice.why();
-    for (const char* part : {"two-pass", "4.00 ms", "culling takes 0.40 ms", "80 % of the work on triangles", "1.6 ns",
+    for (const char* part : {"two-pass", "4.00 ms", "culling takes 0.40 ms", "80 % of the time for triangles", "1.6 ns",
                              "zbuffer 20.00 ms", "hzb-octree 5.00 ms"})
         EXPECT_NE(why.find(part), std::string::npos) << part << " in: " << why;
 }

@@ -91,7 +91,7 @@ QVariant StagesModel::data(const QModelIndex& at, int role) const
         for (const UnitCost& cost : isWhole ? frameCosts(row) : unitCosts(row, stage)) counts << grouped(cost.count);
         if (counts.isEmpty()) return tr("Nothing that is counted is what this stage works on");
         return costTexts(isWhole ? frameCosts(row) : unitCosts(row, stage)) + '\n'
-               + tr("The stage's median over %1").arg(counts.join(QStringLiteral(" \u00B7 ")));
+               + tr("The stage's time in the median frame over %1").arg(counts.join(QStringLiteral(" \u00B7 ")));
     }
     if (role != Qt::DisplayRole) return {};
     switch (column) {
@@ -122,7 +122,10 @@ QVariant StagesModel::headerData(int section, Qt::Orientation orientation, int r
     if (role == Qt::TextAlignmentRole) return aligned(section != Name);
     if (role == Qt::ToolTipRole && section == Share) return tr("Of what the stages' medians add up to");
     if (role == Qt::ToolTipRole && section == Cost)
-        return tr("The stage's median over the number of things it works on; with several threads wall time, not work");
+        return tr(
+            "The stage's time in the median frame over the number of things that it worked on in that frame; with "
+            "several threads wall "
+            "time, not work");
     if (role != Qt::DisplayRole) return {};
     switch (static_cast<Column>(section)) {
         case Name:
