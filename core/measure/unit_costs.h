@@ -1,6 +1,6 @@
 // What one piece of work cost: the time of a stage divided by how many of the things it works on there were, both of
-// the median frame. Two
-// algorithms that meet different amounts of work can then be held against each other, stage by stage.
+// the median frame. Two algorithms that meet different amounts of work can then be held against each other, stage by
+// stage.
 //
 // Divisors   the tallies of the timed frame itself (core/base/tally.h). Transform: vertices; setup: triangles, or of a
 //            sweep the edges of its edge table; cull: nodes; raster of a sweep: active edges, each once per line.

@@ -1,7 +1,7 @@
 // Transparent surfaces are blended over the finished opaque picture, line by line, by a sweep of their own.
 //
 // Fragments  those that are nearer than the opaque depth are put in order at each pixel. Each lies "over" the colour
-// that            is there
+//            that is there
 // Order      Sorted: from far to near by (depth, -id), right wherever surfaces cross. BackThenFront: back faces first,
 //            as submitted; right for one convex body, wrong where bodies overlap: what renderers do that keep no list
 // Over       per channel c += (source - c) * opacity, in float32, from the opaque colour; rounded once at the end
