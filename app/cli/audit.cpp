@@ -60,9 +60,10 @@ std::string describe(const Audit& audit, bool ofPyramid)
 {
     if (ofPyramid) {
         const check::PyramidJudgement& p = audit.pyramid;
-        if (p.wrongCells == 0) return fmt::format("No cell of {} is nearer than a pixel below it.\n", grouped(p.cells));
+        if (p.wrongCells == 0)
+            return fmt::format("No cell of {} is nearer than a pixel below it.\n", withCommas(p.cells));
         std::string text = fmt::format("{} of {} cells are nearer than the farthest pixel below them: {}.\n",
-                                       grouped(p.wrongCells), grouped(p.cells), wordOf(*p.cause));
+                                       withCommas(p.wrongCells), withCommas(p.cells), wordOf(*p.cause));
         Table       table({{"level"}, {"x"}, {"y"}, {"value"}, {"farthest"}});
         for (std::size_t i = 0; i < std::min(kCellsShown, p.wrong.size()); ++i)
             table.row({fmt::format("{}", p.wrong[i].level), fmt::format("{}", p.wrong[i].x),
@@ -75,13 +76,14 @@ std::string describe(const Audit& audit, bool ofPyramid)
     Table         table({{"object", Table::Align::Left}, {"verdict", Table::Align::Left}, {"pixels"}});
     for (const check::CullJudgement& object : audit.objects) {
         missed += object.isMissedCull();
-        if (object.isFalseCull()) lost += object.pixels, table.row({object.name, "false cull", grouped(object.pixels)});
+        if (object.isFalseCull())
+            lost += object.pixels, table.row({object.name, "false cull", withCommas(object.pixels)});
     }
     for (const check::CullJudgement& object : audit.objects)
         if (object.isMissedCull()) table.row({object.name, "missed cull", "0"});
     const std::size_t wrong = audit.falseCulls();
     std::string       text =
-        wrong == 0 ? fmt::format("No object of {} is culled although it is seen.", grouped(audit.objects.size()))
+        wrong == 0 ? fmt::format("No object of {} is culled although it is seen.", withCommas(audit.objects.size()))
                          : fmt::format("{} culled although {} {}.", counted(wrong, "object is", "objects are"),
                                  wrong == 1 ? "it owns" : "they own", counted(lost, "pixel", "pixels"));
     text += missed == 0 ? std::string(" None is drawn in vain.\n")

@@ -18,7 +18,7 @@ std::string_view kindOf(const Pipeline& pipeline) { return drawsFaces(pipeline) 
 
 std::string nameOf(TriangleId id, const Pipeline& pipeline)
 {
-    return fmt::format("{} {}", kindOf(pipeline), grouped(id.value));
+    return fmt::format("{} {}", kindOf(pipeline), withCommas(id.value));
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::string sentenceOf(const PixelCandidate& c, const PixelExplanation& pixel, c
     if (c.fate == fates::kBlended)
         return fmt::format(
             "Triangle {} has opacity {} and is, at near/z {:.9g}, nearer than the opaque depth {:.9g}: {}.",
-            grouped(c.triangle.value), c.opacityText, c.depth, pixel.depth,
+            withCommas(c.triangle.value), c.opacityText, c.depth, pixel.depth,
             c.opacity <= 0 ? "its share of the colour is 0, so nothing of it is seen"
             : isShaded     ? "it is blended over the colour, the farthest first"
                            : "it would be blended over the colour, but no colours were asked for");
@@ -72,14 +72,14 @@ std::string sentenceOf(const PixelCandidate& c, const PixelExplanation& pixel, c
         return fmt::format(
             "Triangle {} has opacity {}, but is at near/z {:.9g} not nearer than the opaque depth {:.9g}, so "
             "nothing of it is blended.",
-            grouped(c.triangle.value), c.opacityText, c.depth, pixel.depth);
+            withCommas(c.triangle.value), c.opacityText, c.depth, pixel.depth);
     if (c.fate == fates::kNearClip)
         return fmt::format(
             "Triangle {} would meet this pixel before the near plane (near/z would be {:.9g}, above 1): that part "
             "of it is cut away.",
-            grouped(c.triangle.value), c.depth);
+            withCommas(c.triangle.value), c.depth);
     if (c.fate == fates::kBackFace)
-        return fmt::format("Triangle {} shows its back here, and back faces are culled.", grouped(c.triangle.value));
+        return fmt::format("Triangle {} shows its back here, and back faces are culled.", withCommas(c.triangle.value));
     if (c.fate == fates::kBatchOutside)
         return who + " was never set up: the batch of triangles that holds it lies outside the view.";
     if (c.cover == Cover::Hole) return who + " has a hole at this pixel, so it does not cover it.";
@@ -87,7 +87,7 @@ std::string sentenceOf(const PixelCandidate& c, const PixelExplanation& pixel, c
         return fmt::format(
             "{} is filled by the winding of its outline, which does not go round this pixel's centre, although "
             "triangle {} covers it.",
-            who, grouped(c.triangle.value));
+            who, withCommas(c.triangle.value));
     return who + " covers this pixel by the definition, but this method fills it by another rule and left it out.";
 }
 
@@ -112,16 +112,16 @@ std::string sentenceOf(const PixelExplanation& e, const Pipeline& pipeline)
     std::ranges::sort(counts, {},
                       [](const auto& each) { return std::tuple(each.first.kind, each.first.place, each.first.word); });
     for (const auto& [fate, count] : counts)
-        text += fmt::format("{}{} {}", fate == counts.front().first ? "" : ", ", grouped(count), fate.countedAs);
+        text += fmt::format("{}{} {}", fate == counts.front().first ? "" : ", ", withCommas(count), fate.countedAs);
     return text + ".";
 }
 
 std::string sentenceOf(const TriangleExplanation& e, const Pipeline& pipeline)
 {
     const TriangleTally& t   = e.tally;
-    const std::string    who = "Triangle " + grouped(e.triangle.value);
+    const std::string    who = "Triangle " + withCommas(e.triangle.value);
     const std::string    seen =
-        e.drawnAs == e.triangle ? "" : fmt::format(", drawn as part of face {},", grouped(e.drawnAs.value));
+        e.drawnAs == e.triangle ? "" : fmt::format(", drawn as part of face {},", withCommas(e.drawnAs.value));
     if (t.covered == 0) {
         if (t.backFacing > 0)
             return fmt::format("{}{} shows its back at {}, and back faces are culled.", who, seen,
@@ -145,11 +145,11 @@ std::string sentenceOf(const TriangleExplanation& e, const Pipeline& pipeline)
                                  : "it is outside ids and depth, and blended where it is nearer than the opaque "
                                    "picture.");
     if (t.shown == t.covered && e.drawnAs == e.triangle) return covers + " and is seen at all of them.";
-    std::string text = covers + fmt::format(" and is seen at {} of them", grouped(t.shown));
+    std::string text = covers + fmt::format(" and is seen at {} of them", withCommas(t.shown));
     if (!e.takers.empty()) {
         const Taker& most = e.takers.front();
-        text += most.id < 0 ? fmt::format("; {} show the background", grouped(most.pixels))
-                            : fmt::format("; most of the others, {}, show {}", grouped(most.pixels),
+        text += most.id < 0 ? fmt::format("; {} show the background", withCommas(most.pixels))
+                            : fmt::format("; most of the others, {}, show {}", withCommas(most.pixels),
                                           nameOf(TriangleId{static_cast<std::uint32_t>(most.id)}, pipeline));
     }
     text += ".";

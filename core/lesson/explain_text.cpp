@@ -13,7 +13,8 @@ std::string stepsOf(const Event& event, const std::vector<Grain>& grains)
     std::string text;
     for (const Grain grain : grains) {
         if (grain < event.grain) continue;
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", wordOf(grain), grouped(event.moment.at(grain).value));
+        text +=
+            fmt::format("{}{} {}", text.empty() ? "" : ", ", wordOf(grain), withCommas(event.moment.at(grain).value));
     }
     return text;
 }
@@ -35,8 +36,8 @@ std::string explanationToText(const PixelExplanation& e)
 {
     std::string text = e.sentence + "\n";
     for (const PixelCandidate& c : e.candidates) {
-        text += fmt::format("  triangle {} (instance {}): {}\n", grouped(c.triangle.value), grouped(c.instance.value),
-                            wordOf(c.fate));
+        text += fmt::format("  triangle {} (instance {}): {}\n", withCommas(c.triangle.value),
+                            withCommas(c.instance.value), wordOf(c.fate));
         text += linesOf(c.events, e.grains);
         if (!c.decisive) text += "      " + c.sentence + "\n";
     }
@@ -47,16 +48,16 @@ std::string explanationToText(const TriangleExplanation& e)
 {
     const TriangleTally& t    = e.tally;
     std::string          text = e.sentence + "\n";
-    text += fmt::format("  instance {}, mesh '{}', material '{}', opacity {}, {}\n", grouped(e.instance.value), e.mesh,
-                        e.material, e.isTransparent ? e.opacityText : "1", wordOf(e.fate));
-    text += fmt::format("  pixels: {} covered, {} shown, {} tested, {} passed at the time\n", grouped(t.covered),
-                        grouped(t.shown), grouped(t.of("tested")), grouped(t.of("passed")));
+    text += fmt::format("  instance {}, mesh '{}', material '{}', opacity {}, {}\n", withCommas(e.instance.value),
+                        e.mesh, e.material, e.isTransparent ? e.opacityText : "1", wordOf(e.fate));
+    text += fmt::format("  pixels: {} covered, {} shown, {} tested, {} passed at the time\n", withCommas(t.covered),
+                        withCommas(t.shown), withCommas(t.of("tested")), withCommas(t.of("passed")));
     for (const Taker& taker : e.takers) {
         if (taker.id < 0)
             text += fmt::format("  {} show the background\n", counted(taker.pixels, "pixel", "pixels"));
         else
             text += fmt::format("  {} taken by triangle {}\n", counted(taker.pixels, "pixel", "pixels"),
-                                grouped(static_cast<std::uint64_t>(taker.id)));
+                                withCommas(static_cast<std::uint64_t>(taker.id)));
     }
     if (e.otherTakers > 0)
         text += fmt::format("  and by {}\n", counted(e.otherTakers, "more triangle", "more triangles"));

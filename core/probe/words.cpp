@@ -1,21 +1,16 @@
 #include "core/probe/words.h"
 
 #include <bit>
-#include <cstddef>
+
+#include "core/base/grouped.h"
 
 namespace zscope {
 
-std::string grouped(std::uint64_t value)
-{
-    std::string digits = std::to_string(value);
-    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), 1, ',');
-    return digits;
-}
+std::string withCommas(std::uint64_t value) { return grouped(value, ','); }
 
 std::string counted(std::uint64_t value, std::string_view one, std::string_view many)
 {
-    return grouped(value) + ' ' + std::string(value == 1 ? one : many);
+    return withCommas(value) + ' ' + std::string(value == 1 ? one : many);
 }
 
 std::uint64_t float32StepsBetween(float a, float b)

@@ -8,7 +8,7 @@
 namespace zscope {
 
 /// 1234567 as "1,234,567".
-std::string grouped(std::uint64_t value);
+std::string withCommas(std::uint64_t value);
 /// "1 edge", "1,234 edges".
 std::string counted(std::uint64_t value, std::string_view one, std::string_view many);
 /// Values of float32 between two depths of any sign; 0 if they are equal.

@@ -16,16 +16,16 @@ std::string changesOf(const EdgeChanges& changes, std::span<const Polygon> polyg
     std::string text;
     if (changes.entered == 1)
         text = fmt::format("an edge of {} {} enters, because this is its first line", telling.polygon(),
-                           grouped(polygons[changes.polygonEntered].id.value));
+                           withCommas(polygons[changes.polygonEntered].id.value));
     else if (changes.entered > 0)
-        text = fmt::format("{} edges enter on their first line", grouped(changes.entered));
+        text = fmt::format("{} edges enter on their first line", withCommas(changes.entered));
     if (changes.left == 0) return text;
     if (!text.empty()) text += "; ";
     if (changes.left == 1)
         return text
                + fmt::format("an edge of {} {} leaves: its last line was {}", telling.polygon(),
-                             grouped(polygons[changes.polygonLeft].id.value), changes.lastLine);
-    return text + fmt::format("{} edges leave: their last lines are past", grouped(changes.left));
+                             withCommas(polygons[changes.polygonLeft].id.value), changes.lastLine);
+    return text + fmt::format("{} edges leave: their last lines are past", withCommas(changes.left));
 }
 
 /// A polygon that the near plane has cut in two counts once.

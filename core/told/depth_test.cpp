@@ -32,7 +32,7 @@ std::string testOf(const PixelTested& p, const Telling& telling)
         return fmt::format(" (moved back from {:.7g} by its material's relief)", p.unmovedDepth);
     };
     const std::string who = fmt::format("Pixel ({}, {}): {} {}, depth {:.7g}{},", p.x, p.y, name,
-                                        grouped(p.triangle.value), p.depth, movedFrom());
+                                        withCommas(p.triangle.value), p.depth, movedFrom());
     if (p.discarded) return who + " lies in a hole of its material: the fragment does not exist";
     if (p.keep == Keep::DepthOnly)
         return who
@@ -44,7 +44,7 @@ std::string testOf(const PixelTested& p, const Telling& telling)
         return who + " is farther than the depth that the pre-pass kept and is hidden";
     if (p.rivalRank == 0 && p.won) return who + " takes it from the background";
     if (p.rivalRank == 0) return who + " lies beyond the far plane and is not kept";
-    const std::string rival = fmt::format("{} {}", name, grouped(p.rivalRank - 1));
+    const std::string rival = fmt::format("{} {}", name, withCommas(p.rivalRank - 1));
     if (p.depth == p.rivalDepth) {
         return who
                + (p.won ? fmt::format(" is as near as {} and takes it: on equal depth the lower id wins", rival)

@@ -79,7 +79,7 @@ std::string IntervalDecided::sentence(const Telling& telling) const
     const std::string where  = fmt::format("Line {}, {} between neighbouring edges: {}", y, pixels,
                                            counted(open.size(), "polygon is open", "polygons are open"));
     const std::string name(telling.polygon());
-    const std::string leader = winner ? fmt::format("{} {}", name, grouped(winner->id.value)) : name;
+    const std::string leader = winner ? fmt::format("{} {}", name, withCommas(winner->id.value)) : name;
     switch (reason) {
         case IntervalReason::Alone:
             return where + fmt::format(", {}, so all of it is its own without a test.", leader);

@@ -11,7 +11,7 @@ namespace zscope {
 
 std::string TriangleFinished::sentence(const Telling& telling) const
 {
-    return fmt::format("Triangle {} is drawn: it is nearest so far at {}.", grouped(triangle.value),
+    return fmt::format("Triangle {} is drawn: it is nearest so far at {}.", withCommas(triangle.value),
                        counted(telling.pixelsWon(), "pixel", "pixels"));
 }
 
@@ -21,9 +21,9 @@ std::string SpanFilled::sentence(const Telling& telling) const
     if (isInterval)
         return fmt::format(
             "Between two neighbouring edges {} {} is the nearest that is open: {} of line {} {} its own.",
-            telling.polygon(), grouped(triangle.value), pixels, y, x1 - x0 == 1 ? "is" : "are");
+            telling.polygon(), withCommas(triangle.value), pixels, y, x1 - x0 == 1 ? "is" : "are");
     return fmt::format("{} {} covers {} of its line: those whose centres lie between its left and right edge.",
-                       capital(std::string(telling.polygon())), grouped(triangle.value), pixels);
+                       capital(std::string(telling.polygon())), withCommas(triangle.value), pixels);
 }
 
 std::string NodeRecalled::sentence(const Telling&) const

@@ -11,7 +11,7 @@ std::string nameInWords(const NodePlace& place)
 {
     const std::string path = pathOf(place.node);
     return place.isInstanceTree ? fmt::format("node {} of the instances", path)
-                                : fmt::format("node {} of instance {}", path, grouped(place.instance.value));
+                                : fmt::format("node {} of instance {}", path, withCommas(place.instance.value));
 }
 
 namespace {
@@ -114,7 +114,7 @@ std::string NodeJudged::sentence(const Telling&) const
 std::string PyramidAsked::sentence(const Telling&) const
 {
     const PyramidQuery& q     = query;
-    const std::string   who   = node ? nameInWords(*node) : fmt::format("triangle {}", grouped(triangle.value));
+    const std::string   who   = node ? nameInWords(*node) : fmt::format("triangle {}", withCommas(triangle.value));
     const std::string   asked = fmt::format(
           "Is {} hidden? It reaches {} x {} pixels and is at most {:.7g} near; level {} of the pyramid holds {:.7g} as "
             "the farthest there:",
@@ -164,7 +164,7 @@ std::string TileTested::sentence(const Telling& telling) const
 {
     const std::string who = fmt::format(
         "Tile ({}, {}) to ({}, {}): triangle {} could be as near as {:.7g} here, and the farthest depth in the tile",
-        box.x0, box.y0, box.x1 - 1, box.y1 - 1, grouped(triangle.value), nearest);
+        box.x0, box.y0, box.x1 - 1, box.y1 - 1, withCommas(triangle.value), nearest);
     const std::string stored =
         farthest > telling.background() ? fmt::format(" is {:.7g}: ", farthest) : std::string(" is the background's: ");
     return who + stored
