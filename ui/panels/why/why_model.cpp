@@ -10,7 +10,7 @@
 namespace zscope::ui {
 namespace {
 
-struct Words {
+struct WhyWords {
     Q_DECLARE_TR_FUNCTIONS(Why)
 };
 
@@ -22,41 +22,41 @@ QString nameOf(PixelFate fate)
 {
     switch (fate) {
         case PixelFate::Winner:
-            return Words::tr("seen");
+            return WhyWords::tr("seen");
         case PixelFate::Overwritten:
-            return Words::tr("overwritten");
+            return WhyWords::tr("overwritten");
         case PixelFate::Farther:
-            return Words::tr("farther");
+            return WhyWords::tr("farther");
         case PixelFate::LostTie:
-            return Words::tr("lost a tie");
+            return WhyWords::tr("lost a tie");
         case PixelFate::IntervalLost:
-            return Words::tr("interval lost");
+            return WhyWords::tr("interval lost");
         case PixelFate::Hole:
-            return Words::tr("in a hole");
+            return WhyWords::tr("in a hole");
         case PixelFate::BeyondFar:
-            return Words::tr("beyond far");
+            return WhyWords::tr("beyond far");
         case PixelFate::TileRejected:
-            return Words::tr("tile rejected");
+            return WhyWords::tr("tile rejected");
         case PixelFate::TriangleHidden:
-            return Words::tr("hidden");
+            return WhyWords::tr("hidden");
         case PixelFate::NodeHidden:
-            return Words::tr("node hidden");
+            return WhyWords::tr("node hidden");
         case PixelFate::NodeOutside:
-            return Words::tr("node outside");
+            return WhyWords::tr("node outside");
         case PixelFate::NodeSmall:
-            return Words::tr("node too small");
+            return WhyWords::tr("node too small");
         case PixelFate::BatchOutside:
-            return Words::tr("outside");
+            return WhyWords::tr("outside");
         case PixelFate::BackFace:
-            return Words::tr("back face");
+            return WhyWords::tr("back face");
         case PixelFate::NearClip:
-            return Words::tr("before near");
+            return WhyWords::tr("before near");
         case PixelFate::NotFilled:
-            return Words::tr("not filled");
+            return WhyWords::tr("not filled");
         case PixelFate::Blended:
-            return Words::tr("blended");
+            return WhyWords::tr("blended");
         case PixelFate::BehindOpaque:
-            return Words::tr("behind opaque");
+            return WhyWords::tr("behind opaque");
     }
     return {};
 }
@@ -65,35 +65,35 @@ QString nameOf(Happening happening)
 {
     switch (happening) {
         case Happening::SetUp:
-            return Words::tr("set up");
+            return WhyWords::tr("set up");
         case Happening::NodeOutside:
-            return Words::tr("its node lies outside");
+            return WhyWords::tr("its node lies outside");
         case Happening::NodeHidden:
-            return Words::tr("its node is hidden");
+            return WhyWords::tr("its node is hidden");
         case Happening::NodeSmall:
-            return Words::tr("its node is too small");
+            return WhyWords::tr("its node is too small");
         case Happening::NodeEntered:
-            return Words::tr("its node is entered");
+            return WhyWords::tr("its node is entered");
         case Happening::NodeRecalled:
-            return Words::tr("its node is recalled");
+            return WhyWords::tr("its node is recalled");
         case Happening::TriangleHidden:
-            return Words::tr("hidden by the pyramid");
+            return WhyWords::tr("hidden by the pyramid");
         case Happening::TrianglePassed:
-            return Words::tr("passed the pyramid");
+            return WhyWords::tr("passed the pyramid");
         case Happening::TileRejected:
-            return Words::tr("rejected with the tile");
+            return WhyWords::tr("rejected with the tile");
         case Happening::Discarded:
-            return Words::tr("in a hole of its material");
+            return WhyWords::tr("in a hole of its material");
         case Happening::Won:
-            return Words::tr("won the depth test");
+            return WhyWords::tr("won the depth test");
         case Happening::Lost:
-            return Words::tr("lost the depth test");
+            return WhyWords::tr("lost the depth test");
         case Happening::Overtaken:
-            return Words::tr("overtaken");
+            return WhyWords::tr("overtaken");
         case Happening::IntervalWon:
-            return Words::tr("won the interval");
+            return WhyWords::tr("won the interval");
         case Happening::IntervalLost:
-            return Words::tr("lost the interval");
+            return WhyWords::tr("lost the interval");
     }
     return {};
 }
