@@ -14,11 +14,9 @@ source scripts/packages.sh
 require_packages "${packages_to_build[@]}" "${packages_for_the_window[@]}" "${packages_to_test[@]}"
 
 if [[ "${1:-}" == core ]]; then
-    build_preset debug-asan-ubsan \
-        io_test scene_test core_polygons core_obj core_geometry core_frame_parts core_hierarchy renderer_test experiment_test obj_mutation_test \
-        hard_a_test hard_b_test hard_c_test hard_d_test hard_g_test cutout_test relief_test moment_test transparency_test tile_plane_test \
-        replay_test sweep_state_test structure_steps_test pixel_changes_test
-    long='OnTheSharedModels|AgreementOnGenerated|InSoups|OnSoups|Faults|Approximations|AgreementInside|HardE|HardF|FalseCulls|ExplainsAThousandPixels'
+    build_preset debug-asan-ubsan core_tests agreement_tests replay_tests obj_mutation_test
+    long='OnTheSharedModels|AgreementOnGenerated|InSoups|OnSoups|Faults|Approximations|AgreementInside|HardE|HardF|FalseCulls'
+    long+='|ExplainsAThousandPixels|OnePicture|Tally|Mirrored|Coherence|Plain'
     run_tests debug-asan-ubsan -E "NOT_BUILT|$long"
     exit
 fi
@@ -33,10 +31,10 @@ run_tests tsan -E 'OnTheSharedModels|AFileThatMayNotGrow'
 # The window, closed in the middle of whatever it does: its own code under both. What Qt keeps to the end is no leak of ours: the
 # presets say so.
 for preset in window-tsan window-asan; do
-    build_preset "$preset" closing_test
+    build_preset "$preset" ui_tests
     run_tests "$preset" -R '^ui\.closing_test$'
 done
 
 # Kernels compiled for one lane only: the same pictures and the same steps.
-build_preset scalar agreement_test replay_test sweep_state_test
+build_preset scalar agreement_tests replay_tests
 run_tests scalar -R 'Agreement|Replay|SweepState' -E 'NOT_BUILT|OnTheSharedModels'

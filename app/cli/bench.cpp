@@ -27,10 +27,9 @@ struct BenchOptions {
     bool noVerify = false, noShade = false, noCount = false, peers = false;
 };
 
-constexpr std::int64_t kMaxFrames     = 1'000'000;
-constexpr double       kMaxSeconds    = 3'600;
-constexpr std::int64_t kMaxSamples    = 100'000'000;
-constexpr std::size_t  kWarningsShown = 0;  // 'info' is the place for them; here they would part the table
+constexpr double       kMaxSeconds       = 3'600;
+constexpr std::int64_t kMaxSampledPixels = 100'000'000;
+constexpr std::size_t  kWarningsInTables = 0;  // 'info' is the place for them; here they would part the table
 
 /// The suite that was asked for, or nullptr.
 Result<const Suite*> suiteOf(const BenchOptions& options)
@@ -165,7 +164,7 @@ Result<std::optional<std::uint64_t>> samplesOf(const BenchOptions& options)
     if (!options.sample) return std::optional<std::uint64_t>();
     if (options.noVerify)
         return Error{Trouble::Usage, "--sample says how much is checked, and --no-verify that nothing is"};
-    const auto samples = wholeNumber(*options.sample, "--sample", 1, kMaxSamples);
+    const auto samples = wholeNumber(*options.sample, "--sample", 1, kMaxSampledPixels);
     if (!samples) return samples.error();
     return std::optional(static_cast<std::uint64_t>(*samples));
 }
@@ -210,7 +209,8 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
         for (std::size_t i = 0; i < scenes->size(); ++i) {
             const BenchScene& each = (*scenes)[i];
             request->load          = {};
-            const auto scene = cli::loadScene(each.word, session, request->memoryLimit, kWarningsShown, &request->load);
+            const auto scene =
+                cli::loadScene(each.word, session, request->memoryLimit, kWarningsInTables, &request->load);
             if (!scene) return scene.error();
             if (const auto checked = checkOutputs(outputs, (*scene)->files); !checked) return checked.error();
             const auto view = each.viewOf(**scene, *words);

@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/options.h"
 #include "app/cli/project_file.h"
 #include "core/io/read_file.h"
 #include "core/measure/experiment.h"
 
 namespace zscope::cli {
 namespace {
-
-constexpr std::uint64_t kMaxCameraFile = 1 << 20;  // bytes; ten numbers need a few hundred
 
 Result<Done> readCamera(std::string_view file, BenchScene& scene)
 {

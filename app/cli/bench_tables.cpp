@@ -10,8 +10,6 @@
 namespace zscope::cli {
 namespace {
 
-std::string ms(double value) { return fmt::format("{:.3f}", value); }
-
 double msOf(const BenchRow& row, Stage stage) { return row.stageMs[static_cast<std::size_t>(stage)]; }
 
 std::uint64_t counted(const BenchRow& row, std::string_view name)

@@ -22,8 +22,6 @@ struct CompareOptions {
     bool                       requireEqual = false;
 };
 
-constexpr std::int64_t kMaxFrames = 1'000'000;
-
 bool isPdf(const std::string& path) { return endingOf(path) == ".pdf"; }
 
 /// Everything of the request that does not depend on the scene.

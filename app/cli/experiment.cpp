@@ -31,14 +31,14 @@ Error at(const std::string& file, int line, const Error& error)
 
 /// Algorithms, files, names of scenes and their views of all parts are looked up before anything is measured: a
 /// misspelt one must not cost an hour.
-struct PreparedScene {
+struct ReadyScene {
     BenchScene                  scene;
     std::vector<BenchAlgorithm> algorithms;  // as those of the part, with the scene's choices
     ViewWords                   view;
 };
 struct PreparedPart {
-    std::vector<PreparedScene> scenes;  // as those of the part
-    std::optional<NamedPath>   path;
+    std::vector<ReadyScene>  scenes;  // as those of the part
+    std::optional<NamedPath> path;
 };
 
 std::optional<Error> whyNotThere(const BenchScene& scene)
@@ -159,7 +159,7 @@ private:
         std::vector<std::string> inputs;
         for (const PreparedPart& part : m_parts) {
             if (part.path) inputs.push_back(part.path->file);
-            for (const PreparedScene& each : part.scenes)
+            for (const ReadyScene& each : part.scenes)
                 inputs.insert(inputs.end(), {each.scene.word, each.scene.cameraFile});
         }
         return checkOutputs(outputs(), inputs);
@@ -171,7 +171,7 @@ private:
         if (m_experiment.baseline.empty()) return Done{};
         std::vector<std::string> drawn;
         for (const PreparedPart& part : m_parts)
-            for (const PreparedScene& scene : part.scenes)
+            for (const ReadyScene& scene : part.scenes)
                 for (const BenchAlgorithm& each : scene.algorithms)
                     if (std::ranges::find(drawn, each.name) == drawn.end()) drawn.push_back(each.name);
         if (std::ranges::find(drawn, m_experiment.baseline) != drawn.end()) return Done{};
@@ -211,7 +211,7 @@ private:
     {
         return static_cast<std::size_t>(each.scene - each.part->scenes.data());
     }
-    const PreparedScene& preparedOf(const ExperimentCase& each) const { return partOf(each).scenes[numberOf(each)]; }
+    const ReadyScene& preparedOf(const ExperimentCase& each) const { return partOf(each).scenes[numberOf(each)]; }
 
     Result<std::shared_ptr<const Scene>> load(const ExperimentCase& each, LoadTimes* times = nullptr) const
     {
@@ -241,9 +241,9 @@ private:
 
     Result<Done> measure(const ExperimentCase& each)
     {
-        const PreparedPart&  prepared = partOf(each);
-        const PreparedScene& asked    = preparedOf(each);
-        const BenchScene&    named    = asked.scene;
+        const PreparedPart& prepared = partOf(each);
+        const ReadyScene&   asked    = preparedOf(each);
+        const BenchScene&   named    = asked.scene;
 
         LoadTimes  times;
         const auto scene = load(each, &times);

@@ -17,18 +17,16 @@ struct ExplainOptions {
     bool                       json = false;
 };
 
-struct Asked {
+struct AskedAbout {
     std::optional<PixelPosition> pixel;
     std::optional<TriangleId>    triangle;
 };
 
-Error usage(std::string sentence) { return {Trouble::Usage, std::move(sentence)}; }
-
-Result<Asked> askedBy(const ExplainOptions& options)
+Result<AskedAbout> askedBy(const ExplainOptions& options)
 {
     if (options.pixel.has_value() == options.triangle.has_value())
         return usage("say either --pixel X,Y or --triangle ID");
-    Asked asked;
+    AskedAbout asked;
     if (options.triangle) {
         const auto id = wholeNumber(*options.triangle, "--triangle", 0, static_cast<std::int64_t>(kMaxTriangles));
         if (!id) return id.error();
@@ -54,7 +52,7 @@ Exit shown(const Explanation& explanation, bool json, Session& session)
 
 Result<Exit> explain(const ExplainOptions& options, Session& session)
 {
-    const Result<Asked> asked = askedBy(options);
+    const Result<AskedAbout> asked = askedBy(options);
     if (!asked) return asked.error();
     const Result<ViewWords> words = options.view.read();
     if (!words) return words.error();

@@ -19,6 +19,11 @@
 
 namespace zscope::cli {
 
+inline constexpr std::int64_t  kMaxFrames     = 1'000'000;
+inline constexpr std::uint64_t kMaxCameraFile = 1 << 20;  // bytes; ten numbers need a few hundred
+
+inline Error usage(std::string sentence) { return {Trouble::Usage, std::move(sentence)}; }
+
 /// A scene as a subcommand needs it.
 struct LoadedScene {
     std::shared_ptr<const Scene>         scene;

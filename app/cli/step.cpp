@@ -23,16 +23,14 @@ struct StepOptions {
 };
 
 /// What is asked of the steps: their number, or one of them.
-struct Asked {
+struct AskedStep {
     Grain                    grain = Grain::Frame;
     std::optional<StepIndex> at;  // nothing: how many there are
 };
 
-Error usage(std::string sentence) { return {Trouble::Usage, std::move(sentence)}; }
-
-Result<Asked> askedBy(const StepOptions& options)
+Result<AskedStep> askedBy(const StepOptions& options)
 {
-    Asked asked;
+    AskedStep asked;
     if (!options.grain) return usage("--grain is missing: see 'zscope-cli list grains'");
     const std::optional<Grain> grain = grainOf(*options.grain);
     if (!grain) {
@@ -54,7 +52,7 @@ Result<Asked> askedBy(const StepOptions& options)
 
 Result<Exit> step(const StepOptions& options, Session& session)
 {
-    const Result<Asked> asked = askedBy(options);
+    const Result<AskedStep> asked = askedBy(options);
     if (!asked) return asked.error();
     const Result<ViewWords> words = options.view.read();
     if (!words) return words.error();

@@ -100,6 +100,8 @@ std::string Table::text(std::size_t width) const
     return text;
 }
 
+std::string ms(double value) { return fmt::format("{:.3f}", value); }
+
 std::size_t outputWidth()
 {
     constexpr std::size_t kUnknown = 100;

@@ -34,6 +34,9 @@ private:
     std::vector<std::vector<std::string>> m_rows;
 };
 
+/// Milliseconds in a cell: "1.234".
+std::string ms(double value);
+
 /// The columns of the terminal that standard output goes to, else those that the variable COLUMNS says, else 100.
 std::size_t outputWidth();
 

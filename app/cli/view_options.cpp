@@ -5,11 +5,7 @@
 #include "core/io/read_file.h"
 
 namespace zscope::cli {
-namespace {
-
-constexpr std::uint64_t kMaxCameraFile = 1 << 20;  // bytes; ten numbers need a few hundred
-
-}  // namespace
+namespace {}  // namespace
 
 void ViewOptions::add(CLI::App& parser)
 {

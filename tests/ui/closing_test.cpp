@@ -11,6 +11,7 @@
 #include <QPushButton>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/measure/measure_panel.h"
 #include "ui/predict/predictions.h"
 #include "ui/session/course.h"
@@ -194,13 +195,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    ClosingTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(ClosingTest, "closing_test", Window)
 #include "closing_test.moc"

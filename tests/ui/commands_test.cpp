@@ -14,6 +14,7 @@
 #include <QTextBrowser>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/window/actions.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/fuzzy.h"
@@ -215,13 +216,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    CommandsTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(CommandsTest, "commands_test", Window)
 #include "commands_test.moc"

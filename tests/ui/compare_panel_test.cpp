@@ -7,6 +7,7 @@
 #include <QSpinBox>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/compare/compare_panel.h"
 #include "ui/panels/compare/compare_words.h"
 #include "ui/session/engine.h"
@@ -303,13 +304,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    CompareTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(CompareTest, "compare_panel_test", Window)
 #include "compare_panel_test.moc"

@@ -5,6 +5,7 @@
 #include <QToolButton>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/text/phrase_book.h"
 #include "ui/window/message_bar.h"
 
@@ -154,5 +155,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(EmptyPictureTest)
+ZSCOPE_UI_TEST(EmptyPictureTest, "empty_picture_test", Window)
 #include "empty_picture_test.moc"

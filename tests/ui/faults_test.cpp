@@ -8,6 +8,7 @@
 #include "core/frame/faults.h"
 #include "core/lesson/difference.h"
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/faults/faults_model.h"
 #include "ui/panels/faults/faults_panel.h"
 
@@ -114,13 +115,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    FaultsTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(FaultsTest, "faults_test", Window)
 #include "faults_test.moc"

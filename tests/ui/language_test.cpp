@@ -16,6 +16,7 @@
 
 #include "core/frame/faults.h"
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/why/why_panel.h"
 #include "ui/window/actions.h"
 #include "ui/window/cheat_sheet.h"
@@ -220,5 +221,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(LanguageTest)
+ZSCOPE_UI_TEST(LanguageTest, "language_test", Window)
 #include "language_test.moc"

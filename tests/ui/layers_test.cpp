@@ -6,6 +6,7 @@
 
 #include "core/lesson/colour_maps.h"
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/session/engine.h"
 #include "ui/view/range_bar.h"
 
@@ -135,13 +136,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    LayersTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(LayersTest, "layers_test", Window)
 #include "layers_test.moc"

@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/lessons/lessons_panel.h"
 #include "ui/session/course.h"
 #include "ui/window/message_bar.h"
@@ -425,5 +426,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(LessonsTest)
+ZSCOPE_UI_TEST(LessonsTest, "lessons_test", Window)
 #include "lessons_test.moc"

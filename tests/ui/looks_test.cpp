@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/hierarchy/depth_chart.h"
 #include "ui/panels/timeline/step_track.h"
 #include "ui/text/grains.h"
@@ -206,13 +207,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    LooksTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(LooksTest, "looks_test", Window)
 #include "looks_test.moc"

@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/session/picture_name.h"
 #include "ui/view/overlay.h"
 
@@ -173,5 +174,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(MarksTest)
+ZSCOPE_UI_TEST(MarksTest, "marks_test", Window)
 #include "marks_test.moc"

@@ -23,6 +23,7 @@
 
 #include "core/scene/camera_path.h"
 #include "tests/ui/measuring_desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/charts/speed_error_chart.h"
 #include "ui/panels/measure/measure_panel.h"
 #include "ui/panels/measure/runs_model.h"
@@ -550,13 +551,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    MeasureTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(MeasureTest, "measure_test", Window)
 #include "measure_test.moc"

@@ -17,6 +17,7 @@
 #include <QTreeView>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/hierarchy/hierarchy_panel.h"
 #include "ui/panels/hierarchy/node_model.h"
 #include "ui/panels/observer/observer_panel.h"
@@ -553,13 +554,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    PanelsTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(PanelsTest, "panels_test", Window)
 #include "panels_test.moc"

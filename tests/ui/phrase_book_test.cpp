@@ -18,6 +18,7 @@
 #include "core/lesson/layers.h"
 #include "core/lesson/replay.h"
 #include "core/scene/load.h"
+#include "tests/ui/ui_test.h"
 #include "ui/text/language.h"
 #include "ui/text/phrase_book.h"
 
@@ -307,5 +308,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PhraseBookTest)
+ZSCOPE_UI_TEST(PhraseBookTest, "phrase_book_test", Events)
 #include "phrase_book_test.moc"

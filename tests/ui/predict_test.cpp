@@ -9,6 +9,7 @@
 #include <QTableView>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/active_edges/edge_table_model.h"
 #include "ui/panels/panel.h"
 #include "ui/predict/predict_bar.h"
@@ -361,5 +362,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(PredictTest)
+ZSCOPE_UI_TEST(PredictTest, "predict_test", Window)
 #include "predict_test.moc"

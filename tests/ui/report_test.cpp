@@ -11,6 +11,7 @@
 
 #include "core/io/file_writer.h"
 #include "core/measure/record.h"
+#include "tests/ui/ui_test.h"
 #include "ui/report/report.h"
 #include "ui/report/report_charts.h"
 
@@ -159,5 +160,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(ReportTest)
+ZSCOPE_UI_TEST(ReportTest, "report_test", Window)
 #include "report_test.moc"

@@ -11,6 +11,7 @@
 
 #include "core/frame/faults.h"
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/registry.h"
 #include "ui/session/session_file.h"
 #include "ui/view/frame_view.h"
@@ -343,13 +344,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    SessionFileTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(SessionFileTest, "session_file_test", Window)
 #include "session_file_test.moc"

@@ -13,6 +13,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "tests/ui/ui_test.h"
 #include "ui/panels/active_edges/edge_table_model.h"
 #include "ui/panels/active_edges/line_strip.h"
 #include "ui/panels/depth_test/depth_test_panel.h"
@@ -450,5 +451,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SessionTest)
+ZSCOPE_UI_TEST(SessionTest, "session_test", Events)
 #include "session_test.moc"

@@ -13,6 +13,7 @@
 #include "core/measure/compare.h"
 #include "core/measure/comparison_sheet.h"
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/sheet/sheet_maker.h"
 #include "ui/text/numbers.h"
 
@@ -151,13 +152,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    SheetTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(SheetTest, "sheet_test", Window)
 #include "sheet_test.moc"

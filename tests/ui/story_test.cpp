@@ -18,6 +18,7 @@
 #include <QTreeView>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/timeline/step_track.h"
 #include "ui/panels/why/why_panel.h"
 #include "ui/session/course.h"
@@ -297,5 +298,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(StoryTest)
+ZSCOPE_UI_TEST(StoryTest, "story_test", Window)
 #include "story_test.moc"

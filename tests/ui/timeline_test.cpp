@@ -11,6 +11,7 @@
 
 #include "core/lesson/pixel_changes.h"
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/marks/marks_model.h"
 #include "ui/panels/timeline/step_track.h"
 #include "ui/panels/timeline/timeline_panel.h"
@@ -250,13 +251,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    TimelineTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(TimelineTest, "timeline_test", Window)
 #include "timeline_test.moc"

@@ -18,6 +18,7 @@
 #include "core/measure/record.h"
 #include "core/scene/load.h"
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/session/course.h"
 #include "ui/session/session_file.h"
 #include "ui/text/phrase_book.h"
@@ -575,5 +576,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TroubleTest)
+ZSCOPE_UI_TEST(TroubleTest, "trouble_test", Window)
 #include "trouble_test.moc"

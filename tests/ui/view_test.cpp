@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include "tests/ui/ui_test.h"
 #include "ui/camera/camera_control.h"
 #include "ui/panels/active_edges/bucket_chart.h"
 #include "ui/panels/timeline/step_track.h"
@@ -240,5 +241,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ViewTest)
+ZSCOPE_UI_TEST(ViewTest, "view_test", Events)
 #include "view_test.moc"

@@ -9,6 +9,7 @@
 #include <QTreeView>
 
 #include "tests/ui/desk.h"
+#include "tests/ui/ui_test.h"
 #include "ui/panels/why/why_model.h"
 #include "ui/panels/why/why_panel.h"
 
@@ -263,13 +264,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    WhyTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(WhyTest, "why_test", Window)
 #include "why_test.moc"

@@ -16,6 +16,7 @@
 #include <QTest>
 #include <QToolBar>
 
+#include "tests/ui/ui_test.h"
 #include "ui/panels/registry.h"
 #include "ui/session/engine.h"
 #include "ui/view/frame_view.h"
@@ -453,13 +454,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle("Fusion");
-    WindowTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+ZSCOPE_UI_TEST(WindowTest, "window_test", Window)
 #include "window_test.moc"

@@ -12,11 +12,11 @@
 namespace zscope::ui {
 namespace {
 
-struct Words {
+struct SpeedErrorWords {
     Q_DECLARE_TR_FUNCTIONS(SpeedError)
 };
 
-QString timeText(double ms) { return Words::tr("%1 ms").arg(decimal(ms, 3)); }
+QString timeText(double ms) { return SpeedErrorWords::tr("%1 ms").arg(decimal(ms, 3)); }
 
 }  // namespace
 
@@ -56,15 +56,15 @@ QString nameOf(RunMark mark)
 {
     switch (mark) {
         case RunMark::Exact:
-            return Words::tr("exact");
+            return SpeedErrorWords::tr("exact");
         case RunMark::ByFace:
-            return Words::tr("exact by face");
+            return SpeedErrorWords::tr("exact by face");
         case RunMark::Approximate:
-            return Words::tr("approximate");
+            return SpeedErrorWords::tr("approximate");
         case RunMark::Broken:
-            return Words::tr("wrong");
+            return SpeedErrorWords::tr("wrong");
         case RunMark::Unchecked:
-            return Words::tr("unchecked");
+            return SpeedErrorWords::tr("unchecked");
     }
     return {};
 }
@@ -97,10 +97,11 @@ double errorOf(const BenchRow& row, ErrorMeasure measure)
 QString errorText(double error, ErrorMeasure measure)
 {
     if (measure == ErrorMeasure::WrongPixels)
-        return error <= 0 ? Words::tr("no wrong pixel")
-                          : counted(static_cast<std::uint64_t>(error), Words::tr("1 wrong pixel"),
-                                    Words::tr("%1 wrong pixels"));
-    return error <= 0 ? Words::tr("no depth is off") : Words::tr("depth off by up to %1").arg(significant(error, 3));
+        return error <= 0 ? SpeedErrorWords::tr("no wrong pixel")
+                          : counted(static_cast<std::uint64_t>(error), SpeedErrorWords::tr("1 wrong pixel"),
+                                    SpeedErrorWords::tr("%1 wrong pixels"));
+    return error <= 0 ? SpeedErrorWords::tr("no depth is off")
+                      : SpeedErrorWords::tr("depth off by up to %1").arg(significant(error, 3));
 }
 
 std::vector<std::size_t> worthChoosing(const std::vector<SpeedErrorPoint>& points)
@@ -119,34 +120,37 @@ std::vector<std::size_t> worthChoosing(const std::vector<SpeedErrorPoint>& point
 
 QString sentenceOf(const std::vector<SpeedErrorPoint>& points, ErrorMeasure measure)
 {
-    if (points.empty()) return Words::tr("No run of this view has been checked against the reference.");
-    QString                said    = counted(points.size(), Words::tr("One run."), Words::tr("%1 runs."));
+    if (points.empty()) return SpeedErrorWords::tr("No run of this view has been checked against the reference.");
+    QString said = counted(points.size(), SpeedErrorWords::tr("One run."), SpeedErrorWords::tr("%1 runs."));
     const SpeedErrorPoint* fastest = nullptr;
     for (const SpeedErrorPoint& point : points)
         if (point.mark != RunMark::Broken && point.error <= 0 && (!fastest || point.ms < fastest->ms)) fastest = &point;
     said += ' '
-            + (fastest ? Words::tr("The fastest without error is %1, at %2.").arg(fastest->name, timeText(fastest->ms))
-                       : Words::tr("None is without error."));
+            + (fastest ? SpeedErrorWords::tr("The fastest without error is %1, at %2.")
+                             .arg(fastest->name, timeText(fastest->ms))
+                       : SpeedErrorWords::tr("None is without error."));
     QStringList beyond;
     for (const std::size_t i : worthChoosing(points))
         if (points[i].error > 0)
-            beyond << Words::tr("%1 (%2, %3)")
+            beyond << SpeedErrorWords::tr("%1 (%2, %3)")
                           .arg(points[i].name, timeText(points[i].ms), errorText(points[i].error, measure));
     if (!beyond.isEmpty())
-        said += ' ' + Words::tr("Faster at the price of an error: %1.").arg(beyond.join(Words::tr(", ")));
+        said +=
+            ' '
+            + SpeedErrorWords::tr("Faster at the price of an error: %1.").arg(beyond.join(SpeedErrorWords::tr(", ")));
     else if (fastest)
-        said += ' ' + Words::tr("No error buys more speed.");
+        said += ' ' + SpeedErrorWords::tr("No error buys more speed.");
     const auto broken = static_cast<std::uint64_t>(std::ranges::count(points, RunMark::Broken, &SpeedErrorPoint::mark));
     if (broken > 0)
         said += ' '
-                + counted(broken, Words::tr("1 is wrong although it promised to be exact."),
-                          Words::tr("%1 are wrong although they promised to be exact."));
+                + counted(broken, SpeedErrorWords::tr("1 is wrong although it promised to be exact."),
+                          SpeedErrorWords::tr("%1 are wrong although they promised to be exact."));
     return said;
 }
 
 QString sentenceOf(const SpeedErrorPoint& point, ErrorMeasure measure)
 {
-    return Words::tr("%1, %2: %3, half of the frames between %4 and %5; %6.")
+    return SpeedErrorWords::tr("%1, %2: %3, half of the frames between %4 and %5; %6.")
         .arg(point.name, nameOf(point.mark), timeText(point.ms), decimal(point.q1, 3), timeText(point.q3),
              errorText(point.error, measure));
 }

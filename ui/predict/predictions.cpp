@@ -8,11 +8,10 @@
 
 #include "ui/session/session.h"
 #include "ui/text/phrase_book.h"
+#include "ui/text/utf8_text.h"
 
 namespace zscope::ui {
 namespace {
-
-QString fromWord(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())); }
 
 bool isSameMoment(const ShownStep& a, const ShownStep& b)
 {
@@ -121,7 +120,7 @@ void Predictions::keep(Topic topic, const ShownStep& step, std::optional<double>
                      .topic     = topic,
                      .scene     = m_session.now().scene->word,
                      .algorithm = QString::fromStdString(step.state.algorithm),
-                     .grain     = fromWord(wordOf(step.state.grain)),
+                     .grain     = utf8Text(wordOf(step.state.grain)),
                      .step      = step.state.step.value + 1,
                      .riddle    = riddle,
                      .given     = given,

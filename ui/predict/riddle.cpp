@@ -11,7 +11,7 @@
 namespace zscope::ui {
 namespace {
 
-struct Words {
+struct PredictWords {
     Q_DECLARE_TR_FUNCTIONS(Predict)
 };
 
@@ -53,8 +53,9 @@ std::optional<Riddle> edgesRiddle(const StepState& before, const StepState& afte
 
 QString nodeText(const Riddle& riddle)
 {
-    return riddle.instance ? Words::tr("Node %1 of instance %2").arg(riddle.about, grouped(riddle.instance->value))
-                           : Words::tr("Node %1").arg(riddle.about);
+    return riddle.instance
+               ? PredictWords::tr("Node %1 of instance %2").arg(riddle.about, grouped(riddle.instance->value))
+               : PredictWords::tr("Node %1").arg(riddle.about);
 }
 
 void name(const NodeRow& node, Riddle& riddle)
@@ -143,11 +144,11 @@ QString titleOf(Topic topic)
 {
     switch (topic) {
         case Topic::Edges:
-            return Words::tr("active edges");
+            return PredictWords::tr("active edges");
         case Topic::Pyramid:
-            return Words::tr("pyramid");
+            return PredictWords::tr("pyramid");
         case Topic::Nodes:
-            return Words::tr("hierarchy");
+            return PredictWords::tr("hierarchy");
     }
     return {};
 }
@@ -158,18 +159,19 @@ QString askText(const Riddle& riddle)
     const QString line = grouped(static_cast<unsigned>(riddle.line));
     switch (riddle.ask) {
         case Ask::EdgesEnter:
-            return Words::tr("Line %1 comes next. How many edges enter?").arg(line);
+            return PredictWords::tr("Line %1 comes next. How many edges enter?").arg(line);
         case Ask::EdgesLeave:
-            return Words::tr("Line %1 comes next. How many edges leave?").arg(line);
+            return PredictWords::tr("Line %1 comes next. How many edges leave?").arg(line);
         case Ask::EdgeX:
-            return Words::tr(
+            return PredictWords::tr(
                        "Line %1 comes next. The edge of polygon %2 is at x = %3 and moves by dx = %4. Where will it "
                        "be? (to 0.1 pixel)")
                 .arg(line, grouped(riddle.edge.polygon.value), decimal(riddle.edge.x, 2),
                      signedDecimal(static_cast<double>(riddle.edge.dx[0]) / static_cast<double>(riddle.edge.dx[1]), 4));
         case Ask::QueryVerdict: {
-            const QString who = riddle.isTriangle ? Words::tr("Triangle %1").arg(riddle.about) : nodeText(riddle);
-            return Words::tr(
+            const QString who =
+                riddle.isTriangle ? PredictWords::tr("Triangle %1").arg(riddle.about) : nodeText(riddle);
+            return PredictWords::tr(
                        "%1 covers the pixels %2 to %3 across and %4 to %5 down, and is at nearest D = %6. What does "
                        "the pyramid answer?")
                 .arg(who)
@@ -180,14 +182,14 @@ QString askText(const Riddle& riddle)
                 .arg(depthText(riddle.query->nearest));
         }
         case Ask::CellChanges:
-            return Words::tr("Cell %1 of level %2 is computed anew; it held %3. What comes of it?")
+            return PredictWords::tr("Cell %1 of level %2 is computed anew; it held %3. What comes of it?")
                 .arg(riddle.about, QString::number(riddle.level),
-                     riddle.isBackground ? Words::tr("background") : depthText(riddle.value));
+                     riddle.isBackground ? PredictWords::tr("background") : depthText(riddle.value));
         case Ask::NodeVerdict:
             if (riddle.pixels < 0)
-                return Words::tr("%1 is judged next. Its box reaches around the eye. What becomes of it?")
+                return PredictWords::tr("%1 is judged next. Its box reaches around the eye. What becomes of it?")
                     .arg(nodeText(riddle));
-            return Words::tr(
+            return PredictWords::tr(
                        "%1 is judged next. Its box covers %2 pixels and is at nearest D = %3. What becomes of it?")
                 .arg(nodeText(riddle), grouped(static_cast<std::uint64_t>(riddle.pixels)), depthText(riddle.nearest));
     }
@@ -199,11 +201,11 @@ QStringList choicesOf(const Riddle& riddle)
     using Ask = Riddle::Ask;
     switch (riddle.ask) {
         case Ask::QueryVerdict:
-            return {Words::tr("Hidden"), Words::tr("May be seen")};
+            return {PredictWords::tr("Hidden"), PredictWords::tr("May be seen")};
         case Ask::CellChanges:
-            return {Words::tr("It changes"), Words::tr("It stays")};
+            return {PredictWords::tr("It changes"), PredictWords::tr("It stays")};
         case Ask::NodeVerdict:
-            return {Words::tr("Outside"), Words::tr("Hidden"), Words::tr("Entered")};
+            return {PredictWords::tr("Outside"), PredictWords::tr("Hidden"), PredictWords::tr("Entered")};
         default:
             return {};
     }
@@ -215,25 +217,28 @@ QString truthText(const Riddle& riddle)
     const auto number = static_cast<std::uint64_t>(std::max(0.0, riddle.answer));
     switch (riddle.ask) {
         case Ask::EdgesEnter:
-            return Words::tr("%1 enter: so many lie in the bucket of line %2.").arg(grouped(number)).arg(riddle.line);
+            return PredictWords::tr("%1 enter: so many lie in the bucket of line %2.")
+                .arg(grouped(number))
+                .arg(riddle.line);
         case Ask::EdgesLeave:
-            return Words::tr("%1 leave: line %2 was their last.").arg(grouped(number)).arg(riddle.line - 1);
+            return PredictWords::tr("%1 leave: line %2 was their last.").arg(grouped(number)).arg(riddle.line - 1);
         case Ask::EdgeX:
-            return Words::tr("x = %1: the x before, and dx.").arg(decimal(riddle.answer, 2));
+            return PredictWords::tr("x = %1: the x before, and dx.").arg(decimal(riddle.answer, 2));
         case Ask::QueryVerdict:
-            return riddle.answer == 0
-                       ? Words::tr("Hidden: all that is there is nearer than %1.").arg(depthText(riddle.query->nearest))
-                       : Words::tr("May be seen: something there is not nearer than %1.")
-                             .arg(depthText(riddle.query->nearest));
+            return riddle.answer == 0 ? PredictWords::tr("Hidden: all that is there is nearer than %1.")
+                                            .arg(depthText(riddle.query->nearest))
+                                      : PredictWords::tr("May be seen: something there is not nearer than %1.")
+                                            .arg(depthText(riddle.query->nearest));
         case Ask::CellChanges:
             return riddle.answer == 0
-                       ? Words::tr(
+                       ? PredictWords::tr(
                            "It changes: the farthest below it has come nearer, and the cells above may change, too.")
-                       : Words::tr("It stays: the farthest below it is as far as before, and the way up ends.");
+                       : PredictWords::tr("It stays: the farthest below it is as far as before, and the way up ends.");
         case Ask::NodeVerdict:
-            return riddle.answer == 0   ? Words::tr("Outside: the box does not reach the view.")
-                   : riddle.answer == 1 ? Words::tr("Hidden: what is drawn already is nearer all over its rectangle.")
-                                        : Words::tr("Entered: nobody can say that it is hidden.");
+            return riddle.answer == 0 ? PredictWords::tr("Outside: the box does not reach the view.")
+                   : riddle.answer == 1
+                       ? PredictWords::tr("Hidden: what is drawn already is nearer all over its rectangle.")
+                       : PredictWords::tr("Entered: nobody can say that it is hidden.");
     }
     return {};
 }

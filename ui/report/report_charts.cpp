@@ -11,6 +11,7 @@
 #include "ui/charts/speed_error_chart.h"
 #include "ui/report/report_words.h"
 #include "ui/text/numbers.h"
+#include "ui/text/utf8_text.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -23,15 +24,15 @@ constexpr int    kBarRow = 24;
 static_assert(kStages.size() <= 10);  // no two stages look alike
 
 /// Okabe and Ito's colours, and grey, each with a filling, a mark and a dash that tells it apart in print.
-struct Look {
+struct ChartLook {
     QColor                        colour;
     Qt::BrushStyle                fill;
     QCPScatterStyle::ScatterShape mark;
     Qt::PenStyle                  dash;
 };
-const Look& lookOf(std::size_t i)
+const ChartLook& lookOf(std::size_t i)
 {
-    static const std::array<Look, 10> kLooks{{
+    static const std::array<ChartLook, 10> kLooks{{
         {QColor(0x00, 0x72, 0xB2), Qt::SolidPattern, QCPScatterStyle::ssDisc, Qt::SolidLine},
         {QColor(0xE6, 0x9F, 0x00), Qt::BDiagPattern, QCPScatterStyle::ssSquare, Qt::DashLine},
         {QColor(0x00, 0x9E, 0x73), Qt::Dense4Pattern, QCPScatterStyle::ssTriangle, Qt::DotLine},
@@ -46,23 +47,16 @@ const Look& lookOf(std::size_t i)
     return kLooks[i % kLooks.size()];
 }
 
-QFont fontOf(int pixels)
-{
-    QFont font = QApplication::font();
-    font.setPixelSize(pixels);
-    return font;
-}
-
 void dress(QCustomPlot& plot)
 {
     plot.setBackground(Qt::white);
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
-        axis->setLabelFont(fontOf(13));
-        axis->setTickLabelFont(fontOf(12));
+        axis->setLabelFont(fontOfHeight(13));
+        axis->setTickLabelFont(fontOfHeight(12));
         axis->grid()->setPen(QPen(QColor(0xDD, 0xDD, 0xDD), 1));
         axis->grid()->setSubGridVisible(false);
     }
-    plot.legend->setFont(fontOf(12));
+    plot.legend->setFont(fontOfHeight(12));
     plot.legend->setBorderPen(Qt::NoPen);
 }
 
@@ -148,10 +142,9 @@ ReportChart stageChart(std::span<const ReportCase> cases)
     for (std::size_t stage = 0; stage < kStages.size(); ++stage) {
         if (std::ranges::none_of(rows, [&](const BenchRow* row) { return row->stageMs[stage] > 0.002 * longest; }))
             continue;
-        auto*       bars = new QCPBars(plot.yAxis, plot.xAxis);
-        const Look& look = lookOf(stage);
-        bars->setName(
-            QString::fromUtf8(wordOf(kStages[stage]).data(), static_cast<qsizetype>(wordOf(kStages[stage]).size())));
+        auto*            bars = new QCPBars(plot.yAxis, plot.xAxis);
+        const ChartLook& look = lookOf(stage);
+        bars->setName(utf8Text(wordOf(kStages[stage])));
         bars->setPen(QPen(look.colour.darker(130), 1));
         bars->setBrush(QBrush(look.colour, look.fill));
         bars->setWidth(0.72);
@@ -196,8 +189,8 @@ ReportChart growthChart(std::span<const ReportCase> cases, const QString& axis, 
             y.push_back(isRatio ? row->medianMs / base->medianMs : row->medianMs);
         }
         if (x.empty()) continue;
-        const Look& look  = lookOf(i);
-        QCPGraph*   graph = plot.addGraph();
+        const ChartLook& look  = lookOf(i);
+        QCPGraph*        graph = plot.addGraph();
         graph->setData(QVector<double>(x.begin(), x.end()), QVector<double>(y.begin(), y.end()));
         graph->setPen(QPen(look.colour, 2, look.dash));
         graph->setScatterStyle(QCPScatterStyle(look.mark, QPen(look.colour, 1.5), QBrush(Qt::white), 9));
@@ -269,9 +262,9 @@ ReportChart seriesChart(const ReportCase& each, std::size_t number, SeriesFigure
             if (y.back() > 0) low = std::min(low, y.back());
             high = std::max(high, y.back());
         }
-        frames            = std::max(frames, static_cast<double>(of.size()));
-        const Look& look  = lookOf(i);
-        QCPGraph*   graph = plot.addGraph();
+        frames                 = std::max(frames, static_cast<double>(of.size()));
+        const ChartLook& look  = lookOf(i);
+        QCPGraph*        graph = plot.addGraph();
         graph->setData(x, y);
         graph->setPen(QPen(look.colour, 2, look.dash));
         QCPScatterStyle mark(look.mark, QPen(look.colour, 1.5), QBrush(Qt::white), 7);
@@ -289,7 +282,7 @@ ReportChart seriesChart(const ReportCase& each, std::size_t number, SeriesFigure
             cut->setPen(QPen(Qt::black, 1, Qt::DashLine));
             auto* word = new QCPItemText(&plot);
             word->setText(Report::tr("cut"));
-            word->setFont(fontOf(12));
+            word->setFont(fontOfHeight(12));
             word->position->setTypeX(QCPItemPosition::ptPlotCoords);
             word->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
             word->position->setCoords(lag.cut - 0.2, 0.02);
@@ -303,8 +296,8 @@ ReportChart seriesChart(const ReportCase& each, std::size_t number, SeriesFigure
         makeLogarithmic(*plot.yAxis, low, high);
         plot.yAxis->setLabel(Report::tr("ms, median of the passes"));
         plot.yAxis2->setVisible(true);
-        plot.yAxis2->setLabelFont(fontOf(13));
-        plot.yAxis2->setTickLabelFont(fontOf(12));
+        plot.yAxis2->setLabelFont(fontOfHeight(13));
+        plot.yAxis2->setTickLabelFont(fontOfHeight(12));
         makeLogarithmic(*plot.yAxis2, 1, 10);
         plot.yAxis2->setRange(1000 / plot.yAxis->range().upper, 1000 / plot.yAxis->range().lower);
         plot.yAxis2->setRangeReversed(true);

@@ -11,6 +11,7 @@
 #include "core/io/png.h"
 
 #include "ui/text/phrase_book.h"
+#include "ui/text/utf8_text.h"
 
 namespace zscope::ui {
 namespace {
@@ -22,8 +23,6 @@ QString number(double value)
 }
 
 QString triple(const dvec3& v) { return number(v.x) + ',' + number(v.y) + ',' + number(v.z); }
-
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 
 void addView(QStringList& words, const ViewRequest& view)
 {
@@ -44,10 +43,11 @@ void addPipeline(QStringList& words, const Pipeline& pipeline)
 {
     for (const Preset& preset : presets()) {
         if (preset.pipeline != pipeline) continue;
-        words << "--algorithm" << text(preset.name);
+        words << "--algorithm" << utf8Text(preset.name);
         return;
     }
-    for (const AxisEntry& axis : axes()) words << "--set" << text(axis.word) + '=' + text(chosen(pipeline, axis.word));
+    for (const AxisEntry& axis : axes())
+        words << "--set" << utf8Text(axis.word) + '=' + utf8Text(chosen(pipeline, axis.word));
 }
 
 }  // namespace
@@ -63,9 +63,9 @@ QStringList commandOf(const Snapshot& shown, const DrawSettings& settings)
               << "back";
     addPipeline(words, stepped ? shown.step->pipeline : shown.pipeline);
     if (stepped)
-        words << "--grain" << text(wordOf(shown.step->state.grain)) << "--at"
+        words << "--grain" << utf8Text(wordOf(shown.step->state.grain)) << "--at"
               << QString::number(shown.step->state.step.value);
-    if (!shown.look.isShaded()) words << "--show" << text(shown.look.layer->word);
+    if (!shown.look.isShaded()) words << "--show" << utf8Text(shown.look.layer->word);
     return words;
 }
 

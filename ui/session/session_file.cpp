@@ -33,8 +33,11 @@ constexpr std::array<std::string_view, 4> kBreaks{"line", "pixel", "node", "tria
 
 // Writing -----------------------------------------------------------------------------------------------------------
 
-std::string text(const QString& value) { return zscope::quoted(value.toStdString()); }
-std::string number(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString(); }
+std::string textJson(const QString& value) { return zscope::quoted(value.toStdString()); }
+std::string numberJson(double value)
+{
+    return QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
+}
 const char* truth(bool value) { return value ? "true" : "false"; }
 
 std::string algorithmJson(const Pipeline& pipeline)
@@ -75,7 +78,7 @@ std::string breakpointJson(const Breakpoint& breakpoint)
 
 std::string bookmarkJson(const Bookmark& mark)
 {
-    return "{\"name\": " + text(mark.name) + ", \"grain\": " + quoted(zscope::wordOf(mark.grain))
+    return "{\"name\": " + textJson(mark.name) + ", \"grain\": " + quoted(zscope::wordOf(mark.grain))
            + ", \"step\": " + std::to_string(mark.step) + ",\n   \"algorithm\": " + algorithmJson(mark.pipeline) + "}";
 }
 
@@ -422,7 +425,7 @@ std::string sessionToJson(const SessionFile& session, const QString& file)
         if (!below.startsWith("..") && QDir::isRelativePath(below)) scene = below;
     }
     const Selection& of   = session.selection;
-    std::string      json = "{\"zscope-session\": " + std::to_string(kVersion) + ",\n \"scene\": " + text(scene)
+    std::string      json = "{\"zscope-session\": " + std::to_string(kVersion) + ",\n \"scene\": " + textJson(scene)
                        + ",\n \"camera\": " + cameraToJson(session.camera);
     while (!json.empty() && json.back() == '\n') json.pop_back();
     const auto add = [&json](std::string_view key, const std::string& value) {
@@ -439,15 +442,15 @@ std::string sessionToJson(const SessionFile& session, const QString& file)
     add("layer", quoted(session.look.layer->word));
     const DepthRange& range = session.look.range;
     add("range", std::string("{\"automatic\": ") + truth(range.isAutomatic) + ", \"logarithmic\": "
-                     + truth(range.isLogarithmic) + ", \"farthest\": " + number(static_cast<double>(range.farthest))
-                     + ", \"nearest\": " + number(static_cast<double>(range.nearest)) + "}");
+                     + truth(range.isLogarithmic) + ", \"farthest\": " + numberJson(static_cast<double>(range.farthest))
+                     + ", \"nearest\": " + numberJson(static_cast<double>(range.nearest)) + "}");
     std::string over;
     for (const OverEntry& entry : kOver)
         over += (over.empty() ? "{" : ", ") + quoted(entry.word) + ": " + truth(session.layers.*entry.part);
     add("over", over + "}");
     if (session.other)
         add("compare", "{\"show\": " + quoted(kShows[static_cast<std::size_t>(session.show)]) + ", \"wipe\": "
-                           + number(session.wipe) + ", \"tolerance\": " + std::to_string(session.tolerance)
+                           + numberJson(session.wipe) + ", \"tolerance\": " + std::to_string(session.tolerance)
                            + ", \"linked\": " + truth(session.isLinked)
                            + ", \"follows\": " + quoted(kLinks[static_cast<std::size_t>(session.link)])
                            + ",\n  \"algorithm\": " + algorithmJson(*session.other) + "}");
@@ -455,8 +458,8 @@ std::string sessionToJson(const SessionFile& session, const QString& file)
     add("breakpoints", listJson(of.marks.breakpoints, breakpointJson));
     if (!session.layout.state.isEmpty())
         add("layout", "{\"geometry\": " + bytes(session.layout.geometry) + ",\n  \"state\": "
-                          + bytes(session.layout.state) + ",\n  \"name\": " + text(session.layout.name)
-                          + ",\n  \"hidden\": " + listJson(session.layout.hidden, text) + "}");
+                          + bytes(session.layout.state) + ",\n  \"name\": " + textJson(session.layout.name)
+                          + ",\n  \"hidden\": " + listJson(session.layout.hidden, textJson) + "}");
     return json + "}\n";
 }
 

@@ -14,25 +14,20 @@
 #include "core/io/png.h"
 #include "ui/session/reproduce.h"
 #include "ui/text/phrase_book.h"
+#include "ui/text/utf8_text.h"
+#include "ui/theme/theme.h"
 
 namespace zscope::ui {
 namespace {
 
 constexpr int kDotsPerInch = 96;
 
-QFont fontOf(int pixels)
-{
-    QFont font = QApplication::font();
-    font.setPixelSize(pixels);
-    return font;
-}
-
 /// Draws by a painter that begin() makes.
 class PaintedCanvas : public SheetCanvas {
 public:
     int width(std::string_view utf8, int size) override
     {
-        return QFontMetrics(fontOf(size)).horizontalAdvance(said(utf8));
+        return QFontMetrics(fontOfHeight(size)).horizontalAdvance(said(utf8));
     }
     void text(int x, int y, std::string_view utf8, int size, std::uint32_t colour) override
     {
@@ -40,7 +35,7 @@ public:
     }
     void name(int x, int y, std::string_view utf8, int size, std::uint32_t colour) override
     {
-        write(x, y, QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())), size, colour);
+        write(x, y, utf8Text(utf8), size, colour);
     }
     void fill(int x0, int y0, int x1, int y1, std::uint32_t colour) override
     {
@@ -62,7 +57,7 @@ protected:
 private:
     void write(int x, int y, const QString& words, int size, std::uint32_t colour)
     {
-        m_painter.setFont(fontOf(size));
+        m_painter.setFont(fontOfHeight(size));
         m_painter.setPen(QColor::fromRgb(colour));
         m_painter.drawText(x, y, words);
     }

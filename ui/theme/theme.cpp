@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/theme/theme.h"
 
+#include <QApplication>
+
 namespace zscope::ui {
 namespace {
 
@@ -214,6 +216,13 @@ QString styleSheetOf(const Theme& theme)
     };
     for (const auto& [word, value] : words) sheet.replace(QLatin1String(word), value);
     return sheet;
+}
+
+QFont fontOfHeight(int pixels)
+{
+    QFont font = QApplication::font();
+    font.setPixelSize(pixels);
+    return font;
 }
 
 }  // namespace zscope::ui

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include <QColor>
+#include <QFont>
 #include <QPalette>
 #include <QString>
 
@@ -53,5 +54,7 @@ enum class Appearance { System, Light, Dark };
 QPalette paletteOf(Appearance appearance, const QPalette& system);
 /// The style sheet of the whole application.
 QString styleSheetOf(const Theme& theme);
+/// The application's font, so many pixels high.
+QFont fontOfHeight(int pixels);
 
 }  // namespace zscope::ui

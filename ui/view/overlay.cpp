@@ -205,7 +205,7 @@ namespace {
 /// The cells in their colours with the picture shining through, their borders, and their values where they fit.
 void paintCells(QPainter& painter, const Overlay& overlay, const ViewTransform& view, double scale)
 {
-    constexpr double    kValuesFrom = 40, kGridFrom = 5;  // device pixels per cell, times the screen's scale
+    constexpr double    kCellValuesFrom = 40, kCellGridFrom = 5;  // device pixels per cell, times the screen's scale
     constexpr double    kOpacity = 0.72;
     const PyramidLevel& cells    = *overlay.cells;
     const int           size     = cells.cellSize();
@@ -229,7 +229,7 @@ void paintCells(QPainter& painter, const Overlay& overlay, const ViewTransform& 
                       QRectF(inCells));
     painter.setOpacity(1);
     const double wide = view.zoom() * size;
-    if (wide >= kGridFrom * scale) {
+    if (wide >= kCellGridFrom * scale) {
         painter.setPen(QPen(QColor(255, 255, 255, 90), scale));
         const QRectF all = placeOf(inCells.left(), inCells.top(), inCells.width(), inCells.height());
         for (int x = inCells.left(); x <= inCells.right() + 1; ++x) {
@@ -241,7 +241,7 @@ void paintCells(QPainter& painter, const Overlay& overlay, const ViewTransform& 
             painter.drawLine(QPointF(all.left(), at), QPointF(all.right(), at));
         }
     }
-    if (wide >= kValuesFrom * scale) {
+    if (wide >= kCellValuesFrom * scale) {
         QFont font = painter.font();
         font.setPixelSize(static_cast<int>(std::clamp(wide / 4, 9 * scale, 14 * scale)));
         painter.setFont(font);

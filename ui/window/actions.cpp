@@ -18,15 +18,11 @@
 
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
+#include "ui/text/utf8_text.h"
 #include "ui/theme/icons.h"
 #include "ui/window/layouts.h"
 
 namespace zscope::ui {
-namespace {
-
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
-
-}  // namespace
 
 QString plainName(const QAction& action)
 {
@@ -78,7 +74,7 @@ void Actions::say()
     for (const auto& [action, title] : m_titles) action->setToolTip(said(title));
     for (std::size_t i = 0; i < layers().size(); ++i) m_layerChoices[i]->setText(said(layers()[i].word));
     for (std::size_t i = 0; i < presets().size(); ++i) {
-        m_others[i]->setText(tr("B: %1").arg(text(presets()[i].name)));
+        m_others[i]->setText(tr("B: %1").arg(utf8Text(presets()[i].name)));
         m_algorithmBox->setItemData(static_cast<int>(i), said(presets()[i].title), Qt::ToolTipRole);
     }
     for (const auto& [action, size] : m_sizes) action->setText(tr("%1 × %2").arg(size.width()).arg(size.height()));

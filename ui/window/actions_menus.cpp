@@ -2,6 +2,7 @@
 // The menus: which actions there are, their keys, and what they ask the session for.
 #include "ui/parts/choice_box.h"
 #include "ui/session/course.h"
+#include "ui/text/utf8_text.h"
 #include "ui/window/actions.h"
 #include "ui/window/layouts.h"
 #include "ui/window/settings.h"
@@ -22,8 +23,6 @@ constexpr double kTurnStep = 5;  // degrees per arrow key
 constexpr double kZoomStep = 1.25;
 // of the picture, pixels
 constexpr QSize kSizes[] = {{160, 90}, {640, 360}, {1280, 720}, {1600, 900}, {1920, 1080}, {3840, 2160}};
-
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 
 QKeySequence key(int k) { return QKeySequence(k); }
 QKeySequence key(QKeyCombination k) { return QKeySequence(k); }
@@ -50,7 +49,7 @@ void Actions::makeFileMenu()
     QMenu* examples = addMenu(menu, QT_TR_NOOP("&Examples"));
     QMenu* hard     = nullptr;
     for (const SceneEntry& scene : builtinScenes()) {
-        const QString name  = text(scene.name);
+        const QString name  = utf8Text(scene.name);
         QMenu*        under = examples;
         if (name.startsWith("hard/")) {
             if (!hard) hard = addMenu(examples, QT_TR_NOOP("Hard cases"));
@@ -125,7 +124,7 @@ void Actions::makeLayersMenu(QMenu* view)
     m_layers    = addMenu(view, QT_TR_NOOP("&Layers"));
     auto* group = new QActionGroup(this);
     for (const Layer& layer : layers()) {
-        QAction* action = addNamed(m_layers, "layer." + text(layer.word), QString(), {},
+        QAction* action = addNamed(m_layers, "layer." + utf8Text(layer.word), QString(), {},
                                    [this, &layer] { m_session.setLayer(layer); });
         action->setCheckable(true);
         m_titles.emplace_back(action, layer.title);
@@ -290,7 +289,7 @@ void Actions::makeAlgorithmMenu()
         const Preset&       preset = presets()[i];
         QList<QKeySequence> keys;
         if (i < 9) keys << digit(static_cast<int>(i), {});
-        QAction* action = addNamed(menu, "algorithm.a." + text(preset.name), text(preset.name), keys,
+        QAction* action = addNamed(menu, "algorithm.a." + utf8Text(preset.name), utf8Text(preset.name), keys,
                                    [this, &preset] { m_session.setPipeline(preset.pipeline); });
         action->setCheckable(true);
         m_titles.emplace_back(action, preset.title);
@@ -382,7 +381,7 @@ void Actions::makeCompareMenu()
         const Preset&       preset = presets()[i];
         QList<QKeySequence> keys;
         if (i < 9) keys << digit(static_cast<int>(i), Qt::ShiftModifier);
-        QAction* action = addNamed(other, "algorithm.b." + text(preset.name), QString(), keys,
+        QAction* action = addNamed(other, "algorithm.b." + utf8Text(preset.name), QString(), keys,
                                    [this, &preset] { m_session.compareWith(preset.pipeline); });
         action->setCheckable(true);
         m_titles.emplace_back(action, preset.title);
@@ -473,7 +472,7 @@ void Actions::makeToolBar()
     m_algorithmBox = new ChoiceBox;
     m_algorithmBox->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_algorithmBox->setMinimumContentsLength(12);
-    for (const Preset& preset : presets()) m_algorithmBox->addItem(text(preset.name));
+    for (const Preset& preset : presets()) m_algorithmBox->addItem(utf8Text(preset.name));
     connect(m_algorithmBox, &QComboBox::activated, this, [this](int index) {
         if (index < static_cast<int>(presets().size()))
             m_session.setPipeline(presets()[static_cast<std::size_t>(index)].pipeline);

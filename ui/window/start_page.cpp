@@ -12,6 +12,7 @@
 #include "core/scene/load.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
+#include "ui/text/utf8_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
 
@@ -63,7 +64,7 @@ StartPage::StartPage(Requests requests, QWidget* parent)
     m_open->setObjectName("strong");
     m_lesson->setVisible(static_cast<bool>(m_requests.firstLesson));
     for (const SceneEntry& scene : builtinScenes()) {
-        const QString name = QString::fromUtf8(scene.name.data(), static_cast<qsizetype>(scene.name.size()));
+        const QString name = utf8Text(scene.name);
         if (name.startsWith("hard/")) continue;  // those are for the tests; the menu has them
         auto* item = new QListWidgetItem(name, m_examples);
         item->setData(kWord, "builtin:" + name);

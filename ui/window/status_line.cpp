@@ -8,6 +8,7 @@
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
+#include "ui/text/utf8_text.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -84,7 +85,7 @@ void StatusLine::present(const Snapshot& shown, Changes what)
                                       counted(frame.coveredPixels, tr("1 pixel"), tr("%1 pixels"))));
         const std::string_view simd = wordOf(frame.report.simd);
         m_machine->setText(counted(static_cast<unsigned>(frame.report.threads), tr("1 thread"), tr("%1 threads"))
-                           + " · " + QString::fromUtf8(simd.data(), static_cast<qsizetype>(simd.size())));
+                           + " · " + utf8Text(simd));
     }
     if (what & Change::Busy) {
         if (shown.busy.isEmpty()) {

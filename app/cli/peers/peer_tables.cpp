@@ -36,7 +36,6 @@ bool isFastest(const BenchRow& row, std::span<const BenchRow> rows)
            });
 }
 
-std::string ms(double value) { return fmt::format("{:.3f}", value); }
 std::string ratio(double value) { return fmt::format("{:.2f}", value); }
 
 std::string peerPicture(const BenchRow& row)

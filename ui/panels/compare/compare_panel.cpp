@@ -20,6 +20,7 @@
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
+#include "ui/text/utf8_text.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -34,9 +35,7 @@ QComboBox* presetBox()
     auto* box = new ChoiceBox;
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
-    for (std::size_t i = 0; i < presets().size(); ++i)
-        box->addItem(QString::fromUtf8(presets()[i].name.data(), static_cast<qsizetype>(presets()[i].name.size())),
-                     static_cast<int>(i));
+    for (std::size_t i = 0; i < presets().size(); ++i) box->addItem(utf8Text(presets()[i].name), static_cast<int>(i));
     return box;
 }
 

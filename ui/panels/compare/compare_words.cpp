@@ -8,7 +8,7 @@
 namespace zscope::ui {
 namespace {
 
-struct Words {
+struct CompareText {
     Q_DECLARE_TR_FUNCTIONS(Compare)
 };
 
@@ -23,17 +23,19 @@ CompareWords wordsOf(const Comparison& result)
     const bool          isFinished = result.a || (result.stepA->isLast() && result.stepB->isLast());
     words.isWrong = isFinished && figures.wrongPixels() > 0;  // half done, one has simply come farther than the other
     if (figures.isExact())
-        words.verdict = Words::tr("B is A to the bit: the same triangle and the same depth at all %1 pixels.")
+        words.verdict = CompareText::tr("B is A to the bit: the same triangle and the same depth at all %1 pixels.")
                             .arg(grouped(figures.pixels));
     else if (difference.differing() == 0)
-        words.verdict = Words::tr("Every pixel shows the same triangle; no depth is farther off than the tolerance.");
+        words.verdict =
+            CompareText::tr("Every pixel shows the same triangle; no depth is farther off than the tolerance.");
     else
         words.verdict =
-            (isFinished ? counted(difference.differing(), Words::tr("1 pixel differs."), Words::tr("%1 pixels differ."))
-                        : counted(difference.differing(), Words::tr("1 pixel differs at this moment."),
-                                  Words::tr("%1 pixels differ at this moment.")))
+            (isFinished ? counted(difference.differing(), CompareText::tr("1 pixel differs."),
+                                  CompareText::tr("%1 pixels differ."))
+                        : counted(difference.differing(), CompareText::tr("1 pixel differs at this moment."),
+                                  CompareText::tr("%1 pixels differ at this moment.")))
             + ' '
-            + Words::tr("Of all: %1.")
+            + CompareText::tr("Of all: %1.")
                   .arg(decimal(
                            100.0 * static_cast<double>(difference.differing()) / static_cast<double>(figures.pixels), 3)
                        + QStringLiteral("\u00A0%"));
@@ -41,18 +43,18 @@ CompareWords wordsOf(const Comparison& result)
     const QString right  = result.isAJudged ? QStringLiteral("B") : QStringLiteral("A"),
                   judged = result.isAJudged ? QStringLiteral("A") : QStringLiteral("B");
     words.figures        = {
-               {Words::tr("holes: %1 shows something, %2 does not").arg(right, judged), grouped(figures.holes),
+               {CompareText::tr("holes: %1 shows something, %2 does not").arg(right, judged), grouped(figures.holes),
                 isFinished && figures.holes > 0},
-               {Words::tr("spills: %1 shows something, %2 does not").arg(judged, right), grouped(figures.spills),
+               {CompareText::tr("spills: %1 shows something, %2 does not").arg(judged, right), grouped(figures.spills),
                 isFinished && figures.spills > 0},
-               {Words::tr("another surface, farther off than a tie"), grouped(figures.realWrongSurface),
+               {CompareText::tr("another surface, farther off than a tie"), grouped(figures.realWrongSurface),
                 isFinished && figures.realWrongSurface > 0},
-               {Words::tr("another surface, a near tie"), grouped(figures.nearTies), isFinished && figures.nearTies > 0},
-               {Words::tr("same triangle, B nearer"), grouped(count(PixelDifference::DepthNearer))},
-               {Words::tr("same triangle, B farther"), grouped(count(PixelDifference::DepthFarther))},
-               {Words::tr("most float32 steps on a triangle"), grouped(difference.mostSteps)},
-               {Words::tr("steps at 99 of 100 pixels, at most"), grouped(figures.p99DepthSteps)},
-               {Words::tr("triangles of %1 that %2 shows nowhere").arg(right, judged), grouped(figures.lostTriangles),
+               {CompareText::tr("another surface, a near tie"), grouped(figures.nearTies), isFinished && figures.nearTies > 0},
+               {CompareText::tr("same triangle, B nearer"), grouped(count(PixelDifference::DepthNearer))},
+               {CompareText::tr("same triangle, B farther"), grouped(count(PixelDifference::DepthFarther))},
+               {CompareText::tr("most float32 steps on a triangle"), grouped(difference.mostSteps)},
+               {CompareText::tr("steps at 99 of 100 pixels, at most"), grouped(figures.p99DepthSteps)},
+               {CompareText::tr("triangles of %1 that %2 shows nowhere").arg(right, judged), grouped(figures.lostTriangles),
                 isFinished && figures.lostTriangles > 0},
     };
     return words;

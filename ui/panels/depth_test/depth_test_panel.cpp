@@ -14,61 +14,64 @@
 namespace zscope::ui {
 namespace {
 
-struct Words {
+struct DepthTestWords {
     Q_DECLARE_TR_FUNCTIONS(DepthTest)
 };
 
 void tellPixel(const PixelState& pixel, DepthTestContents& told)
 {
     if (pixel.discarded)
-        told.verdict = Words::tr("It lies in a hole of its material: there is no fragment to test.");
+        told.verdict = DepthTestWords::tr("It lies in a hole of its material: there is no fragment to test.");
     else if (pixel.keep == Keep::DepthOnly)
-        told.verdict = pixel.won ? Words::tr("The nearest so far: the pre-pass keeps its D.")
-                                 : Words::tr("Not nearer than the D that the pre-pass has kept.");
+        told.verdict = pixel.won ? DepthTestWords::tr("The nearest so far: the pre-pass keeps its D.")
+                                 : DepthTestWords::tr("Not nearer than the D that the pre-pass has kept.");
     else if (!pixel.rival && !pixel.won)
         told.verdict = pixel.keep == Keep::Equal
-                           ? Words::tr("Farther than the D that the pre-pass kept: it is hidden.")
-                           : Words::tr("It lies beyond the far plane: the pixel stays background.");
+                           ? DepthTestWords::tr("Farther than the D that the pre-pass kept: it is hidden.")
+                           : DepthTestWords::tr("It lies beyond the far plane: the pixel stays background.");
     else if (!pixel.rival)
-        told.verdict = Words::tr("The pixel was background: the first triangle to cover it owns it.");
+        told.verdict = DepthTestWords::tr("The pixel was background: the first triangle to cover it owns it.");
     else if (pixel.depth == pixel.rivalDepth)
-        told.verdict = pixel.won ? Words::tr("Equal depth, and the lower number wins: the pixel changes hands.")
-                                 : Words::tr("Equal depth, and the lower number wins: the pixel stays as it is.");
+        told.verdict = pixel.won
+                           ? DepthTestWords::tr("Equal depth, and the lower number wins: the pixel changes hands.")
+                           : DepthTestWords::tr("Equal depth, and the lower number wins: the pixel stays as it is.");
     else
-        told.verdict = pixel.won ? Words::tr("The larger D is nearer: the pixel changes hands.")
-                                 : Words::tr("The smaller D is farther: the pixel stays as it is.");
-    told.facts.push_back({Words::tr("pixel"), QString("%1, %2").arg(pixel.x).arg(pixel.y)});
-    told.facts.push_back({Words::tr("offered by triangle"), grouped(pixel.triangle.value)});
-    told.facts.push_back({Words::tr("its depth D"), depthText(pixel.depth)});
-    if (pixel.unmovedDepth) told.facts.push_back({Words::tr("D before its relief"), depthText(*pixel.unmovedDepth)});
-    told.facts.push_back(
-        {Words::tr("owner before"), pixel.rival ? grouped(pixel.rival->value) : Words::tr("background")});
-    if (pixel.rival) told.facts.push_back({Words::tr("its depth D"), depthText(pixel.rivalDepth)});
+        told.verdict = pixel.won ? DepthTestWords::tr("The larger D is nearer: the pixel changes hands.")
+                                 : DepthTestWords::tr("The smaller D is farther: the pixel stays as it is.");
+    told.facts.push_back({DepthTestWords::tr("pixel"), QString("%1, %2").arg(pixel.x).arg(pixel.y)});
+    told.facts.push_back({DepthTestWords::tr("offered by triangle"), grouped(pixel.triangle.value)});
+    told.facts.push_back({DepthTestWords::tr("its depth D"), depthText(pixel.depth)});
+    if (pixel.unmovedDepth)
+        told.facts.push_back({DepthTestWords::tr("D before its relief"), depthText(*pixel.unmovedDepth)});
+    told.facts.push_back({DepthTestWords::tr("owner before"),
+                          pixel.rival ? grouped(pixel.rival->value) : DepthTestWords::tr("background")});
+    if (pixel.rival) told.facts.push_back({DepthTestWords::tr("its depth D"), depthText(pixel.rivalDepth)});
 }
 
 void tellTriangle(const TriangleState& triangle, DepthTestContents& told)
 {
-    told.facts.push_back({Words::tr("triangle"), grouped(triangle.triangle.value)});
+    told.facts.push_back({DepthTestWords::tr("triangle"), grouped(triangle.triangle.value)});
     for (const auto& corner : triangle.corners)
         told.facts.push_back(
-            {Words::tr("corner"), QString("%1,  %2").arg(decimal(corner[0], 2), decimal(corner[1], 2))});
-    told.facts.push_back({Words::tr("pixels won so far"), grouped(triangle.pixelsWon)});
+            {DepthTestWords::tr("corner"), QString("%1,  %2").arg(decimal(corner[0], 2), decimal(corner[1], 2))});
+    told.facts.push_back({DepthTestWords::tr("pixels won so far"), grouped(triangle.pixelsWon)});
 }
 
 void tellPick(const PixelFacts& facts, DepthTestContents& told)
 {
-    told.facts.push_back({Words::tr("picked pixel"), QString("%1, %2").arg(facts.pixel.x()).arg(facts.pixel.y())});
+    told.facts.push_back(
+        {DepthTestWords::tr("picked pixel"), QString("%1, %2").arg(facts.pixel.x()).arg(facts.pixel.y())});
     if (!facts.triangle) {
-        told.facts.push_back({Words::tr("owner"), Words::tr("background")});
+        told.facts.push_back({DepthTestWords::tr("owner"), DepthTestWords::tr("background")});
         return;
     }
-    told.facts.push_back({Words::tr("owner, triangle"), grouped(facts.triangle->value)});
-    told.facts.push_back({Words::tr("depth D"), depthText(facts.depth)});
-    told.facts.push_back({Words::tr("distance z"), decimal(facts.z, 6)});
-    told.facts.push_back({Words::tr("polygon of the file"), grouped(facts.polygon)});
-    if (!facts.instance.isEmpty()) told.facts.push_back({Words::tr("instance"), facts.instance});
-    if (!facts.group.isEmpty()) told.facts.push_back({Words::tr("group"), facts.group});
-    if (!facts.material.isEmpty()) told.facts.push_back({Words::tr("material"), facts.material});
+    told.facts.push_back({DepthTestWords::tr("owner, triangle"), grouped(facts.triangle->value)});
+    told.facts.push_back({DepthTestWords::tr("depth D"), depthText(facts.depth)});
+    told.facts.push_back({DepthTestWords::tr("distance z"), decimal(facts.z, 6)});
+    told.facts.push_back({DepthTestWords::tr("polygon of the file"), grouped(facts.polygon)});
+    if (!facts.instance.isEmpty()) told.facts.push_back({DepthTestWords::tr("instance"), facts.instance});
+    if (!facts.group.isEmpty()) told.facts.push_back({DepthTestWords::tr("group"), facts.group});
+    if (!facts.material.isEmpty()) told.facts.push_back({DepthTestWords::tr("material"), facts.material});
 }
 
 }  // namespace
@@ -81,10 +84,10 @@ DepthTestContents depthTestOf(const Snapshot& shown)
     if (step && step->state.triangle) tellTriangle(*step->state.triangle, told);
     if (const auto facts = shown.picked ? factsOf(shown, *shown.picked) : std::nullopt) tellPick(*facts, told);
     if (told.verdict.isEmpty() && told.facts.empty())
-        told.verdict = shown.scene ? Words::tr(
+        told.verdict = shown.scene ? DepthTestWords::tr(
                            "Click a pixel of the picture to see who owns it, or step by the grain “pixel” to "
                            "watch each depth test.")
-                                   : Words::tr("Open a scene to see its depth tests.");
+                                   : DepthTestWords::tr("Open a scene to see its depth tests.");
     return told;
 }
 

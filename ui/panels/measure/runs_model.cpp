@@ -11,7 +11,7 @@
 namespace zscope::ui {
 namespace {
 
-struct Words {
+struct RunsWords {
     Q_DECLARE_TR_FUNCTIONS(Runs)
 };
 
@@ -55,22 +55,22 @@ QString sentenceOf(const Run& run)
     const BenchRow& row  = run.row;
     const QString   name = QString::fromStdString(row.algorithm);
     const QString   simd = QString::fromUtf8(zscope::wordOf(row.simd).data());
-    QString         said = row.threads == 1 ? Words::tr("%1, 1 thread, %2.").arg(name, simd)
-                                            : Words::tr("%1, %2 threads, %3.").arg(name).arg(row.threads).arg(simd);
-    if (!row.chosen.empty()) said += ' ' + Words::tr("It chose %1.").arg(QString::fromStdString(row.chosen));
-    if (!row.figures) return said + ' ' + Words::tr("Its picture was not checked.");
+    QString         said = row.threads == 1 ? RunsWords::tr("%1, 1 thread, %2.").arg(name, simd)
+                                            : RunsWords::tr("%1, %2 threads, %3.").arg(name).arg(row.threads).arg(simd);
+    if (!row.chosen.empty()) said += ' ' + RunsWords::tr("It chose %1.").arg(QString::fromStdString(row.chosen));
+    if (!row.figures) return said + ' ' + RunsWords::tr("Its picture was not checked.");
     const ErrorFigures& figures = *row.figures;
     if (row.isBroken())
         said += ' '
-                + Words::tr("Its picture is WRONG although it promised to be exact: %1. Its time is no result.")
-                      .arg(counted(*row.wrongPixels, Words::tr("1 pixel differs in triangle or depth"),
-                                   Words::tr("%1 pixels differ in triangle or depth")));
+                + RunsWords::tr("Its picture is WRONG although it promised to be exact: %1. Its time is no result.")
+                      .arg(counted(*row.wrongPixels, RunsWords::tr("1 pixel differs in triangle or depth"),
+                                   RunsWords::tr("%1 pixels differ in triangle or depth")));
     else if (*row.wrongPixels == 0)
         return said + ' '
-               + (row.claim == Claim::ExactByFace ? Words::tr("Its faces cover exactly what they should.")
-                                                  : Words::tr("Its picture is the reference's, to the bit."));
+               + (row.claim == Claim::ExactByFace ? RunsWords::tr("Its faces cover exactly what they should.")
+                                                  : RunsWords::tr("Its picture is the reference's, to the bit."));
     said += ' '
-            + Words::tr(
+            + RunsWords::tr(
                   "%1 holes, %2 spills, %3 other surfaces, of them %4 near ties; %5 depths differ, by up to %6 float32 "
                   "steps.")
                   .arg(grouped(figures.holes), grouped(figures.spills), grouped(figures.wrongSurface()),

@@ -12,7 +12,7 @@
 namespace zscope::ui {
 namespace {
 
-struct Words {
+struct StageCostWords {
     Q_DECLARE_TR_FUNCTIONS(StageCosts)
 };
 
@@ -21,21 +21,21 @@ QString costText(const UnitCost& cost)
     const QString ns = decimal(cost.ns, cost.ns < 100 ? 1 : 0);
     switch (cost.unit) {
         case WorkUnit::Vertex:
-            return Words::tr("%1 / vertex").arg(ns);
+            return StageCostWords::tr("%1 / vertex").arg(ns);
         case WorkUnit::Triangle:
-            return Words::tr("%1 / triangle").arg(ns);
+            return StageCostWords::tr("%1 / triangle").arg(ns);
         case WorkUnit::Pixel:
-            return Words::tr("%1 / pixel").arg(ns);
+            return StageCostWords::tr("%1 / pixel").arg(ns);
         case WorkUnit::Edge:
-            return Words::tr("%1 / edge").arg(ns);
+            return StageCostWords::tr("%1 / edge").arg(ns);
         case WorkUnit::ActiveEdge:
-            return Words::tr("%1 / active edge").arg(ns);
+            return StageCostWords::tr("%1 / active edge").arg(ns);
         case WorkUnit::Node:
-            return Words::tr("%1 / node").arg(ns);
+            return StageCostWords::tr("%1 / node").arg(ns);
         case WorkUnit::Cell:
-            return Words::tr("%1 / cell").arg(ns);
+            return StageCostWords::tr("%1 / cell").arg(ns);
         case WorkUnit::Window:
-            return Words::tr("%1 / window").arg(ns);
+            return StageCostWords::tr("%1 / window").arg(ns);
     }
     return {};
 }

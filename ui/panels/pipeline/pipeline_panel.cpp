@@ -14,14 +14,10 @@
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
+#include "ui/text/utf8_text.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
-namespace {
-
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
-
-}  // namespace
 
 PipelinePanel::PipelinePanel(Session& session, QWidget* parent) : Panel(session, parent), m_notRun(new QLabel)
 {
@@ -80,7 +76,7 @@ void PipelinePanel::addAxes(QGridLayout& grid)
         combo->setMinimumContentsLength(10);
         combo->setObjectName("compact");
         // showChoices() adds its title
-        for (const ChoiceEntry& choice : axis.choices) combo->addItem(text(choice.word));
+        for (const ChoiceEntry& choice : axis.choices) combo->addItem(utf8Text(choice.word));
         name->setBuddy(combo);
         grid.addWidget(name, static_cast<int>(i), 0);
         grid.addWidget(combo, static_cast<int>(i), 1);

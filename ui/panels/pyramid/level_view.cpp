@@ -49,7 +49,7 @@ std::optional<QPoint> LevelView::pixelAt(const QPointF& place) const
 
 void LevelView::paintEvent(QPaintEvent*)
 {
-    constexpr double kGridFrom = 5, kValuesFrom = 34;
+    constexpr double kLevelGridFrom = 5, kLevelValuesFrom = 34;
     if (!m_step) return;
     const Theme&        theme  = themeOf(palette());
     const PyramidLevel& cells  = level();
@@ -66,20 +66,20 @@ void LevelView::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::SmoothPixmapTransform, wide < 1);
     painter.drawImage(placed(0, 0, cells.width() * cells.cellSize(), cells.height() * cells.cellSize()),
                       imageOf(cells.colours));
-    if (wide >= kGridFrom) {
+    if (wide >= kLevelGridFrom) {
         painter.setPen(QColor(255, 255, 255, 46));
         for (int x = 1; x < cells.width(); ++x)
             painter.drawLine(QPointF(at.left() + x * wide, at.top()), QPointF(at.left() + x * wide, at.bottom()));
         for (int y = 1; y < cells.height(); ++y)
             painter.drawLine(QPointF(at.left(), at.top() + y * wide), QPointF(at.right(), at.top() + y * wide));
     }
-    const bool writes = wide >= kValuesFrom;
+    const bool writes = wide >= kLevelValuesFrom;
     if (writes) {
         QFont small = font();
         small.setPixelSize(static_cast<int>(std::clamp(wide / 3.6, 8.0, 13.0)));
         painter.setFont(small);
     }
-    for (int y = 0; y < cells.height() && wide >= kGridFrom; ++y) {
+    for (int y = 0; y < cells.height() && wide >= kLevelGridFrom; ++y) {
         for (int x = 0; x < cells.width(); ++x) {
             const QRectF cell = placed(x * cells.cellSize(), y * cells.cellSize(), cells.cellSize(), cells.cellSize());
             if (cells.isStored && cells.lags.at(x, y) != 0) {  // a small corner: this cell is not up to date
