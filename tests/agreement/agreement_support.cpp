@@ -76,4 +76,26 @@ Camera cameraFor(const Scene& scene, int width, int height)
     return camera.ok() ? *camera : plainCamera(width, height);
 }
 
+Prepared prepared(Scene scene)
+{
+    return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(std::move(scene)));
+}
+
+Scene builtinScene(const std::string& word)
+{
+    Result<Scene> scene = loadScene("builtin:" + word);
+    EXPECT_TRUE(scene.ok()) << word;
+    return scene.ok() ? *std::move(scene) : Scene{};
+}
+
+std::map<std::string, std::uint64_t> countersOf(const DrawRequest& request)
+{
+    const Result<FrameWork>              work = Renderer().count(request);
+    std::map<std::string, std::uint64_t> counters;
+    EXPECT_TRUE(work.ok());
+    if (work.ok())
+        for (const NamedCount& counter : work->counters) counters[counter.name] = counter.value;
+    return counters;
+}
+
 }  // namespace zscope::tests

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,13 @@ struct Agreement {
 /// triangle: a test whose scenes are all empty would prove nothing.
 std::uint64_t expectAgreement(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera,
                               FaceCulling culling, const std::string& what, const Agreement& with = {});
+
+using Prepared = std::shared_ptr<const PreparedScene>;
+Prepared prepared(Scene scene);
+Scene    builtinScene(const std::string& word);
+
+/// The textbook method's work on the frame, by name.
+std::map<std::string, std::uint64_t> countersOf(const DrawRequest& request);
 
 /// The scene's first view in this size; one that insists on its own camera keeps its own size.
 Camera cameraFor(const Scene& scene, int width, int height);

@@ -249,15 +249,6 @@ TEST(Coherence, AnotherSceneIsNotTakenForTheLastOne)
     EXPECT_GT(covered, 1000u);
 }
 
-std::map<std::string, std::uint64_t> countersOf(const DrawRequest& request)
-{
-    const Result<FrameWork>              work = Renderer().count(request);
-    std::map<std::string, std::uint64_t> counters;
-    EXPECT_TRUE(work.ok());
-    for (const NamedCount& count : work->counters) counters[count.name] = count.value;
-    return counters;
-}
-
 /// Whatever it tries and keeps, it draws one picture and says by what.
 TEST(Coherence, AMeasuredChoiceSaysWhatDrewTheFrameAndWhy)
 {

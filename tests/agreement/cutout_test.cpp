@@ -19,20 +19,6 @@
 namespace zscope::tests {
 namespace {
 
-using Prepared = std::shared_ptr<const PreparedScene>;
-
-Scene builtin(const std::string& word)
-{
-    Result<Scene> scene = loadScene("builtin:" + word);
-    EXPECT_TRUE(scene.ok()) << word;
-    return *std::move(scene);
-}
-
-Prepared prepared(Scene scene)
-{
-    return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(std::move(scene)));
-}
-
 /// The same scene with this cut-out on every material.
 Scene cutBy(const Scene& scene, std::optional<Cutout> cutout)
 {
@@ -47,11 +33,11 @@ Scene cutBy(const Scene& scene, std::optional<Cutout> cutout)
 
 /// Two sheets across a view of 64 x 64 pixels: at z = 1, where a pixel is 1/32 wide, one with cells of 8 pixels; behind
 /// it a solid one.
-struct Sheets {
+struct CutSheets {
     Camera   camera = plainCamera(64, 64);
     Prepared scene;
 
-    explicit Sheets(std::optional<Cutout> cutout, bool cutLast = false)
+    explicit CutSheets(std::optional<Cutout> cutout, bool cutLast = false)
     {
         Mesh mesh;
         mesh.materials = {{"cut", {1, 0, 0}, 1, cutout}, {"solid", {0, 1, 0}, 1, std::nullopt}};
@@ -74,21 +60,12 @@ struct Sheets {
     }
 };
 
-std::map<std::string, std::uint64_t> countersOf(const DrawRequest& request)
-{
-    Renderer                             renderer;
-    const Result<FrameWork>              work = renderer.count(request);
-    std::map<std::string, std::uint64_t> counts;
-    EXPECT_TRUE(work.ok());
-    for (const NamedCount& counter : work->counters) counts[counter.name] = counter.value;
-    return counts;
-}
-
 TEST(Cutout, HolesLieWhereIntegersSayTheyDo)
 {
     for (const CutoutPattern pattern : {CutoutPattern::Checker, CutoutPattern::Stripes, CutoutPattern::Holes}) {
-        const Sheets sheets(Cutout{pattern, 0.25});  // 8 pixels, and pixel centres at odd multiples of 1/16 of a cell
-        const bool   mirrored = pointAt(sheets.camera, 64, 32, 1).x < 0,
+        const CutSheets sheets(
+            Cutout{pattern, 0.25});  // 8 pixels, and pixel centres at odd multiples of 1/16 of a cell
+        const bool mirrored   = pointAt(sheets.camera, 64, 32, 1).x < 0,
                    upsideDown = pointAt(sheets.camera, 32, 64, 1).y < 0;
         const auto picture    = referencePicture(sheets.scene->scene(), sheets.camera, FaceCulling::None, {});
         ASSERT_TRUE(picture.ok());
@@ -113,7 +90,7 @@ TEST(Cutout, HolesLieWhereIntegersSayTheyDo)
 TEST(Cutout, EveryPresetDrawsWhatTheReferenceDraws)
 {
     for (const char* word : {"cutouts", "cutouts?size=0.07", "cutouts?size=3"}) {
-        const Scene    scene = builtin(word);
+        const Scene    scene = builtinScene(word);
         const Prepared ready = prepared(scene);
         for (const auto& [width, height] : {std::array{97, 71}, std::array{33, 64}})
             EXPECT_GT(expectAgreement(ready, cameraFor(scene, width, height), FaceCulling::None, word), 1000u);
@@ -142,7 +119,7 @@ TEST(Cutout, EveryPresetDrawsWhatTheReferenceDrawsOfSoups)
 
 TEST(Cutout, NoMomentChangesAColour)
 {
-    const Scene    scene = builtin("cutouts?size=0.2");
+    const Scene    scene = builtinScene("cutouts?size=0.2");
     const Prepared ready = prepared(scene);
     for (const ShadingCost cost : {ShadingCost::None, ShadingCost::Ten}) {
         DrawRequest request{.scene = ready, .camera = cameraFor(scene, 101, 67), .pipeline = {}, .threads = 2};
@@ -162,8 +139,8 @@ TEST(Cutout, NoMomentChangesAColour)
 
 TEST(Cutout, TestingEarlyStillMeetsEveryHoleAndTheStatisticsSaySo)
 {
-    const Sheets cut(Cutout{CutoutPattern::Stripes, 0.25}), whole(std::nullopt);
-    const auto   counters = [](const Sheets& sheets, DepthMoment moment) {
+    const CutSheets cut(Cutout{CutoutPattern::Stripes, 0.25}), whole(std::nullopt);
+    const auto      counters = [](const CutSheets& sheets, DepthMoment moment) {
         return countersOf(sheets.request({.depth = moment}));
     };
     for (const DepthMoment moment :
@@ -174,7 +151,7 @@ TEST(Cutout, TestingEarlyStillMeetsEveryHoleAndTheStatisticsSaySo)
             << "half of the nearer sheet, which passes every test on its way in";
         Renderer renderer;
         Frame    frame;
-        for (const Sheets* sheets : {&cut, &whole}) {
+        for (const CutSheets* sheets : {&cut, &whole}) {
             const Result<FrameReport> report = renderer.draw(sheets->request({.depth = moment}), frame);
             ASSERT_TRUE(report.ok());
             const auto raster = std::ranges::find(report->stages, Stage::Raster, &StageTime::stage);
@@ -192,7 +169,7 @@ TEST(Cutout, TestingEarlyStillMeetsEveryHoleAndTheStatisticsSaySo)
 TEST(Cutout, HolesAreNoCoverForTilesAndIntervals)
 {
     // The nearer sheet covers every tile and every line; only its holes let the farther one be seen.
-    const Sheets cut(Cutout{CutoutPattern::Checker, 0.25}), whole(std::nullopt);
+    const CutSheets cut(Cutout{CutoutPattern::Checker, 0.25}), whole(std::nullopt);
     EXPECT_GE(countersOf(whole.request({.depth = DepthMoment::ZCull}))["tiles_rejected"], 64u);
     EXPECT_EQ(countersOf(cut.request({.depth = DepthMoment::ZCull}))["tiles_rejected"], 32u + 8)
         << "the tiles without a hole, those on the diagonal once for each triangle";
@@ -213,7 +190,7 @@ TEST(Cutout, HolesAreNoCoverForTilesAndIntervals)
 
 TEST(Cutout, StepsSayThatAFragmentLiesInAHole)
 {
-    const Sheets cut(Cutout{CutoutPattern::Stripes, 0.25}, true);
+    const CutSheets cut(Cutout{CutoutPattern::Stripes, 0.25}, true);
     for (const DepthMoment moment : {DepthMoment::Late, DepthMoment::Early}) {
         Replay              steps(cut.request({.depth = moment}));
         const std::uint64_t count = *steps.count(Grain::Pixel);

@@ -18,12 +18,7 @@ Counters countersOf(const HardCase& hard, const char* preset)
     request.scene    = hard.prepared;
     request.camera   = hard.camera;
     request.pipeline = findPreset(preset)->pipeline;
-    Renderer   renderer;
-    const auto counts = renderer.count(request);
-    Counters   byName;
-    EXPECT_TRUE(counts.ok());
-    for (const NamedCount& count : counts->counters) byName[std::string(count.name)] = count.value;
-    return byName;
+    return tests::countersOf(request);
 }
 
 std::uint64_t hiddenBy(const HardCase& hard, const char* preset)

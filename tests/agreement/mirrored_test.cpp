@@ -16,7 +16,7 @@
 namespace zscope::tests {
 namespace {
 
-constexpr std::array kCullings{FaceCulling::None, FaceCulling::Back};
+constexpr std::array kBothCullings{FaceCulling::None, FaceCulling::Back};
 
 Affine flipped(int axis)
 {
@@ -70,7 +70,7 @@ TEST(Mirrored, AHundredPlacementsAreWhatTheReferenceDraws)
         const auto   scene  = sceneOf(meshOf(word), places);
         const auto   ready  = std::make_shared<const PreparedScene>(scene);
         const Camera camera = cameraFor(*scene, 160, 90);
-        for (const FaceCulling culling : kCullings)
+        for (const FaceCulling culling : kBothCullings)
             EXPECT_GT(expectAgreement(ready, camera, culling, word, {.threads = {1, 2}}), 500u) << word;
     }
 }
@@ -90,7 +90,7 @@ TEST(Mirrored, AClosedModelLooksLikeItsTwin)
     request.eye = dvec3{0, 1.5, 8}, request.target = dvec3{0, 0, 0};
     request.width = 320, request.height = 160;
     const Camera camera = makeCamera(request, scene->bounds).value();
-    for (const FaceCulling culling : kCullings) {
+    for (const FaceCulling culling : kBothCullings) {
         const auto picture = referencePicture(*scene, camera, culling);
         const auto colours = referenceColours(*scene, camera, culling, *picture);
         int        covered = 0, unlike = 0;

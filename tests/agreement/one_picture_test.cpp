@@ -25,10 +25,10 @@
 namespace zscope::tests {
 namespace {
 
-struct Choice {
+struct AxisWord {
     std::string_view axis, word;
 };
-using Choices = std::vector<Choice>;
+using Choices = std::vector<AxisWord>;
 
 const std::vector<Choices>& approximations()
 {
@@ -46,7 +46,7 @@ const std::vector<Choices>& approximations()
 }
 
 /// The presets, and what they leave out of what can be chosen about culling.
-const std::vector<Pipeline>& methods()
+const std::vector<Pipeline>& methodsTested()
 {
     static const std::vector<Pipeline> kAll = [] {
         std::vector<Pipeline> all;
@@ -54,7 +54,7 @@ const std::vector<Pipeline>& methods()
             if (preset.pipeline.chooser != Chooser::Measured) all.push_back(preset.pipeline);
         const auto with = [&all](std::string_view preset, const Choices& choices) {
             Pipeline pipeline = findPreset(preset)->pipeline;
-            for (const Choice& choice : choices) pipeline = withChoice(pipeline, choice.axis, choice.word).value();
+            for (const AxisWord& choice : choices) pipeline = withChoice(pipeline, choice.axis, choice.word).value();
             all.push_back(pipeline);
         };
         with("quadtree", {{"upkeep", "pushed"}, {"query", "triangle"}});
@@ -72,7 +72,7 @@ const std::vector<Pipeline>& methods()
 
 std::optional<Pipeline> approximated(Pipeline pipeline, const Choices& choices)
 {
-    for (const Choice& choice : choices) {
+    for (const AxisWord& choice : choices) {
         const auto changed = withChoice(pipeline, choice.axis, choice.word);
         if (!changed) return std::nullopt;
         pipeline = *changed;
@@ -145,7 +145,7 @@ int expectOnePicture(const std::shared_ptr<const Scene>& loaded, const Camera& c
             draw(request, expected);
             for (int y = 0; y < camera.height; ++y)
                 for (int x = 0; x < camera.width; ++x) shown += expected.visible.idAt(x, y) >= 0;
-            for (const Pipeline& method : methods()) {
+            for (const Pipeline& method : methodsTested()) {
                 const auto pipeline = approximated(method, choices);
                 if (!pipeline) continue;
                 request.pipeline   = *pipeline;

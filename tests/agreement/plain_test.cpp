@@ -84,19 +84,19 @@ TEST_P(PlainText, DrawsWhatShortcutsDraw)
 INSTANTIATE_TEST_SUITE_P(Soups, PlainText, testing::ValuesIn(soupKinds().begin(), soupKinds().end()),
                          [](const auto& kind) { return std::to_string(static_cast<int>(kind.param)); });
 
-struct Choice {
+struct Setting {
     std::string_view axis, word;
 };
-constexpr std::array kNumbers{Choice{"snap", "4-bits"},
-                              Choice{"snap", "12-bits"},
-                              Choice{"vertices", "float32"},
-                              Choice{"depth-numbers", "float32"},
-                              Choice{"depth-numbers", "accumulated"},
-                              Choice{"depth-format", "float32-standard"},
-                              Choice{"depth-format", "fixed-24"},
-                              Choice{"depth-format", "fixed-16"},
-                              Choice{"edges", "accumulated"},
-                              Choice{"near", "drop"}};
+constexpr std::array kNumbers{Setting{"snap", "4-bits"},
+                              Setting{"snap", "12-bits"},
+                              Setting{"vertices", "float32"},
+                              Setting{"depth-numbers", "float32"},
+                              Setting{"depth-numbers", "accumulated"},
+                              Setting{"depth-format", "float32-standard"},
+                              Setting{"depth-format", "fixed-24"},
+                              Setting{"depth-format", "fixed-16"},
+                              Setting{"edges", "accumulated"},
+                              Setting{"near", "drop"}};
 
 /// Of the methods that skip nothing but what lies outside the view.
 TEST_P(PlainText, DrawsWhatShortcutsDrawByApproximateNumbers)
@@ -106,7 +106,7 @@ TEST_P(PlainText, DrawsWhatShortcutsDrawByApproximateNumbers)
         const Soup soup  = makeSoup(GetParam(), seed, 61, 47);
         const auto scene = std::make_shared<const PreparedScene>(soup.scene);
         for (const Preset& preset : presets())
-            for (const Choice& choice : kNumbers) {
+            for (const Setting& choice : kNumbers) {
                 const auto pipeline = withChoice(preset.pipeline, choice.axis, choice.word);
                 if (preset.pipeline.chooser == Chooser::Measured || preset.pipeline.cull != Cull::Frustum || !pipeline
                     || explainInvalid(*pipeline))

@@ -20,20 +20,6 @@
 namespace zscope::tests {
 namespace {
 
-using Prepared = std::shared_ptr<const PreparedScene>;
-
-Scene builtin(const std::string& word)
-{
-    Result<Scene> scene = loadScene("builtin:" + word);
-    EXPECT_TRUE(scene.ok()) << word;
-    return *std::move(scene);
-}
-
-Prepared prepared(Scene scene)
-{
-    return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(std::move(scene)));
-}
-
 /// The same scene with these patterns on every material.
 Scene patternedBy(const Scene& scene, std::optional<Relief> relief, std::optional<Cutout> cutout)
 {
@@ -51,11 +37,11 @@ Scene patternedBy(const Scene& scene, std::optional<Relief> relief, std::optiona
 
 /// Two sheets across a view of 64 x 64 pixels: at z = 1, where a pixel is 1/32 wide, one with a relief 1 deep; a solid
 /// one at `solidAt`, drawn after it or before.
-struct Sheets {
+struct CarvedSheets {
     Camera   camera = plainCamera(64, 64);
     Prepared scene;
 
-    Sheets(std::optional<Relief> relief, double solidAt, bool solidFirst = false)
+    CarvedSheets(std::optional<Relief> relief, double solidAt, bool solidFirst = false)
     {
         camera.near = 0.25;
         Mesh mesh;
@@ -85,7 +71,7 @@ constexpr std::uint64_t kPixels = 64 * 64;
 constexpr Relief        kBricks{ReliefPattern::Bricks, 0.5, 1};
 constexpr std::uint64_t kJoints = 64 * 8 + 56 * 4;
 
-std::map<std::string, std::uint64_t> countersOf(const Sheets& sheets, const Pipeline& pipeline)
+std::map<std::string, std::uint64_t> countersOf(const CarvedSheets& sheets, const Pipeline& pipeline)
 {
     Renderer                             renderer;
     const Result<FrameWork>              work = renderer.count(sheets.request(pipeline));
@@ -114,10 +100,10 @@ TEST(Relief, FragmentsLieWhereIntegersSayTheyDo)
 {
     for (const ReliefPattern pattern : {ReliefPattern::Bricks, ReliefPattern::Louvres, ReliefPattern::Bowls}) {
         // 8 pixels, of bricks 16, and pixel centres at odd multiples of 1/16 or 1/32 of a cell
-        const Sheets sheets(Relief{pattern, pattern == ReliefPattern::Bricks ? 0.5 : 0.25, 1}, 1.45);
-        const bool   mirrored = pointAt(sheets.camera, 64, 32, 1).x < 0,
-                   upsideDown = pointAt(sheets.camera, 32, 0, 1).y < 0;
-        const auto picture    = referencePicture(sheets.scene->scene(), sheets.camera, FaceCulling::None, {});
+        const CarvedSheets sheets(Relief{pattern, pattern == ReliefPattern::Bricks ? 0.5 : 0.25, 1}, 1.45);
+        const bool         mirrored = pointAt(sheets.camera, 64, 32, 1).x < 0,
+                   upsideDown       = pointAt(sheets.camera, 32, 0, 1).y < 0;
+        const auto picture          = referencePicture(sheets.scene->scene(), sheets.camera, FaceCulling::None, {});
         ASSERT_TRUE(picture.ok());
         int behind = 0;
         for (int y = 0; y < 64; ++y) {
@@ -141,7 +127,7 @@ TEST(Relief, FragmentsLieWhereIntegersSayTheyDo)
 TEST(Relief, EveryPresetDrawsWhatTheReferenceDraws)
 {
     for (const char* word : {"reliefs", "reliefs?size=0.07", "reliefs?depth=3", "reliefs?size=3&depth=0.01"}) {
-        const Scene    scene = builtin(word);
+        const Scene    scene = builtinScene(word);
         const Prepared ready = prepared(scene);
         for (const auto& [width, height] : {std::array{97, 71}, std::array{33, 64}})
             EXPECT_GT(expectAgreement(ready, cameraFor(scene, width, height), FaceCulling::None, word), 1000u);
@@ -173,7 +159,7 @@ TEST(Relief, EveryPresetDrawsWhatTheReferenceDrawsOfSoups)
 
 TEST(Relief, NoMomentChangesAColourAndGlassIsBlendedOverWhereFragmentsReallyLie)
 {
-    const Scene    scene  = builtin("reliefs?size=0.2");
+    const Scene    scene  = builtinScene("reliefs?size=0.2");
     const Camera   camera = cameraFor(scene, 101, 67);
     const Prepared ready  = prepared(scene);
     const auto     opaque = referencePicture(scene, camera, FaceCulling::None);
@@ -202,7 +188,7 @@ TEST(Relief, NoMomentChangesAColourAndGlassIsBlendedOverWhereFragmentsReallyLie)
 TEST(Relief, GlassHasNeitherHolesNorRelief)
 {
     const Scene everything =
-        patternedBy(builtin("glass"), Relief{ReliefPattern::Bowls, 0.3, 0.5}, Cutout{CutoutPattern::Stripes, 0.3});
+        patternedBy(builtinScene("glass"), Relief{ReliefPattern::Bowls, 0.3, 0.5}, Cutout{CutoutPattern::Stripes, 0.3});
     Scene opaqueOnly = everything;
     for (auto& mesh : opaqueOnly.meshes) {
         auto copy = std::make_shared<Mesh>(*mesh);
@@ -227,8 +213,8 @@ TEST(Relief, GlassHasNeitherHolesNorRelief)
 TEST(Relief, AnEarlyTestIsOnlyABoundAndSoShadesInVain)
 {
     // The relief comes first, then what is seen through its joints.
-    const Sheets carved(kBricks, 1.5), flat(std::nullopt, 1.5);
-    const auto   shaded = [](const Sheets& sheets, DepthMoment moment) {
+    const CarvedSheets carved(kBricks, 1.5), flat(std::nullopt, 1.5);
+    const auto         shaded = [](const CarvedSheets& sheets, DepthMoment moment) {
         return countersOf(sheets, {.depth = moment})["fragments_shaded"];
     };
     EXPECT_EQ(shaded(flat, DepthMoment::Early), kPixels);
@@ -240,7 +226,7 @@ TEST(Relief, AnEarlyTestIsOnlyABoundAndSoShadesInVain)
 
     // The other way round every fragment of the relief passes where its triangle is, and those in the joints do not
     // where they are.
-    const Sheets after(kBricks, 1.5, true);
+    const CarvedSheets after(kBricks, 1.5, true);
     for (const DepthMoment moment : {DepthMoment::Deferred, DepthMoment::Early, DepthMoment::ZCull}) {
         auto counters = countersOf(after, {.depth = moment});
         EXPECT_EQ(counters["fragments_moved"], kPixels);
@@ -249,7 +235,7 @@ TEST(Relief, AnEarlyTestIsOnlyABoundAndSoShadesInVain)
     }
 
     // Where even the triangle is hidden, nobody looks at the relief, except whoever shades first.
-    const Sheets hidden(kBricks, 0.5, true);
+    const CarvedSheets hidden(kBricks, 0.5, true);
     EXPECT_EQ(countersOf(hidden, {.depth = DepthMoment::Early})["fragments_moved"], 0u);
     EXPECT_EQ(countersOf(hidden, {.depth = DepthMoment::Late})["fragments_moved"], kPixels);
     EXPECT_GE(countersOf(hidden, {.depth = DepthMoment::ZCull})["tiles_rejected"], 64u);
@@ -259,11 +245,11 @@ TEST(Relief, AnEarlyTestIsOnlyABoundAndSoShadesInVain)
 
 TEST(Relief, TheStatisticsSaySoAndOfOtherScenesThatThereIsNone)
 {
-    const Sheets carved(kBricks, 1.5), flat(std::nullopt, 1.5);
-    Renderer     renderer;
-    Frame        frame;
+    const CarvedSheets carved(kBricks, 1.5), flat(std::nullopt, 1.5);
+    Renderer           renderer;
+    Frame              frame;
     for (const Preset& preset : exactPresets()) {
-        for (const Sheets* sheets : {&carved, &flat}) {
+        for (const CarvedSheets* sheets : {&carved, &flat}) {
             const Result<FrameReport> report = renderer.draw(sheets->request(preset.pipeline), frame);
             ASSERT_TRUE(report.ok());
             const std::string why  = std::ranges::find(report->stages, Stage::Raster, &StageTime::stage)->why;
@@ -283,7 +269,7 @@ TEST(Relief, TheStatisticsSaySoAndOfOtherScenesThatThereIsNone)
 TEST(Relief, AnIntervalIsNeverItsOwnButMayBeARivalsWhole)
 {
     // Through every line: first the relief in front, then behind a solid sheet.
-    const auto reasons = [](const Sheets& sheets) {
+    const auto reasons = [](const CarvedSheets& sheets) {
         Replay                        steps(sheets.request({.scan = Scan::SweepIntervals}));
         const Result<std::uint64_t>   count = steps.count(Grain::Interval);
         std::map<IntervalReason, int> met;
@@ -298,14 +284,14 @@ TEST(Relief, AnIntervalIsNeverItsOwnButMayBeARivalsWhole)
         }
         return met;
     };
-    EXPECT_GT(reasons(Sheets(kBricks, 1.5))[IntervalReason::HasPattern], 0);
-    EXPECT_EQ(reasons(Sheets(kBricks, 1.5))[IntervalReason::Leads], 0);
-    EXPECT_GT(reasons(Sheets(kBricks, 0.5))[IntervalReason::Leads], 0);
+    EXPECT_GT(reasons(CarvedSheets(kBricks, 1.5))[IntervalReason::HasPattern], 0);
+    EXPECT_EQ(reasons(CarvedSheets(kBricks, 1.5))[IntervalReason::Leads], 0);
+    EXPECT_GT(reasons(CarvedSheets(kBricks, 0.5))[IntervalReason::Leads], 0);
 }
 
 TEST(Relief, StepsSayHowFarBackAFragmentLies)
 {
-    const Sheets carved(kBricks, 1.5, true);
+    const CarvedSheets carved(kBricks, 1.5, true);
     for (const DepthMoment moment : {DepthMoment::Late, DepthMoment::Early}) {
         Replay              steps(carved.request({.depth = moment}));
         const std::uint64_t count    = *steps.count(Grain::Pixel);

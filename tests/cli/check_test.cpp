@@ -29,7 +29,7 @@ protected:
     }
 };
 
-const std::string kScene = "builtin:city?blocks=4";
+const std::string kCity = "builtin:city?blocks=4";
 
 TEST_F(Check, OfOurOwnPictureFindsNothingWrong)
 {
@@ -53,8 +53,8 @@ TEST_F(Check, OfOurOwnPictureFindsNothingWrong)
 
 TEST_F(Check, NamesTheMistakeAndTheFirstWrongPixel)
 {
-    draw(kScene, {"--algorithm", "scanline", "--fault", "x-truncated"});
-    const Answer answer = check(kScene, {"--ids", path("i.npy"), "--depth", path("d.npy"), "--json"});
+    draw(kCity, {"--algorithm", "scanline", "--fault", "x-truncated"});
+    const Answer answer = check(kCity, {"--ids", path("i.npy"), "--depth", path("d.npy"), "--json"});
     EXPECT_EQ(answer.status, 1) << answer.err;
     const json found = json::parse(answer.out);
     const json cause = found.at("causes").at(0);
@@ -66,19 +66,19 @@ TEST_F(Check, NamesTheMistakeAndTheFirstWrongPixel)
     for (const char* key : {"x", "y", "kind", "expected", "found"}) EXPECT_TRUE(first.contains(key)) << key;
     EXPECT_NE(first.at("expected"), first.at("found"));
 
-    const Answer text = check(kScene, {"--ids", path("i.npy")});
+    const Answer text = check(kCity, {"--ids", path("i.npy")});
     EXPECT_EQ(text.status, 1);
     EXPECT_NE(text.out.find("first wrong pixel ("), std::string::npos) << text.out;
     EXPECT_NE(text.out.find("x-truncated"), std::string::npos);
-    const Answer plain = check(kScene, {"--ids", path("i.npy"), "--no-diagnose", "--json"});
+    const Answer plain = check(kCity, {"--ids", path("i.npy"), "--no-diagnose", "--json"});
     EXPECT_EQ(json::parse(plain.out).at("causes"), json::array());
 }
 
 TEST_F(Check, WritesReportsForCourses)
 {
-    draw(kScene, {"--algorithm", "edge-walk", "--fault", "first-line-rounded"});
+    draw(kCity, {"--algorithm", "edge-walk", "--fault", "first-line-rounded"});
     const Answer answer =
-        check(kScene, {"--ids", path("i.npy"), "--junit", path("r.xml"), "--gradescope", path("r.json")});
+        check(kCity, {"--ids", path("i.npy"), "--junit", path("r.xml"), "--gradescope", path("r.json")});
     EXPECT_EQ(answer.status, 1) << answer.err;
     const std::string xml = contentsOf(path("r.xml"));
     EXPECT_NE(xml.find("<testsuites tests=\"3\" failures=\"2\" errors=\"0\">"), std::string::npos) << xml;
@@ -96,7 +96,7 @@ TEST_F(Check, WritesReportsForCourses)
 
 TEST_F(Check, RefusesWhatCannotBeUsed)
 {
-    draw(kScene);
+    draw(kCity);
     const auto status = [&](const std::vector<std::string>& words) {
         const Answer answer = run(words);
         EXPECT_TRUE(answer.out.empty()) << answer.out;
@@ -104,19 +104,19 @@ TEST_F(Check, RefusesWhatCannotBeUsed)
         return answer.status;
     };
     const std::string ids = path("i.npy"), camera = path("cam.json");
-    EXPECT_EQ(status({"check", kScene, "--camera", camera}), 2);
-    EXPECT_EQ(status({"check", kScene, "--ids", ids}), 2);
-    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--matrix", camera}), 2);
-    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--size", "160x120"}), 2);
-    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--rows", "sideways"}), 2);
-    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--depth-is", "far"}), 2);
-    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--subpixel-bits", "0"}), 2);
-    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--camera", camera, "--junit", ids}), 2);
-    EXPECT_EQ(status({"check", kScene, "--ids", path("absent.npy"), "--camera", camera}), 3);
-    EXPECT_EQ(status({"check", kScene, "--depth", ids, "--camera", camera}), 3);
-    EXPECT_EQ(status({"check", kScene, "--dump", ids}), 3);
-    EXPECT_EQ(status({"check", kScene, "--ids", ids, "--matrix", camera, "--size", "160x120"}), 3);
-    EXPECT_EQ(status({"check", kScene, "--picture", ids, "--camera", camera}), 3);
+    EXPECT_EQ(status({"check", kCity, "--camera", camera}), 2);
+    EXPECT_EQ(status({"check", kCity, "--ids", ids}), 2);
+    EXPECT_EQ(status({"check", kCity, "--ids", ids, "--matrix", camera}), 2);
+    EXPECT_EQ(status({"check", kCity, "--ids", ids, "--camera", camera, "--size", "160x120"}), 2);
+    EXPECT_EQ(status({"check", kCity, "--ids", ids, "--camera", camera, "--rows", "sideways"}), 2);
+    EXPECT_EQ(status({"check", kCity, "--ids", ids, "--camera", camera, "--depth-is", "far"}), 2);
+    EXPECT_EQ(status({"check", kCity, "--ids", ids, "--camera", camera, "--subpixel-bits", "0"}), 2);
+    EXPECT_EQ(status({"check", kCity, "--ids", ids, "--camera", camera, "--junit", ids}), 2);
+    EXPECT_EQ(status({"check", kCity, "--ids", path("absent.npy"), "--camera", camera}), 3);
+    EXPECT_EQ(status({"check", kCity, "--depth", ids, "--camera", camera}), 3);
+    EXPECT_EQ(status({"check", kCity, "--dump", ids}), 3);
+    EXPECT_EQ(status({"check", kCity, "--ids", ids, "--matrix", camera, "--size", "160x120"}), 3);
+    EXPECT_EQ(status({"check", kCity, "--picture", ids, "--camera", camera}), 3);
 }
 
 }  // namespace

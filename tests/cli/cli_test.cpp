@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kScene = "builtin:cubes";
+const std::string kCubes = "builtin:cubes";
 
 TEST_F(Cli, TheTimesOfLoadingAreToldApartWhereTheyAreAskedFor)
 {
@@ -51,96 +51,96 @@ TEST_F(Cli, EveryMistakeOnTheCommandLineEndsWithTwoAndSaysWhat)
         {{}, "subcommand"},
         {{"draw"},
          "render, info, export, verify, check, grade, audit, step, explain, lesson, compare, bench, merge or list"},
-        {{"illuminate", kScene}, "unknown command"},
+        {{"illuminate", kCubes}, "unknown command"},
         {{"render"}, "SCENE"},
         {{"render", "builtin:no-such-scene"}, "list scenes"},
-        {{"render", kScene, "--bogus"}, "--bogus"},
-        {{"render", kScene, "extra"}, "extra"},
-        {{"render", kScene, "--size", "0x0"}, "0x0"},
-        {{"render", kScene, "--size", "100000x100000"}, "16384"},
-        {{"render", kScene, "--size", "99999999999999999999x1"}, "--size"},
-        {{"render", kScene, "--size", "640"}, "--size"},
-        {{"render", kScene, "--size", "640x480x3"}, "--size"},
-        {{"render", kScene, "--size", "-640x480"}, "--size"},
-        {{"render", kScene, "--size", "1e3x480"}, "--size"},
-        {{"render", kScene, "--size", "64x64", "--size", "32x32"}, "--size"},
-        {{"render", kScene, "--eye", "1,2"}, "--eye"},
-        {{"render", kScene, "--eye", "1,2,nan"}, "--eye"},
-        {{"render", kScene, "--eye", "1,2,inf"}, "--eye"},
-        {{"render", kScene, "--eye", "1,2,3x"}, "--eye"},
-        {{"render", kScene, "--eye", "1,2,3,4"}, "--eye"},
-        {{"render", kScene, "--eye", "1,2,1e999"}, "--eye"},
-        {{"render", kScene, "--eye", "1,1,1", "--target", "1,1,1"}, "same point"},
-        {{"render", kScene, "--eye", "0,9,0", "--target", "0,0,0"}, "parallel"},
-        {{"render", kScene, "--fov", "0"}, "180"},
-        {{"render", kScene, "--fov", "180"}, "180"},
-        {{"render", kScene, "--fov", "nan"}, "--fov"},
-        {{"render", kScene, "--near", "0"}, "near"},
-        {{"render", kScene, "--near", "-1"}, "near"},
-        {{"render", kScene, "--near", "inf"}, "--near"},
-        {{"render", kScene, "--near", "5", "--far", "5"}, "far"},
-        {{"render", kScene, "--cull", "front"}, "none or back"},
-        {{"render", kScene, "--algorithm", "zbufer"}, "choose zbuffer, edge-walk, "},
-        {{"render", kScene, "--algorithm", "all"}, "algorithm"},
-        {{"render", kScene, "--algorithm", "zbuffer,scanline"}, "algorithm"},
-        {{"render", kScene, "--set", "scan"}, "axis=choice"},
-        {{"render", kScene, "--set", "scan=magic"}, "magic"},
-        {{"render", kScene, "--set", "snap=4-bits", "--set", "snap=12-bits"}, "'snap' is chosen twice"},
-        {{"render", kScene, "--algorithm", "zbuffer+snap=4-bits+snap=12-bits"}, "'snap' is chosen twice"},
-        {{"render", kScene, "--algorithm", "zbuffer+depth"}, "axis=choice"},
-        {{"render", kScene, "--algorithm", "zbuffer+depth=soon"}, "deferred, late, early, zcull, prepass"},
-        {{"render", kScene, "--algorithm", "zbuffer+depth=zcull+scan=edge-walk"}, "knows no tiles"},
-        {{"render", kScene, "--algorithm", "scanline+depth=late"}, "shades it once"},
-        {{"render", kScene, "--set", "taste=sweet"}, "taste"},
-        {{"render", kScene, "--threads=-1"}, "--threads"},
-        {{"render", kScene, "--threads=-1"}, "--threads"},
-        {{"render", kScene, "--threads", "257"}, "--threads wants a whole number from 0 to 256"},
-        {{"render", kScene, "--threads", "two"}, "--threads"},
-        {{"render", kScene, "--threads", "99999999999999999999"}, "--threads"},
-        {{"render", kScene, "--simd", "mmx"}, "auto, scalar"},
-        {{"render", kScene, "--memory-limit", "0"}, "--memory-limit"},
-        {{"render", kScene, "--show", "depth"}, "-o"},
-        {{"render", kScene, "-o", path("x.png"), "--show", "heat"}, "shaded, depth, ids or tests"},
-        {{"verify", kScene, "--algorithm", "zbuffer,,scanline"}, "''"},
-        {{"verify", kScene, "--sample", "0"}, "--sample"},
-        {{"export", kScene}, "--triangles"},
-        {{"step", kScene, "--count"}, "--grain"},
-        {{"step", kScene, "--grain", "line"}, "--count"},
-        {{"step", kScene, "--grain", "atom", "--count"}, "frame, stage"},
-        {{"step", kScene, "--grain", "line", "--count"}, "line"},  // a z-buffer has no lines
-        {{"step", kScene, "--grain", "frame", "--at", "-1"}, "--at"},
-        {{"step", kScene, "--grain", "frame", "--at", "1"}, "1"},
-        {{"step", kScene, "--grain", "frame", "--count", "-o", path("x.png")}, "--at"},
-        {{"explain", kScene}, "--pixel"},
-        {{"explain", kScene, "--pixel", "1,1", "--triangle", "1"}, "--pixel"},
-        {{"explain", kScene, "--pixel", "1"}, "X,Y"},
-        {{"explain", kScene, "--pixel", "1,x"}, "--pixel"},
-        {{"explain", kScene, "--size", "32x24", "--pixel", "32,0"}, "32x24"},
-        {{"explain", kScene, "--size", "32x24", "--pixel", "0,24"}, "32x24"},
-        {{"explain", kScene, "--triangle", "-1"}, "--triangle"},
-        {{"explain", kScene, "--triangle", "4000000000"}, "there is no triangle"},
-        {{"compare", kScene, "-o", path("x.png")}, "--algorithms"},
-        {{"compare", kScene, "--algorithms", "zbuffer", "-o", path("x.png")}, "two or more"},
-        {{"compare", kScene, "--algorithms", "zbuffer,scanline"}, "-o"},
-        {{"compare", kScene, "--algorithms", "zbuffer,bogus", "-o", path("x.png")}, "bogus"},
-        {{"compare", kScene, "--algorithms", "zbuffer,zbuffer+fault=bogus", "-o", path("x.png")}, "list faults"},
-        {{"compare", kScene, "--algorithms", "zbuffer,zbuffer+fault=box-short+fault=box-short", "-o", path("x.png")},
+        {{"render", kCubes, "--bogus"}, "--bogus"},
+        {{"render", kCubes, "extra"}, "extra"},
+        {{"render", kCubes, "--size", "0x0"}, "0x0"},
+        {{"render", kCubes, "--size", "100000x100000"}, "16384"},
+        {{"render", kCubes, "--size", "99999999999999999999x1"}, "--size"},
+        {{"render", kCubes, "--size", "640"}, "--size"},
+        {{"render", kCubes, "--size", "640x480x3"}, "--size"},
+        {{"render", kCubes, "--size", "-640x480"}, "--size"},
+        {{"render", kCubes, "--size", "1e3x480"}, "--size"},
+        {{"render", kCubes, "--size", "64x64", "--size", "32x32"}, "--size"},
+        {{"render", kCubes, "--eye", "1,2"}, "--eye"},
+        {{"render", kCubes, "--eye", "1,2,nan"}, "--eye"},
+        {{"render", kCubes, "--eye", "1,2,inf"}, "--eye"},
+        {{"render", kCubes, "--eye", "1,2,3x"}, "--eye"},
+        {{"render", kCubes, "--eye", "1,2,3,4"}, "--eye"},
+        {{"render", kCubes, "--eye", "1,2,1e999"}, "--eye"},
+        {{"render", kCubes, "--eye", "1,1,1", "--target", "1,1,1"}, "same point"},
+        {{"render", kCubes, "--eye", "0,9,0", "--target", "0,0,0"}, "parallel"},
+        {{"render", kCubes, "--fov", "0"}, "180"},
+        {{"render", kCubes, "--fov", "180"}, "180"},
+        {{"render", kCubes, "--fov", "nan"}, "--fov"},
+        {{"render", kCubes, "--near", "0"}, "near"},
+        {{"render", kCubes, "--near", "-1"}, "near"},
+        {{"render", kCubes, "--near", "inf"}, "--near"},
+        {{"render", kCubes, "--near", "5", "--far", "5"}, "far"},
+        {{"render", kCubes, "--cull", "front"}, "none or back"},
+        {{"render", kCubes, "--algorithm", "zbufer"}, "choose zbuffer, edge-walk, "},
+        {{"render", kCubes, "--algorithm", "all"}, "algorithm"},
+        {{"render", kCubes, "--algorithm", "zbuffer,scanline"}, "algorithm"},
+        {{"render", kCubes, "--set", "scan"}, "axis=choice"},
+        {{"render", kCubes, "--set", "scan=magic"}, "magic"},
+        {{"render", kCubes, "--set", "snap=4-bits", "--set", "snap=12-bits"}, "'snap' is chosen twice"},
+        {{"render", kCubes, "--algorithm", "zbuffer+snap=4-bits+snap=12-bits"}, "'snap' is chosen twice"},
+        {{"render", kCubes, "--algorithm", "zbuffer+depth"}, "axis=choice"},
+        {{"render", kCubes, "--algorithm", "zbuffer+depth=soon"}, "deferred, late, early, zcull, prepass"},
+        {{"render", kCubes, "--algorithm", "zbuffer+depth=zcull+scan=edge-walk"}, "knows no tiles"},
+        {{"render", kCubes, "--algorithm", "scanline+depth=late"}, "shades it once"},
+        {{"render", kCubes, "--set", "taste=sweet"}, "taste"},
+        {{"render", kCubes, "--threads=-1"}, "--threads"},
+        {{"render", kCubes, "--threads=-1"}, "--threads"},
+        {{"render", kCubes, "--threads", "257"}, "--threads wants a whole number from 0 to 256"},
+        {{"render", kCubes, "--threads", "two"}, "--threads"},
+        {{"render", kCubes, "--threads", "99999999999999999999"}, "--threads"},
+        {{"render", kCubes, "--simd", "mmx"}, "auto, scalar"},
+        {{"render", kCubes, "--memory-limit", "0"}, "--memory-limit"},
+        {{"render", kCubes, "--show", "depth"}, "-o"},
+        {{"render", kCubes, "-o", path("x.png"), "--show", "heat"}, "shaded, depth, ids or tests"},
+        {{"verify", kCubes, "--algorithm", "zbuffer,,scanline"}, "''"},
+        {{"verify", kCubes, "--sample", "0"}, "--sample"},
+        {{"export", kCubes}, "--triangles"},
+        {{"step", kCubes, "--count"}, "--grain"},
+        {{"step", kCubes, "--grain", "line"}, "--count"},
+        {{"step", kCubes, "--grain", "atom", "--count"}, "frame, stage"},
+        {{"step", kCubes, "--grain", "line", "--count"}, "line"},  // a z-buffer has no lines
+        {{"step", kCubes, "--grain", "frame", "--at", "-1"}, "--at"},
+        {{"step", kCubes, "--grain", "frame", "--at", "1"}, "1"},
+        {{"step", kCubes, "--grain", "frame", "--count", "-o", path("x.png")}, "--at"},
+        {{"explain", kCubes}, "--pixel"},
+        {{"explain", kCubes, "--pixel", "1,1", "--triangle", "1"}, "--pixel"},
+        {{"explain", kCubes, "--pixel", "1"}, "X,Y"},
+        {{"explain", kCubes, "--pixel", "1,x"}, "--pixel"},
+        {{"explain", kCubes, "--size", "32x24", "--pixel", "32,0"}, "32x24"},
+        {{"explain", kCubes, "--size", "32x24", "--pixel", "0,24"}, "32x24"},
+        {{"explain", kCubes, "--triangle", "-1"}, "--triangle"},
+        {{"explain", kCubes, "--triangle", "4000000000"}, "there is no triangle"},
+        {{"compare", kCubes, "-o", path("x.png")}, "--algorithms"},
+        {{"compare", kCubes, "--algorithms", "zbuffer", "-o", path("x.png")}, "two or more"},
+        {{"compare", kCubes, "--algorithms", "zbuffer,scanline"}, "-o"},
+        {{"compare", kCubes, "--algorithms", "zbuffer,bogus", "-o", path("x.png")}, "bogus"},
+        {{"compare", kCubes, "--algorithms", "zbuffer,zbuffer+fault=bogus", "-o", path("x.png")}, "list faults"},
+        {{"compare", kCubes, "--algorithms", "zbuffer,zbuffer+fault=box-short+fault=box-short", "-o", path("x.png")},
          "chosen twice"},
-        {{"verify", kScene, "--fault", "half-pixel+bogus"}, "'bogus'"},
-        {{"verify", kScene, "--fault", "half-pixel+"}, "''"},
-        {{"verify", kScene, "--algorithm", "zbuffer", "--fault", "half-pixel+edge-drift"},
+        {{"verify", kCubes, "--fault", "half-pixel+bogus"}, "'bogus'"},
+        {{"verify", kCubes, "--fault", "half-pixel+"}, "''"},
+        {{"verify", kCubes, "--algorithm", "zbuffer", "--fault", "half-pixel+edge-drift"},
          "The fault 'edge-drift' cannot happen here"},
-        {{"compare", kScene, "--algorithms", "zbuffer,scanline", "--frames", "0", "-o", path("x.png")}, "--frames"},
-        {{"bench", kScene, "--frames", "0"}, "--frames"},
-        {{"bench", kScene, "--frames", "6", "--rounds", "7"}, "--rounds"},
-        {{"bench", kScene, "--rounds", "2", "--path", "way.json"}, "--rounds"},
-        {{"bench", kScene, "--seconds", "-1"}, "--seconds"},
-        {{"bench", kScene, "--seconds", "3601"}, "--seconds"},
-        {{"bench", kScene, "--seconds", "inf"}, "--seconds"},
-        {{"bench", kScene, "--seconds", "2", "--path", "way.json"}, "--seconds"},
+        {{"compare", kCubes, "--algorithms", "zbuffer,scanline", "--frames", "0", "-o", path("x.png")}, "--frames"},
+        {{"bench", kCubes, "--frames", "0"}, "--frames"},
+        {{"bench", kCubes, "--frames", "6", "--rounds", "7"}, "--rounds"},
+        {{"bench", kCubes, "--rounds", "2", "--path", "way.json"}, "--rounds"},
+        {{"bench", kCubes, "--seconds", "-1"}, "--seconds"},
+        {{"bench", kCubes, "--seconds", "3601"}, "--seconds"},
+        {{"bench", kCubes, "--seconds", "inf"}, "--seconds"},
+        {{"bench", kCubes, "--seconds", "2", "--path", "way.json"}, "--seconds"},
         {{"bench", "--seconds", "2", "--experiment", "e.json"}, "--shard"},
         {{"bench", "--rounds", "2", "--experiment", "e.json"}, "--shard"},
-        {{"bench", kScene, "--threads", "1,x"}, "--threads"},
+        {{"bench", kCubes, "--threads", "1,x"}, "--threads"},
         {{"bench"}, "SCENE"},
         {{"bench", "--suite", "speed"}, "four-modes, octree-quadtree, soccer-field or peers"},
         {{"list"}, "LIST"},
@@ -173,7 +173,7 @@ TEST_F(Cli, SeveralFaultsAreNamedWithAPlusBetweenThem)
 TEST_F(Cli, AVectorTargetTheMachineLacksIsRefused)
 {
     for (const SimdEntry& entry : simdTargets())
-        EXPECT_EQ(run({"render", kScene, "--size", "32x32", "--simd", std::string(entry.word)}).status,
+        EXPECT_EQ(run({"render", kCubes, "--size", "32x32", "--simd", std::string(entry.word)}).status,
                   entry.available ? 0 : 2)
             << entry.word;
 }
@@ -194,8 +194,8 @@ TEST_F(Cli, AnInputThatCannotBeUsedEndsWithThree)
                                                {"render", broken},
                                                {"render", flat},
                                                {"render", path("")},
-                                               {"render", kScene, "--camera", nothing},
-                                               {"render", kScene, "--camera", camera}}) {
+                                               {"render", kCubes, "--camera", nothing},
+                                               {"render", kCubes, "--camera", camera}}) {
         const Answer answer = run(arguments);
         EXPECT_EQ(answer.status, 3) << arguments[0] << ' ' << arguments[1] << '\n' << answer.err;
         EXPECT_NE(answer.err.find("error: "), std::string::npos) << answer.err;
@@ -212,7 +212,7 @@ TEST_F(Cli, DiagnosticsCarryFileLineAndSeverity)
 
 TEST_F(Cli, ALimitThatIsExceededEndsWithFive)
 {
-    const Answer answer = run({"render", kScene, "--size", "8000x8000", "--memory-limit", "1", "-o", path("x.png")});
+    const Answer answer = run({"render", kCubes, "--size", "8000x8000", "--memory-limit", "1", "-o", path("x.png")});
     EXPECT_EQ(answer.status, 5) << answer.err;
     EXPECT_EQ(filesInFolder(), 0u);
 }
@@ -249,7 +249,7 @@ TEST_F(Cli, WhatAFrameTakesTogetherIsHeldAgainstTheLimit)
 TEST_F(Cli, AnInterruptEndsWithOneHundredAndThirtyAndLeavesNothing)
 {
     const std::vector<std::vector<std::string>> longWork{
-        {"bench", kScene, "--frames", "1000000", "--no-verify", "--csv", path("x.csv")},
+        {"bench", kCubes, "--frames", "1000000", "--no-verify", "--csv", path("x.csv")},
         {"verify", "builtin:layers?count=3000", "--size", "4000x4000"},
         {"step", "builtin:layers?count=3000", "--size", "4000x4000", "--grain", "pixel", "--at", "40000000000",
          "--state", path("x.json"), "-o", path("x.png")}};
@@ -298,7 +298,7 @@ TEST_F(Cli, OutputsOfOneRunMayNotReplaceEachOtherOrWhatIsRead)
     refused({"export", obj, "--triangles", obj}, "--triangles" + replaced);
     refused({"compare", obj, "--algorithms", "zbuffer,scanline", "-o", obj}, "-o" + replaced);
     refused({"bench", obj, "--csv", path("same"), "--json", path("same")}, "--json and --csv");
-    refused({"bench", kScene, obj, "--csv", obj}, "--csv" + replaced);
+    refused({"bench", kCubes, obj, "--csv", obj}, "--csv" + replaced);
     const std::string experiment = write(
         "e.json", R"({"title":"t","parts":[{"title":"p","scenes":[")" + obj + R"("],"algorithms":["zbuffer"]}]})");
     refused({"bench", "--experiment", experiment, "--csv", experiment}, "--csv would replace '" + experiment);
@@ -324,7 +324,7 @@ TEST_F(Cli, OutputsOfOneRunMayNotReplaceEachOtherOrWhatIsRead)
             refused({"render", scene, "--size", "32x24", option, led}, taken(option));
         refused({"step", scene, "--size", "32x24", "--grain", "frame", "--at", "0", "--state", led}, taken("--state"));
         refused({"export", scene, "--triangles", led}, taken("--triangles"));
-        refused({"bench", kScene, scene, "--size", "32x24", "--frames", "2", "--algorithms", "zbuffer", "--csv", led},
+        refused({"bench", kCubes, scene, "--size", "32x24", "--frames", "2", "--algorithms", "zbuffer", "--csv", led},
                 taken("--csv"));
         refused({"bench", "--experiment", later, "--csv", led}, taken("--csv"));
     }
@@ -372,7 +372,7 @@ TEST_F(Cli, WhatIsTooFarInASceneOrAPathIsToldWithItsLine)
     told("\"mesh\":\"b\",\"random\":{\"count\":3,\"min\":[1e308,0,0],\"max\":[1.1e308,0,0]}", "3");
 
     const auto flown = [this](const std::string& keys, const std::string& said) {
-        const Answer answer = run({"bench", kScene, "--algorithms", "zbuffer", "--size", "20x20", "--path",
+        const Answer answer = run({"bench", kCubes, "--algorithms", "zbuffer", "--size", "20x20", "--path",
                                    write("way.json", "{\"keys\":[\n" + keys + "]}")});
         EXPECT_EQ(answer.status, 3) << keys;
         EXPECT_NE(answer.err.find(said), std::string::npos) << answer.err;
@@ -475,7 +475,7 @@ TEST_F(Cli, InfoCountsWhatTheFileHolds)
 TEST_F(Cli, ResultsThatCannotBePrintedEndWithFour)
 {
     EXPECT_EQ(runInto("/dev/full", {"list", "algorithms"}).status, 4);
-    EXPECT_EQ(runInto("/dev/full", {"info", kScene}).status, 4);
+    EXPECT_EQ(runInto("/dev/full", {"info", kCubes}).status, 4);
 }
 
 }  // namespace

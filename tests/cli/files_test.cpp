@@ -20,8 +20,6 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-const std::string kScene = "builtin:teapot?tessellation=3";
-
 template <class T>
 std::vector<T> npyValues(const std::string& file, const std::string& description)
 {
@@ -60,9 +58,9 @@ Reference drawn(const std::string& word, int width, int height)
 TEST_F(Cli, ArraysHoldTheRenderersPicture)
 {
     const Answer answer =
-        run({"render", kScene, "--size", "257x193", "--ids", path("i.npy"), "--depth", path("d.npy")});
+        run({"render", kTeapot, "--size", "257x193", "--ids", path("i.npy"), "--depth", path("d.npy")});
     ASSERT_EQ(answer.status, 0) << answer.err;
-    const Picture expected = drawn(kScene, 257, 193).picture;
+    const Picture expected = drawn(kTeapot, 257, 193).picture;
     const auto    ids   = npyValues<std::int64_t>(path("i.npy"), "'<i8', 'fortran_order': False, 'shape': (193, 257)");
     const auto    depth = npyValues<float>(path("d.npy"), "'<f4', 'fortran_order': False, 'shape': (193, 257)");
     EXPECT_TRUE(std::ranges::equal(ids, expected.ids.values()));
@@ -78,7 +76,7 @@ TEST_F(Cli, EveryAlgorithmThreadCountAndTargetWritesTheSameBytes)
         for (const char* threads : {"1", "2", "3"}) {
             for (const char* simd : {"scalar", "auto"}) {
                 const Answer answer =
-                    run({"render", kScene, "--size", "131x97", "--algorithm", std::string(preset.name), "--threads",
+                    run({"render", kTeapot, "--size", "131x97", "--algorithm", std::string(preset.name), "--threads",
                          threads, "--simd", simd, "--ids", path("i.npy"), "--depth", path("d.npy")});
                 ASSERT_EQ(answer.status, 0) << answer.err;
                 ids.insert(contentsOf(path("i.npy")));
@@ -116,18 +114,18 @@ TEST_F(Cli, ACameraComesBackToTheBit)
 {
     const std::vector<std::string> view{"--size", "321x123", "--eye",  "1.1,2.2,7.3", "--target", "0.1,0.2,0.3",
                                         "--fov",  "33.3",    "--near", "0.1",         "--far",    "inf"};
-    std::vector<std::string>       print{"render", kScene, "--print-camera"};
+    std::vector<std::string>       print{"render", kTeapot, "--print-camera"};
     print.insert(print.end(), view.begin(), view.end());
     const Answer camera = run(print);
     ASSERT_EQ(camera.status, 0) << camera.err;
     write("cam.json", camera.out);
-    EXPECT_EQ(run({"render", kScene, "--camera", path("cam.json"), "--print-camera"}).out, camera.out);
+    EXPECT_EQ(run({"render", kTeapot, "--camera", path("cam.json"), "--print-camera"}).out, camera.out);
 
-    std::vector<std::string> byView{"render", kScene, "--ids", path("a.npy"), "--depth", path("b.npy")};
+    std::vector<std::string> byView{"render", kTeapot, "--ids", path("a.npy"), "--depth", path("b.npy")};
     byView.insert(byView.end(), view.begin(), view.end());
     ASSERT_EQ(run(byView).status, 0);
     ASSERT_EQ(
-        run({"render", kScene, "--camera", path("cam.json"), "--ids", path("c.npy"), "--depth", path("d.npy")}).status,
+        run({"render", kTeapot, "--camera", path("cam.json"), "--ids", path("c.npy"), "--depth", path("d.npy")}).status,
         0);
     EXPECT_EQ(contentsOf(path("a.npy")), contentsOf(path("c.npy")));
     EXPECT_EQ(contentsOf(path("b.npy")), contentsOf(path("d.npy")));
@@ -136,13 +134,13 @@ TEST_F(Cli, ACameraComesBackToTheBit)
         {"--size", "64x64"}, {"--eye", "1,2,3"}, {"--target", "1,2,3"}, {"--up", "0,0,1"},
         {"--fov", "30"},     {"--near", "1"},    {"--far", "100"}};
     for (const auto& [option, value] : others)
-        EXPECT_EQ(run({"render", kScene, "--camera", path("cam.json"), option, value}).status, 2) << option;
-    EXPECT_EQ(run({"render", kScene, "--camera", path("cam.json"), "--cull", "back"}).status, 0);
+        EXPECT_EQ(run({"render", kTeapot, "--camera", path("cam.json"), option, value}).status, 2) << option;
+    EXPECT_EQ(run({"render", kTeapot, "--camera", path("cam.json"), "--cull", "back"}).status, 0);
 }
 
 TEST_F(Cli, StatisticsAddUpAndNameEveryStage)
 {
-    const Answer answer = run({"render", kScene, "--size", "320x200", "--stats", path("s.json")});
+    const Answer answer = run({"render", kTeapot, "--size", "320x200", "--stats", path("s.json")});
     ASSERT_EQ(answer.status, 0) << answer.err;
     const json stats = json::parse(contentsOf(path("s.json")));
     EXPECT_EQ(stats["algorithm"], "auto");
@@ -235,12 +233,12 @@ TEST_F(Cli, AMillionBallsAreDrawnAndVerifiedInLessThanAGibibyte)
 
 TEST_F(Cli, PicturesCarryWhatReproducesThem)
 {
-    ASSERT_EQ(run({"render", kScene, "--size", "64x48", "--quiet", "-o", path("a.png")}).status, 0);
-    ASSERT_EQ(run({"render", kScene, "--size", "64x48", "-o", path("b.png"), "--stats=" + path("s.json")}).status, 0);
+    ASSERT_EQ(run({"render", kTeapot, "--size", "64x48", "--quiet", "-o", path("a.png")}).status, 0);
+    ASSERT_EQ(run({"render", kTeapot, "--size", "64x48", "-o", path("b.png"), "--stats=" + path("s.json")}).status, 0);
     const std::string picture = contentsOf(path("a.png"));
     EXPECT_NE(picture.find("zscope-cli render 'builtin:teapot?tessellation=3' --size 64x48"), std::string::npos);
     EXPECT_NE(picture.find("ZScope "), std::string::npos);
-    EXPECT_NE(picture.find(json::parse(run({"info", kScene, "--json"}).out)["digest"].get<std::string>()),
+    EXPECT_NE(picture.find(json::parse(run({"info", kTeapot, "--json"}).out)["digest"].get<std::string>()),
               std::string::npos);
     EXPECT_EQ(picture, contentsOf(path("b.png"))) << "where outputs go must not change what is in them";
 }
@@ -249,7 +247,7 @@ TEST_F(Cli, LayersAreDifferentPicturesOfOneFrame)
 {
     std::set<std::string> pictures;
     for (const char* layer : {"shaded", "depth", "ids", "tests"}) {
-        ASSERT_EQ(run({"render", kScene, "--size", "64x48", "--show", layer, "-o", path("l.png")}).status, 0) << layer;
+        ASSERT_EQ(run({"render", kTeapot, "--size", "64x48", "--show", layer, "-o", path("l.png")}).status, 0) << layer;
         pictures.insert(contentsOf(path("l.png")).substr(contentsOf(path("l.png")).find("IDAT")));
     }
     EXPECT_EQ(pictures.size(), 4u);
@@ -258,14 +256,14 @@ TEST_F(Cli, LayersAreDifferentPicturesOfOneFrame)
 TEST_F(Cli, AnOutputThatCannotBeWrittenEndsWithFourAndLeavesNothing)
 {
     const std::vector<std::vector<std::string>> commands{
-        {"render", kScene, "--size", "64x48", "-o"},
-        {"render", kScene, "--size", "64x48", "--ids"},
-        {"render", kScene, "--size", "64x48", "--depth"},
-        {"render", kScene, "--size", "64x48", "--stats"},
-        {"export", kScene, "--triangles"},
-        {"step", kScene, "--size", "64x48", "--grain", "frame", "--at", "0", "--state"},
-        {"bench", kScene, "--size", "64x48", "--frames", "1", "--csv"},
-        {"bench", kScene, "--size", "64x48", "--frames", "1", "--json"}};
+        {"render", kTeapot, "--size", "64x48", "-o"},
+        {"render", kTeapot, "--size", "64x48", "--ids"},
+        {"render", kTeapot, "--size", "64x48", "--depth"},
+        {"render", kTeapot, "--size", "64x48", "--stats"},
+        {"export", kTeapot, "--triangles"},
+        {"step", kTeapot, "--size", "64x48", "--grain", "frame", "--at", "0", "--state"},
+        {"bench", kTeapot, "--size", "64x48", "--frames", "1", "--csv"},
+        {"bench", kTeapot, "--size", "64x48", "--frames", "1", "--json"}};
     fs::create_directory(path("folder"));
     for (const std::vector<std::string>& command : commands) {
         for (const std::string& target : {std::string("/dev/full"), path("folder"), path("no/such/file")}) {
@@ -285,8 +283,8 @@ TEST_F(Cli, AFileThatMayNotGrowIsAnOutputThatCannotBeWritten)
     ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &unlimited), 0);
     const rlimit small{4096, unlimited.rlim_max};
     for (const std::vector<std::string>& command :
-         std::vector<std::vector<std::string>>{{"render", kScene, "--size", "64x48", "--ids", path("i.npy")},
-                                               {"export", kScene, "--triangles", path("t.npy")}}) {
+         std::vector<std::vector<std::string>>{{"render", kTeapot, "--size", "64x48", "--ids", path("i.npy")},
+                                               {"export", kTeapot, "--triangles", path("t.npy")}}) {
         ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
         const Answer answer = run(command);
         ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &unlimited), 0);
@@ -309,7 +307,7 @@ TEST_F(Cli, APictureOfASceneWithANameOfAnyBytesCarriesTextThatIsUtf8)
 
 TEST_F(Cli, VerifyFindsNoDifferenceAndSaysSoInJson)
 {
-    const Answer answer = run({"verify", kScene, "--size", "129x65", "--algorithm", "all", "--json"});
+    const Answer answer = run({"verify", kTeapot, "--size", "129x65", "--algorithm", "all", "--json"});
     ASSERT_EQ(answer.status, 0) << answer.err;
     const json rows = json::parse(answer.out);
     ASSERT_EQ(rows.size(), presets().size());
@@ -325,7 +323,7 @@ TEST_F(Cli, VerifyFindsNoDifferenceAndSaysSoInJson)
     for (const json& row : rows) {
         EXPECT_GT(row["covered"].get<int>(), 0);
     }
-    EXPECT_EQ(run({"verify", kScene, "--size", "129x65", "--sample", "500"}).status, 0);
+    EXPECT_EQ(run({"verify", kTeapot, "--size", "129x65", "--sample", "500"}).status, 0);
 }
 
 TEST_F(Cli, EverySuiteRunsByNameOnItsScenesOrOnOthersAndSetsTimesAgainstTheZBuffer)
@@ -460,7 +458,7 @@ TEST_F(Cli, OtherRenderersDrawTheSamePictureUpToAFewPixelsBesideEdges)
 TEST_F(Cli, BenchTablesHaveThePromisedColumns)
 {
     const Answer answer =
-        run({"bench", kScene, "builtin:cubes", "--size", "160x120", "--algorithms", "zbuffer,scanline", "--threads",
+        run({"bench", kTeapot, "builtin:cubes", "--size", "160x120", "--algorithms", "zbuffer,scanline", "--threads",
              "1,2", "--frames", "5", "--csv", path("b.csv"), "--json", path("b.json")});
     ASSERT_EQ(answer.status, 0) << answer.err;
     std::istringstream       lines(contentsOf(path("b.csv")));
@@ -486,7 +484,7 @@ TEST_F(Cli, BenchTablesHaveThePromisedColumns)
     }
     EXPECT_EQ(json::parse(contentsOf(path("b.json"))).size(), 8u);
 
-    ASSERT_EQ(run({"bench", kScene, "--size", "64x48", "--frames", "1", "--no-verify", "--csv", path("n.csv")}).status,
+    ASSERT_EQ(run({"bench", kTeapot, "--size", "64x48", "--frames", "1", "--no-verify", "--csv", path("n.csv")}).status,
               0);
     EXPECT_NE(contentsOf(path("n.csv")).find(",,,"), std::string::npos) << "not verified is empty, not 1";
 }

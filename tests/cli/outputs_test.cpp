@@ -15,8 +15,6 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-const std::string kScene = "builtin:teapot?tessellation=3";
-
 /// A frame that would take minutes: what is refused in seconds is refused before drawing.
 const std::vector<std::string> kLong{"builtin:layers?count=3000", "--size", "8000x8000"};
 
@@ -52,15 +50,15 @@ TEST_F(Cli, APictureIsWrittenUnderPngInAnyLettersAndUnderANameWithoutEnding)
 {
     fs::create_directory(path("folder.jpg"));
     for (const char* name : {"a.png", "b.PNG", "c.Png", "d", ".hidden", "folder.jpg/e"}) {
-        const Answer answer = run({"render", kScene, "--size", "32x24", "-o", path(name)});
+        const Answer answer = run({"render", kTeapot, "--size", "32x24", "-o", path(name)});
         EXPECT_EQ(answer.status, 0) << name << '\n' << answer.err;
         EXPECT_TRUE(isPng(path(name))) << name;
     }
-    EXPECT_EQ(run({"render", kScene, "--size", "32x24", "-o", "/dev/null"}).status, 0);
+    EXPECT_EQ(run({"render", kTeapot, "--size", "32x24", "-o", "/dev/null"}).status, 0);
     for (const char* command : {"render", "step", "compare"})
         EXPECT_NE(run({command, "--help"}).out.find("has no"), std::string::npos) << command;
     const Answer sheet =
-        run({"compare", kScene, "--size", "32x24", "--algorithms", "zbuffer,scanline", "-o", path("s.PDF")});
+        run({"compare", kTeapot, "--size", "32x24", "--algorithms", "zbuffer,scanline", "-o", path("s.PDF")});
     EXPECT_TRUE(sheet.status == 2 || contentsOf(path("s.PDF")).starts_with("%PDF")) << sheet.err;
 }
 
@@ -91,7 +89,7 @@ TEST_F(Cli, LinksStayLinksAndWhatTheyNameIsWritten)
     fs::create_symlink("real/old.png", path("old.png"));
     fs::create_symlink("real/new.png", path("new.png"));
     for (const std::string name : {"old.png", "new.png"}) {
-        ASSERT_EQ(run({"render", kScene, "--size", "32x24", "-o", path(name)}).status, 0);
+        ASSERT_EQ(run({"render", kTeapot, "--size", "32x24", "-o", path(name)}).status, 0);
         EXPECT_TRUE(fs::is_symlink(path(name))) << name;
         EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path("real/" + name)))) << name;
         EXPECT_TRUE(isPng(path("real/" + name))) << name;
@@ -107,13 +105,13 @@ TEST_F(Cli, AFileWhoseNameBeginsWithADashIsHintedAt)
                   std::string::npos)
             << answer.err;
     }
-    EXPECT_EQ(run({"info", kScene, "--bogus"}).err.find("is read as an option"), std::string::npos);
+    EXPECT_EQ(run({"info", kTeapot, "--bogus"}).err.find("is read as an option"), std::string::npos);
 }
 
 TEST_F(Cli, NoThreadsAreOnePerCore)
 {
     const auto threads = [this](const std::vector<std::string>& more) {
-        std::vector<std::string> words{"render", kScene, "--size", "64x48", "--stats", path("s.json")};
+        std::vector<std::string> words{"render", kTeapot, "--size", "64x48", "--stats", path("s.json")};
         words.insert(words.end(), more.begin(), more.end());
         const Answer answer = run(words);
         EXPECT_EQ(answer.status, 0) << answer.err;
@@ -121,7 +119,7 @@ TEST_F(Cli, NoThreadsAreOnePerCore)
     };
     const int cores = threads({});
     EXPECT_EQ(threads({"--threads", "0"}), cores);
-    ASSERT_EQ(run({"bench", kScene, "--size", "64x48", "--algorithms", "zbuffer", "--threads", "0,1", "--frames", "1",
+    ASSERT_EQ(run({"bench", kTeapot, "--size", "64x48", "--algorithms", "zbuffer", "--threads", "0,1", "--frames", "1",
                    "--json", path("b.json")})
                   .status,
               0);
@@ -129,8 +127,8 @@ TEST_F(Cli, NoThreadsAreOnePerCore)
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[0]["threads"], cores);
     EXPECT_EQ(rows[1]["threads"], 1);
-    EXPECT_EQ(run({"verify", kScene, "--size", "64x48", "--threads", "0"}).status, 0);
-    EXPECT_EQ(run({"compare", kScene, "--size", "64x48", "--algorithms", "zbuffer,scanline", "--threads", "0",
+    EXPECT_EQ(run({"verify", kTeapot, "--size", "64x48", "--threads", "0"}).status, 0);
+    EXPECT_EQ(run({"compare", kTeapot, "--size", "64x48", "--algorithms", "zbuffer,scanline", "--threads", "0",
                    "--require-equal"})
                   .status,
               0);

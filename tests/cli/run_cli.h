@@ -9,6 +9,8 @@
 
 namespace zscope::cli_test {
 
+inline const std::string kTeapot = "builtin:teapot?tessellation=3";
+
 struct Answer {
     int         status = -1;  // exit status; 1000 + n if signal n ended it
     std::string out;

@@ -15,14 +15,14 @@ constexpr const char* kPath = R"({"unit":"world","near":0.5,"far":"inf","keys":[
  {"frame":7,"cut":true,"eye":[0,1,0],"target":[0,1,-3]},
  {"frame":11,"eye":[0,1,0],"target":[0,1,3]}]})";
 
-Bounds box(const dvec3& min, const dvec3& max)
+Bounds boxBetween(const dvec3& min, const dvec3& max)
 {
     Bounds bounds;
     bounds.include(min);
     bounds.include(max);
     return bounds;
 }
-const Bounds kBox = box({-1, -1, -1}, {1, 1, 1});
+const Bounds kBox = boxBetween({-1, -1, -1}, {1, 1, 1});
 
 CameraPath pathOf(const std::string& text)
 {
@@ -93,7 +93,7 @@ TEST(CameraPath, InUnitsOfTheSceneFitsEveryScene)
 {
     const CameraPath path = pathOf(R"({"unit":"scene","keys":[{"frame":0,"eye":[0,0,2],"target":[0,0,0]}]})");
     // the middle is (12, 2, 1), half the diagonal 3
-    const auto cameras = camerasIn(path, box({10, 0, 0}, {14, 4, 2}));
+    const auto cameras = camerasIn(path, boxBetween({10, 0, 0}, {14, 4, 2}));
     EXPECT_LT(apart(cameras[0].eye, {12, 2, 7}), 1e-12);
     EXPECT_LT(apart(cameras[0].forward, {0, 0, -1}), 1e-12);
 }

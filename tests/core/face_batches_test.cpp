@@ -35,7 +35,7 @@ dvec3 cornerOf(const FaceBatches& made, std::uint32_t batch, std::uint32_t place
     return {made.points.x[v], made.points.y[v], made.points.z[v]};
 }
 
-void expectFaithful(const Mesh& mesh)
+void expectFaithfulFaces(const Mesh& mesh)
 {
     const FaceBatches made = makeFaceBatches(mesh);
     ASSERT_EQ(made.batches.size(), made.points.batches.size());
@@ -76,9 +76,9 @@ TEST(FaceBatches, HoldEveryOpaqueFaceOnceInLoadOrderWithItsTriangles)
 {
     std::vector<GridPolygon> shapes = test::cuttablePolygons();
     for (int i = 0; i < 400; ++i) shapes.push_back({"triangle", {{i, 0}, {i + 9, 1}, {i, 7}}});
-    expectFaithful(meshOf(shapes));
-    expectFaithful(meshOf(shapes, true));
-    expectFaithful(Mesh{});
+    expectFaithfulFaces(meshOf(shapes));
+    expectFaithfulFaces(meshOf(shapes, true));
+    expectFaithfulFaces(Mesh{});
     EXPECT_TRUE(makeFaceBatches(Mesh{}).batches.empty());
 }
 

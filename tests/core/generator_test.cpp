@@ -26,7 +26,7 @@ Scene made(const std::string& word)
     return scene.ok() ? std::move(scene).value() : Scene{};
 }
 
-double dot(const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double scalarProduct(const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 dvec3  normalOf(const Mesh& mesh, const std::array<std::uint32_t, 3>& t)
 {
     const dvec3 a = mesh.positions[t[1]] - mesh.positions[t[0]], b = mesh.positions[t[2]] - mesh.positions[t[0]];
@@ -178,7 +178,7 @@ TEST(Teapot, BodyFacesOutwards)
                               + mesh.positions[mesh.triangles[t][2]])
                              * (1.0 / 3);
         ++faces;
-        inward += dot(normalOf(mesh, mesh.triangles[t]), middle - dvec3{0, 1.2, 0}) <= 0;
+        inward += scalarProduct(normalOf(mesh, mesh.triangles[t]), middle - dvec3{0, 1.2, 0}) <= 0;
     }
     EXPECT_GT(faces, 1500);
     EXPECT_EQ(inward, 0);
@@ -195,8 +195,8 @@ TEST(SoccerBall, IsAClosedSurfaceOfTwelvePentagonsAndTwentyHexagonsTurnedOutward
     EXPECT_EQ(corners[5], 12);
     EXPECT_EQ(corners[6], 20);
     EXPECT_GT(corners[4], 1000);
-    for (const auto& t : ball.triangles) EXPECT_GT(dot(normalOf(ball, t), ball.positions[t[0]]), 0);
-    for (const dvec3& p : ball.positions) EXPECT_NEAR(std::sqrt(dot(p, p)), 0.9925, 0.0076);
+    for (const auto& t : ball.triangles) EXPECT_GT(scalarProduct(normalOf(ball, t), ball.positions[t[0]]), 0);
+    for (const dvec3& p : ball.positions) EXPECT_NEAR(std::sqrt(scalarProduct(p, p)), 0.9925, 0.0076);
     // Euler: vertices - edges + faces = 2.
     std::size_t sides = 0;
     for (const auto& [n, count] : corners) sides += n * static_cast<std::size_t>(count);
@@ -227,8 +227,8 @@ TEST(Icosphere, HasTwentyTimesTheSquareOfItsFrequencyAllTurnedOutwardsAndClosed)
         double smallest = 1e9, largest = 0;
         for (const auto& triangle : ball.triangles) {
             const dvec3  normal = normalOf(ball, triangle);
-            const double area   = std::sqrt(dot(normal, normal));
-            EXPECT_GT(dot(normal, ball.positions[triangle[0]]), 0) << word;
+            const double area   = std::sqrt(scalarProduct(normal, normal));
+            EXPECT_GT(scalarProduct(normal, ball.positions[triangle[0]]), 0) << word;
             smallest = std::min(smallest, area);
             largest  = std::max(largest, area);
         }
@@ -247,7 +247,7 @@ TEST(Icosphere, LeavesTrianglesOutAroundTheBottomOnly)
     for (const dvec3& p : open.meshes[0]->positions) left.insert({p.x, p.y, p.z});
     for (const dvec3& p : whole.meshes[0]->positions) {
         if (left.contains({p.x, p.y, p.z})) continue;
-        EXPECT_LT(p.y, -0.75 * std::sqrt(dot(p, p)));
+        EXPECT_LT(p.y, -0.75 * std::sqrt(scalarProduct(p, p)));
     }
     EXPECT_EQ(whole.meshes[0]->positions.size() - left.size(), 66u) << "those that only the triangles left out had";
     EXPECT_EQ(loadScene("builtin:icosphere?frequency=3&left-out=9").error().kind, Trouble::Usage);
@@ -269,7 +269,7 @@ TEST(Million, OneGentleSheetFacesTheEyeEverywhere)
     std::size_t away = 0;
     // the eye is at 0
     for (const auto& triangle : sheet.triangles)
-        away += dot(normalOf(sheet, triangle), sheet.positions[triangle[0]]) >= 0;
+        away += scalarProduct(normalOf(sheet, triangle), sheet.positions[triangle[0]]) >= 0;
     EXPECT_EQ(away, 0u);
 }
 
@@ -281,9 +281,9 @@ TEST(SoccerField, GoodPartOfTheBallsIsInTheDefaultView)
     int inside = 0;
     for (const Instance& ball : field.instances) {
         const dvec3  d = ball.toWorld({0, 0, 0}) - camera->eye;
-        const double z = dot(camera->forward, d);
-        inside += z > 1 && std::abs(dot(camera->right, d)) * camera->focal < z * 4 / 3
-                  && std::abs(dot(camera->up, d)) * camera->focal < z;
+        const double z = scalarProduct(camera->forward, d);
+        inside += z > 1 && std::abs(scalarProduct(camera->right, d)) * camera->focal < z * 4 / 3
+                  && std::abs(scalarProduct(camera->up, d)) * camera->focal < z;
     }
     EXPECT_GT(inside, 200);
     EXPECT_LT(inside, 600);
@@ -354,7 +354,7 @@ TEST(Soup, HasWhatItPromises)
             low              = std::min(low, soup.positions[t[k]].z);
             high             = std::max(high, soup.positions[t[k]].z);
             const dvec3 edge = soup.positions[t[(k + 1) % 3]] - soup.positions[t[k]];
-            size             = std::max(size, std::sqrt(dot(edge, edge)));
+            size             = std::max(size, std::sqrt(scalarProduct(edge, edge)));
         }
         crossing += low < 23 && high > 23;  // the near plane of the default view
         least = std::min(least, size);
@@ -402,10 +402,10 @@ TEST(WallAndCity, TheWallHidesAlmostTheWholePicture)
     for (const dvec3& p : scene.meshes[0]->positions) {
         if (p.y < 13) continue;
         const dvec3  d = p - camera->eye;
-        const double z = dot(camera->forward, d);
-        left           = std::min(left, dot(camera->right, d) / z * camera->focal);
-        right          = std::max(right, dot(camera->right, d) / z * camera->focal);
-        top            = std::max(top, dot(camera->up, d) / z * camera->focal);
+        const double z = scalarProduct(camera->forward, d);
+        left           = std::min(left, scalarProduct(camera->right, d) / z * camera->focal);
+        right          = std::max(right, scalarProduct(camera->right, d) / z * camera->focal);
+        top            = std::max(top, scalarProduct(camera->up, d) / z * camera->focal);
     }
     EXPECT_LT(left, -16.0 / 9);
     EXPECT_GT(top, 1);

@@ -16,13 +16,13 @@ __extension__ typedef __int128 Wide;
 
 constexpr std::int64_t kGuard = 1 << 24;
 
-struct Edge {
+struct CrossedEdge {
     std::int64_t xa, ya, xb, yb;  // 1/256 pixel, ya < yb
 };
 
-Wide floorOf(Wide value, Wide by) { return value / by - (value % by < 0 ? 1 : 0); }
+Wide floorOfQuotient(Wide value, Wide by) { return value / by - (value % by < 0 ? 1 : 0); }
 
-LineCrossing crossingOf(const Edge& e, int line, bool opens = false)
+LineCrossing crossingOf(const CrossedEdge& e, int line, bool opens = false)
 {
     namespace hn = hwy::HWY_NAMESPACE;
     const hn::CappedTag<double, 1> d;
@@ -34,7 +34,7 @@ LineCrossing crossingOf(const Edge& e, int line, bool opens = false)
 }
 
 /// Walks the edge over all lines of [0, height) that it crosses and compares every position; how many there were.
-int expectExact(const Edge& e, int height)
+int expectExactCrossings(const CrossedEdge& e, int height)
 {
     const int first = std::max(0, firstLineFrom(static_cast<double>(e.ya)));
     const int end   = std::min(height, firstLineFrom(static_cast<double>(e.yb)));
@@ -43,8 +43,8 @@ int expectExact(const Edge& e, int height)
     LineCrossing closing = crossingOf(e, first), opening = crossingOf(e, first, true);
     for (int y = first; y < end; ++y, closing = closing.onNextLine(), opening = opening.onNextLine()) {
         const Wide run = dx * (Wide{256} * y + 128 - e.ya);
-        const Wide x = e.xa + floorOf(run, dy), rest = run - floorOf(run, dy) * dy;
-        const Wide pixel = -floorOf(-((x - 128) * dy + rest), 256 * dy);  // 256 i + 128 >= x + rest / dy
+        const Wide x = e.xa + floorOfQuotient(run, dy), rest = run - floorOfQuotient(run, dy) * dy;
+        const Wide pixel = -floorOfQuotient(-((x - 128) * dy + rest), 256 * dy);  // 256 i + 128 >= x + rest / dy
         for (const LineCrossing& crossing : {closing, opening}) {
             EXPECT_EQ(crossing.x(), static_cast<std::int64_t>(x));
             EXPECT_EQ(crossing.firstPixel(), static_cast<std::int64_t>(pixel));
@@ -71,10 +71,10 @@ TEST(LineCrossing, EqualsExactDivisionOnEveryLine)
         const std::int64_t height =
             1 + static_cast<std::int64_t>(random() % (random() % 2 ? 3000 : LineCrossing::kTallest - 1));
         const std::int64_t reach = random() % 2 ? 4000 : kGuard;
-        Edge               e{within(random, reach), within(random, 400000), within(random, reach), 0};
+        CrossedEdge        e{within(random, reach), within(random, 400000), within(random, reach), 0};
         if (random() % 16 == 0) e.xa = random() % 2 ? kGuard : -kGuard, e.xb = -e.xa;
         e.yb = e.ya + height;
-        lines += expectExact(e, 4096);
+        lines += expectExactCrossings(e, 4096);
         if (HasFailure()) return;
     }
     EXPECT_GT(lines, 1000000);
@@ -87,7 +87,7 @@ TEST(LineCrossing, ACrossingOneOverTheHeightFromAPixelCentreIsOnItsSide)
                                   std::int64_t{65537}, std::int64_t{257}})
         for (const std::int64_t dx :
              {std::int64_t{1}, std::int64_t{-1}, dy - 1, 1 - dy, dy + 1, -dy - 1, kGuard - 1, 1 - kGuard})
-            for (std::int64_t ya = 0; ya < 256; ya += 5) expectExact({64, ya, 64 + dx, ya + dy}, 4096);
+            for (std::int64_t ya = 0; ya < 256; ya += 5) expectExactCrossings({64, ya, 64 + dx, ya + dy}, 4096);
 }
 
 TEST(LineCrossing, OrderIsThatOfCrossingsThatAreNotAllButEqual)
@@ -96,11 +96,12 @@ TEST(LineCrossing, OrderIsThatOfCrossingsThatAreNotAllButEqual)
     int             sameSubpixel = 0;
     for (int i = 0; i < 20000; ++i) {
         const auto edge = [&random] {
-            return Edge{static_cast<std::int64_t>(random() % 40), -static_cast<std::int64_t>(random() % 500) - 1,
-                        static_cast<std::int64_t>(random() % 40), 129 + static_cast<std::int64_t>(random() % 300)};
+            return CrossedEdge{static_cast<std::int64_t>(random() % 40), -static_cast<std::int64_t>(random() % 500) - 1,
+                               static_cast<std::int64_t>(random() % 40),
+                               129 + static_cast<std::int64_t>(random() % 300)};
         };
-        const Edge a = edge(), b = edge();
-        const auto numerator    = [](const Edge& e) { return e.xa * (e.yb - e.ya) + (e.xb - e.xa) * (128 - e.ya); };
+        const CrossedEdge a = edge(), b = edge();
+        const auto numerator = [](const CrossedEdge& e) { return e.xa * (e.yb - e.ya) + (e.xb - e.xa) * (128 - e.ya); };
         const std::int64_t left = numerator(a) * (b.yb - b.ya), right = numerator(b) * (a.yb - a.ya);
         if (left == right) continue;  // both are hundredths of a millionth of a subpixel apart, or more
         EXPECT_EQ(crossingOf(a, 0).isLeftOf(crossingOf(b, 0)), left < right);

@@ -11,8 +11,8 @@
 namespace zscope {
 namespace {
 
-constexpr float         kEmpty = 0.001f;
-constexpr std::uint64_t kAll   = ~std::uint64_t{0};
+constexpr float         kNothing = 0.001f;
+constexpr std::uint64_t kAll     = ~std::uint64_t{0};
 
 TEST(MaskedLayers, NeverHoldATileToBeNearerThanItsFarthestPixel)
 {
@@ -24,8 +24,8 @@ TEST(MaskedLayers, NeverHoldATileToBeNearerThanItsFarthestPixel)
         MaskedLayers        layers;
         layers.reset(2, 1);
         std::array<float, 64> pixels;
-        pixels.fill(kEmpty);
-        float reference = kEmpty;
+        pixels.fill(kNothing);
+        float reference = kNothing;
         for (int i = 0; i < 60; ++i) {
             std::uint64_t mask  = 0;
             const auto    first = random.below(64), last = first + random.below(64 - first);
@@ -55,20 +55,20 @@ TEST(MaskedLayers, ATileCoveredInPiecesOfOneSurfaceIsKnownWhenTheLastPieceComes)
 {
     MaskedLayers layers;
     layers.reset(1, 1);
-    EXPECT_FALSE(layers.cover(0, 0, kAll >> 32, kAll, 0.50f, kEmpty));
-    EXPECT_FALSE(layers.cover(0, 0, kAll << 48, kAll, 0.48f, kEmpty));
-    EXPECT_EQ(layers.cover(0, 0, kAll << 32, kAll, 0.49f, kEmpty), 0.48f);
+    EXPECT_FALSE(layers.cover(0, 0, kAll >> 32, kAll, 0.50f, kNothing));
+    EXPECT_FALSE(layers.cover(0, 0, kAll << 48, kAll, 0.48f, kNothing));
+    EXPECT_EQ(layers.cover(0, 0, kAll << 32, kAll, 0.49f, kNothing), 0.48f);
 }
 
 TEST(MaskedLayers, ASurfaceFarInFrontBeginsANewLayerAndTheOldOneIsForgotten)
 {
     MaskedLayers layers;
     layers.reset(1, 1);
-    EXPECT_FALSE(layers.cover(0, 0, kAll >> 32, kAll, 0.1f, kEmpty));
-    EXPECT_FALSE(layers.cover(0, 0, kAll << 48, kAll, 0.9f, kEmpty)) << "nearer to the eye than to the layer";
-    EXPECT_FALSE(layers.cover(0, 0, (kAll << 32) >> 16, kAll, 0.9f, kEmpty));
-    EXPECT_FALSE(layers.cover(0, 0, 1, kAll, kEmpty, kEmpty)) << "what the whole tile is nearer than adds nothing";
-    EXPECT_EQ(layers.cover(0, 0, kAll, kAll, 0.8f, kEmpty), 0.8f);
+    EXPECT_FALSE(layers.cover(0, 0, kAll >> 32, kAll, 0.1f, kNothing));
+    EXPECT_FALSE(layers.cover(0, 0, kAll << 48, kAll, 0.9f, kNothing)) << "nearer to the eye than to the layer";
+    EXPECT_FALSE(layers.cover(0, 0, (kAll << 32) >> 16, kAll, 0.9f, kNothing));
+    EXPECT_FALSE(layers.cover(0, 0, 1, kAll, kNothing, kNothing)) << "what the whole tile is nearer than adds nothing";
+    EXPECT_EQ(layers.cover(0, 0, kAll, kAll, 0.8f, kNothing), 0.8f);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ std::vector<dvec3> pointsOf(const Bounds& box, Random& random)
     return points;
 }
 
-struct Tally {
+struct Coverage {
     int crossing = 0, inFront = 0, narrowed = 0;
 };
 
@@ -69,7 +69,7 @@ void expectHolds(const NodeReach& reach, const ScreenCorner& corner)
 
 /// What lies in the box and in a ball about its middle.
 void expectBallCovers(const NodeReach& ofBox, const Bounds& box, const Affine& toWorld, const Projection& projection,
-                      Random& random, Tally& tally)
+                      Random& random, Coverage& tally)
 {
     const dvec3      middle = 0.5 * box.min + 0.5 * box.max, half = 0.5 * box.max - 0.5 * box.min;
     const double     radius = ballRadius(glm::dot(half, half)) * random.between(0.3, 1);
@@ -86,7 +86,7 @@ void expectBallCovers(const NodeReach& ofBox, const Bounds& box, const Affine& t
     }
 }
 
-void expectCovers(const Bounds& box, const Affine& toWorld, const Camera& camera, Random& random, Tally& tally)
+void expectCovers(const Bounds& box, const Affine& toWorld, const Camera& camera, Random& random, Coverage& tally)
 {
     const Projection projection(camera);
     const NodeReach  reach = reachOf(box, toWorld, projection, kEverywhere);
@@ -120,8 +120,8 @@ Affine anyPlacement(Random& random, double scale)
 
 TEST(NodeReach, IsNeverSmallerThanWhatThePointsOfTheBoxTouch)
 {
-    Random random(1);
-    Tally  tally;
+    Random   random(1);
+    Coverage tally;
     for (int i = 0; i < 60'000; ++i) {
         const double scale  = powerOfTen(random, -7, 7);
         const double fov    = random.below(4) == 0 ? 0.01 : random.below(4) == 0 ? 179 : random.between(5, 150);
@@ -170,7 +170,7 @@ TEST(NodeReach, E8ABoxAboutTheNearPlaneOrTheEyeCrossesIt)
         EXPECT_TRUE(reach(box(-5, 1)).crossesNear) << "wholly behind: no bounds either";
         EXPECT_FALSE(reach(box(0.6, 0.01)).crossesNear);
         // Touching the plane up to rounding may be called either way, but then must be right.
-        Tally tally;
+        Coverage tally;
         expectCovers(box(0.5 + 0x1p-52, 0), Affine{}, camera, random, tally);
     }
 }

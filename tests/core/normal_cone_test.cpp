@@ -80,11 +80,11 @@ Affine anyPlacement(Random& random, bool mirrors)
     return place;
 }
 
-struct Tally {
+struct ConeVerdicts {
     int asked = 0, called = 0, missed = 0;
 };
 
-void expectAllBackWhereCalled(const Patch& patch, const Affine& toWorld, const Camera& camera, Tally& tally)
+void expectAllBackWhereCalled(const Patch& patch, const Affine& toWorld, const Camera& camera, ConeVerdicts& tally)
 {
     const Projection projection(camera);
     const PlacedView view(projection, toWorld);
@@ -100,8 +100,8 @@ void expectAllBackWhereCalled(const Patch& patch, const Affine& toWorld, const C
 
 TEST(NormalCone, ABatchIsCalledBackFacingOnlyIfEveryTriangleIsAfterSnapping)
 {
-    Random random(11);
-    Tally  all;
+    Random       random(11);
+    ConeVerdicts all;
     for (int i = 0; i < 30'000; ++i) {
         const double rough   = random.below(3) == 0 ? 0 : std::pow(10.0, random.between(-6, -0.5));
         const double stretch = random.below(3) == 0 ? std::pow(10.0, random.between(-5, 2)) : 1;
@@ -125,8 +125,8 @@ TEST(NormalCone, ABatchIsCalledBackFacingOnlyIfEveryTriangleIsAfterSnapping)
 
 TEST(NormalCone, SaysYesOfMostThatAreSeenFromWellBehind)
 {
-    Random random(12);
-    Tally  all;
+    Random       random(12);
+    ConeVerdicts all;
     for (int i = 0; i < 2'000; ++i) {
         const Patch patch = anyPatch(random, 8, 0.02, 0.3, 1);
         const dvec3 eye   = patch.cone.axis * -10.0 + random.between(dvec3{-4, -4, -4}, dvec3{4, 4, 4});
@@ -142,7 +142,7 @@ TEST(NormalCone, PromisesNothingOfWhatHasNoAreaReachesBeforeTheNearPlaneOrIsSeen
     Random       random(13);
     const Patch  flat   = anyPatch(random, 3, 0, 0, 1);
     const Camera behind = lookingAt(flat.cone.axis * -10.0, {0, 0, 0}, random);
-    Tally        tally;
+    ConeVerdicts tally;
     expectAllBackWhereCalled(flat, Affine{}, behind, tally);
     EXPECT_EQ(tally.called, 1) << "the plain case";
 

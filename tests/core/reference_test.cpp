@@ -17,8 +17,6 @@
 namespace zscope::tests {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// A triangle by its corners in pixels, at one distance.
 Corners flat(const Camera& camera, std::array<std::array<double, 2>, 3> xy, double z = 1)
 {
@@ -105,7 +103,7 @@ TEST(Reference, KeepsASampleExactlyOnTheFarPlane)
     EXPECT_TRUE(seen(4));
     EXPECT_TRUE(seen(4 * (1 + 0x1p-22)));
     EXPECT_FALSE(seen(4 * (1 - 0x1p-22)));
-    EXPECT_TRUE(seen(kInfinity));
+    EXPECT_TRUE(seen(std::numeric_limits<double>::infinity()));
 }
 
 TEST(Reference, CutsAtTheNearPlaneAndJoinsThePartsWithoutAGap)

@@ -20,8 +20,6 @@
 namespace zscope::tests {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 DrawRequest requestFor(std::shared_ptr<const Scene> scene, const Camera& camera, const Pipeline& pipeline)
 {
     DrawRequest request;
@@ -333,7 +331,7 @@ TEST(Renderer, ASampleExactlyAtFarIsKeptAndOneStepBeyondIsNot)
         EXPECT_EQ(coveredAt(4, 4, preset), 256) << preset.name;
         EXPECT_EQ(coveredAt(4, 1 / double{std::nextafter(0.25f, 1.0f)}, preset), 0) << preset.name;
         EXPECT_EQ(coveredAt(4, 1 / double{std::nextafter(0.25f, 0.0f)}, preset), 256) << preset.name;
-        EXPECT_EQ(coveredAt(0x1p200, kInfinity, preset), 256)
+        EXPECT_EQ(coveredAt(0x1p200, std::numeric_limits<double>::infinity(), preset), 256)
             << preset.name << ": depth 0 is kept where there is no far plane";
         EXPECT_EQ(coveredAt(0x1p200, 0x1p100, preset), 0) << preset.name;
     }

@@ -21,7 +21,7 @@
 namespace zscope::tests {
 namespace {
 
-BenchRequest requestFor(const std::string& word, const std::vector<Pipeline>& pipelines)
+BenchRequest benchOf(const std::string& word, const std::vector<Pipeline>& pipelines)
 {
     const Result<Scene> scene = loadScene("builtin:" + word);
     ViewRequest         view  = scene->views.empty() ? ViewRequest{} : scene->views.front().view;
@@ -38,7 +38,7 @@ BenchRequest requestFor(const std::string& word, const std::vector<Pipeline>& pi
     return request;
 }
 
-Pipeline presetNamed(std::string_view name) { return findPreset(name)->pipeline; }
+Pipeline pipelineNamed(std::string_view name) { return findPreset(name)->pipeline; }
 
 std::uint64_t counterOf(const BenchRow& row, std::string_view name)
 {
@@ -50,7 +50,7 @@ std::uint64_t counterOf(const BenchRow& row, std::string_view name)
 
 TEST(Bench, StagesHaveOrderedQuartilesAndThoseOfTheMedianFrameStillAddUp)
 {
-    const auto rows = bench(requestFor("teapot", {presetNamed("hzb-octree"), presetNamed("scanline")}));
+    const auto rows = bench(benchOf("teapot", {pipelineNamed("hzb-octree"), pipelineNamed("scanline")}));
     ASSERT_TRUE(rows.ok()) << rows.error().text();
     for (const BenchRow& row : *rows) {
         double sum = 0, medians = 0;
@@ -68,7 +68,7 @@ TEST(Bench, StagesHaveOrderedQuartilesAndThoseOfTheMedianFrameStillAddUp)
 
 TEST(Bench, TellsOfEveryRowWhenItIsFinishedAndKeepsToldRowsWhenItIsStopped)
 {
-    auto request = requestFor("cubes", {presetNamed("zbuffer"), presetNamed("scanline"), presetNamed("interval")});
+    auto request = benchOf("cubes", {pipelineNamed("zbuffer"), pipelineNamed("scanline"), pipelineNamed("interval")});
     std::atomic<bool> stop{false};
     request.progress.cancel = &stop;
     std::vector<std::string> told;
@@ -83,7 +83,7 @@ TEST(Bench, TellsOfEveryRowWhenItIsFinishedAndKeepsToldRowsWhenItIsStopped)
 
 TEST(Bench, EveryOtherRoundGoesBackThroughTheRunsSoThatNobodyAlwaysFollowsTheSame)
 {
-    auto request   = requestFor("cubes", {presetNamed("zbuffer"), presetNamed("scanline"), presetNamed("interval")});
+    auto request   = benchOf("cubes", {pipelineNamed("zbuffer"), pipelineNamed("scanline"), pipelineNamed("interval")});
     request.frames = request.rounds = 3;
     std::vector<std::string> order;
     request.progress.report = [&order](double, std::string_view what) { order.emplace_back(what); };
@@ -110,7 +110,7 @@ TEST(Bench, FramesGoOnUntilTheyTookTheTimeThatWasAskedFor)
     EXPECT_EQ(framesDrawn(3, 1000, 0.5), 2000);
     EXPECT_EQ(framesDrawn(3, 1000, 0), static_cast<int>(FrameQuota::kMost));  // of a clock that stands still
 
-    auto request       = requestFor("cubes", {presetNamed("zbuffer"), presetNamed("scanline")});
+    auto request       = benchOf("cubes", {pipelineNamed("zbuffer"), pipelineNamed("scanline")});
     request.frames     = 1;
     const auto few     = bench(request);
     request.leastMs    = 60;
@@ -130,11 +130,11 @@ TEST(Bench, FramesGoOnUntilTheyTookTheTimeThatWasAskedFor)
 
 TEST(Bench, AnExactPictureHasFiguresOfZeroAndOthersAllThatCompareFinds)
 {
-    Pipeline rough             = presetNamed("zbuffer");
+    Pipeline rough             = pipelineNamed("zbuffer");
     rough.approximation.format = DepthFormat::Fixed16;
-    Pipeline faulty            = presetNamed("edge-walk");
+    Pipeline faulty            = pipelineNamed("edge-walk");
     faulty.fault               = Fault::XTruncated;
-    const auto request = requestFor("cubes", {presetNamed("zbuffer"), rough, faulty, presetNamed("interval-polygon")});
+    const auto request = benchOf("cubes", {pipelineNamed("zbuffer"), rough, faulty, pipelineNamed("interval-polygon")});
     const auto rows    = bench(request);
     ASSERT_TRUE(rows.ok()) << rows.error().text();
     const auto reference = referencePicture(*request.scene, request.camera, request.faceCulling);
@@ -163,7 +163,7 @@ TEST(Bench, AnExactPictureHasFiguresOfZeroAndOthersAllThatCompareFinds)
 
 TEST(Bench, WithoutAReferenceThereAreNoFigures)
 {
-    auto request    = requestFor("cubes", {presetNamed("zbuffer")});
+    auto request    = benchOf("cubes", {pipelineNamed("zbuffer")});
     request.verify  = false;
     const auto rows = bench(request);
     ASSERT_TRUE(rows.ok());
@@ -174,9 +174,9 @@ TEST(Bench, WithoutAReferenceThereAreNoFigures)
 
 TEST(Bench, TheRecordHoldsQuartilesAndFiguresAndTheTableKeepsItsColumns)
 {
-    Pipeline faulty = presetNamed("edge-walk");
+    Pipeline faulty = pipelineNamed("edge-walk");
     faulty.fault    = Fault::XTruncated;
-    auto rows       = bench(requestFor("cubes", {faulty}));
+    auto rows       = bench(benchOf("cubes", {faulty}));
     ASSERT_TRUE(rows.ok());
     rows->front().figures->distanceOnWrongSurface.max = std::numeric_limits<double>::infinity();
     const auto row                                    = nlohmann::json::parse(benchToJson(*rows)).at(0);
@@ -240,7 +240,7 @@ TEST(UnitCosts, AreTheStagesTimeInTheMedianFrameOverWhatThatStageWorksOn)
 
 TEST(UnitCosts, DivideByTheTalliesOfTheTimedRun)
 {
-    const auto rows = bench(requestFor("teapot", {presetNamed("scanline"), presetNamed("hzb-bvh")}));
+    const auto rows = bench(benchOf("teapot", {pipelineNamed("scanline"), pipelineNamed("hzb-bvh")}));
     ASSERT_TRUE(rows.ok());
     const auto tallyOf = [](const BenchRow& row, Unit unit) {
         const auto found = std::ranges::find(row.tallies, wordOf(unit), &NamedCount::name);
@@ -295,7 +295,7 @@ TEST(SpeedError, TheSetIsWhatTheDefinitionSaysOfPairs)
 
 TEST(ApproximateSwitches, AreEveryChoiceOfEveryKindAloneAndCanRun)
 {
-    Pipeline base             = presetNamed("hzb-octree");
+    Pipeline base             = pipelineNamed("hzb-octree");
     base.approximation.near   = NearPlane::Drop;  // neither this nor a fault is taken over
     base.fault                = Fault::CornersOnly;
     const auto            all = approximateSwitches(base);

@@ -15,8 +15,7 @@
 namespace zscope {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN      = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Bounds box(const dvec3& min, const dvec3& max)
 {
@@ -37,8 +36,9 @@ ViewRequest lookingAt(const dvec3& eye, const dvec3& target)
 double dot(const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 struct Spread {  // of the corners of a box in the picture and along the view
-    double left = kInfinity, right = -kInfinity, top = kInfinity, bottom = -kInfinity, nearest = kInfinity,
-           farthest = -kInfinity;
+    double left = std::numeric_limits<double>::infinity(), right = -std::numeric_limits<double>::infinity(),
+           top = std::numeric_limits<double>::infinity(), bottom = -std::numeric_limits<double>::infinity(),
+           nearest = std::numeric_limits<double>::infinity(), farthest = -std::numeric_limits<double>::infinity();
 };
 Spread spreadOf(const Camera& camera, const Bounds& bounds)
 {
@@ -61,7 +61,7 @@ TEST(View, CameraFollowsTheWrittenDefinition)
     ViewRequest view  = lookingAt({2, 3, 8}, {0.5, 1, -1});
     view.verticalFov  = 53;
     view.near         = 0.25;
-    view.far          = kInfinity;
+    view.far          = std::numeric_limits<double>::infinity();
     const auto camera = makeCamera(view, {});
     ASSERT_TRUE(camera.ok()) << camera.error().text();
 
@@ -78,7 +78,7 @@ TEST(View, CameraFollowsTheWrittenDefinition)
     EXPECT_EQ(camera->focal, 1 / std::tan(53 * (3.141592653589793 / 180) * 0.5));
     EXPECT_EQ(camera->eye, (dvec3{2, 3, 8}));
     EXPECT_EQ(camera->near, 0.25);
-    EXPECT_EQ(camera->far, kInfinity);
+    EXPECT_EQ(camera->far, std::numeric_limits<double>::infinity());
     EXPECT_EQ(camera->width, 1280);
     EXPECT_EQ(camera->height, 720);
 }
@@ -130,7 +130,7 @@ TEST(View, WhatIsNoViewIsRefusedWithASentence)
         Case{"eye = target", [](ViewRequest& v) { v.eye = v.target; }, "same point"},
         Case{"eye infinite",
              [](ViewRequest& v) {
-                 v.eye = dvec3{kInfinity, 0, 0};
+                 v.eye = dvec3{std::numeric_limits<double>::infinity(), 0, 0};
              },
              "eye"},
         Case{"target not a number",
@@ -158,7 +158,7 @@ TEST(View, WhatIsNoViewIsRefusedWithASentence)
              "far must be above near"},
         Case{"near 0", [](ViewRequest& v) { v.near = 0; }, "near"},
         Case{"near negative", [](ViewRequest& v) { v.near = -1; }, "near"},
-        Case{"near infinite", [](ViewRequest& v) { v.near = kInfinity; }, "near"},
+        Case{"near infinite", [](ViewRequest& v) { v.near = std::numeric_limits<double>::infinity(); }, "near"},
         Case{"near not a number", [](ViewRequest& v) { v.near = kNaN; }, "near"},
         Case{"far not a number", [](ViewRequest& v) { v.far = kNaN; }, "far"},
         Case{"far negative", [](ViewRequest& v) { v.far = -1; }, "far"},
@@ -195,7 +195,12 @@ TEST(View, PicturesOnePixelWideOrHighAndExtremeAnglesAreViews)
 
 TEST(View, ExactCameraIsTakenAsItIsOrRefused)
 {
-    Camera exact{.eye = {1e6, 0.1, -3}, .focal = 0.3, .near = 1e-4, .far = kInfinity, .width = 7, .height = 1};
+    Camera exact{.eye    = {1e6, 0.1, -3},
+                 .focal  = 0.3,
+                 .near   = 1e-4,
+                 .far    = std::numeric_limits<double>::infinity(),
+                 .width  = 7,
+                 .height = 1};
     exact.right = {0.9, 0.1, 0};  // not orthonormal: used as given all the same
     ViewRequest view;
     view.exact       = exact;
@@ -314,7 +319,7 @@ TEST(CameraJson, ReadingBackGivesTheSameBits)
                           .forward = {0, 0, a},
                           .focal   = 1.7320508075688772,
                           .near    = 1e-4,
-                          .far     = kInfinity,
+                          .far     = std::numeric_limits<double>::infinity(),
                           .width   = 1024,
                           .height  = 1};
         const auto back = cameraFromJson(cameraToJson(camera), "cam.json");
@@ -341,7 +346,7 @@ TEST(CameraJson, NumbersMayBeDecimalHexOrInfAndAreCorrectlyRounded)
     ASSERT_TRUE(camera.ok()) << camera.error().text();
     EXPECT_EQ(camera->eye, (dvec3{1, 2.5, 3}));
     EXPECT_EQ(camera->near, 0.1);
-    EXPECT_EQ(camera->far, kInfinity);
+    EXPECT_EQ(camera->far, std::numeric_limits<double>::infinity());
     // Half way between two float64: to the even one; a little above: up.
     EXPECT_EQ(cameraFromJson(cameraText("\"1.00000000000000011102230246251565404236316680908203125\""), "c")->near,
               1.0);

@@ -20,17 +20,15 @@
 namespace zscope {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 TEST(VisibilityBuffer, BackgroundIsTheLargestDepthThatTheFarTestDrops)
 {
-    for (const double far : {1.5, 2.0, 3.0, 1e3, 1e30, 1e300, kInfinity}) {
+    for (const double far : {1.5, 2.0, 3.0, 1e3, 1e30, 1e300, std::numeric_limits<double>::infinity()}) {
         const auto  kept  = static_cast<float>(1.0 / far);
         const float empty = DepthEncoding(DepthFormat::ReversedFloat32, 1.0, far).empty;
         EXPECT_LT(empty, kept) << far;
         EXPECT_EQ(std::nextafter(empty, 2.0f), kept) << far;
     }
-    EXPECT_LT(DepthEncoding(DepthFormat::ReversedFloat32, 0.1, kInfinity).empty, 0.0f)
+    EXPECT_LT(DepthEncoding(DepthFormat::ReversedFloat32, 0.1, std::numeric_limits<double>::infinity()).empty, 0.0f)
         << "without a far plane even depth 0 is kept";
 }
 
