@@ -121,7 +121,7 @@ Result<Exit> checkFiles(const CheckOptions& options, Session& session)
     const auto answer = check::Checker(scene->prepared).check(request);
     if (!answer) return answer.error();
 
-    session.print(options.json ? textOf(jsonOf(*answer)) : textOf(*answer));
+    session.print(options.json ? textOf(cli::jsonOf(*answer)) : textOf(*answer));
     if (options.junit)
         if (const auto done = writeFile(*options.junit, junitOf(*answer, scene->scene->name)); !done)
             return done.error();

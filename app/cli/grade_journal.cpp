@@ -104,7 +104,7 @@ Result<Done> GradeJournal::add(const GradeRow& row)
     m_rows.push_back(row);
     Json rows = Json::array();
     for (const GradeRow& each : m_rows) {
-        rows.push_back(jsonOf(each));
+        rows.push_back(cli::jsonOf(each));
         rows.back()["digest"] = each.digest;
     }
     return writeFile(m_path, textOf(Json{{"grade", m_head}, {"rows", std::move(rows)}}));

@@ -55,7 +55,7 @@ Result<GradeJudgement> judgeFolder(const std::string& folder, check::Checker& ch
     const GradeVerdict verdict = !answer->isRight()             ? GradeVerdict::Wrong
                                  : answer->rounding.total() > 0 ? GradeVerdict::Rounding
                                                                 : GradeVerdict::Right;
-    return GradeJudgement{verdict, without(answer->sentence, folder), jsonOf(*answer)};
+    return GradeJudgement{verdict, without(answer->sentence, folder), cli::jsonOf(*answer)};
 }
 
 }  // namespace zscope::cli

@@ -92,7 +92,7 @@ std::string gradeTableOf(std::span<const GradeRow> rows)
 std::string gradeJsonOf(std::span<const GradeRow> rows)
 {
     Json json = Json::array();
-    for (const GradeRow& row : rows) json.push_back(jsonOf(row));
+    for (const GradeRow& row : rows) json.push_back(cli::jsonOf(row));
     return textOf(json);
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/measure/verify.h"
+#include "core/scene/load.h"
 #include "tests/agreement/soups.h"
 
 namespace zscope::tests {
@@ -76,10 +77,11 @@ Camera cameraFor(const Scene& scene, int width, int height)
     return camera.ok() ? *camera : plainCamera(width, height);
 }
 
-Prepared prepared(Scene scene)
+Prepared prepared(std::shared_ptr<const Scene> scene)
 {
-    return std::make_shared<const PreparedScene>(std::make_shared<const Scene>(std::move(scene)));
+    return std::make_shared<const PreparedScene>(std::move(scene));
 }
+Prepared prepared(Scene scene) { return prepared(std::make_shared<const Scene>(std::move(scene))); }
 
 Scene builtinScene(const std::string& word)
 {

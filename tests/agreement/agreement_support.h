@@ -35,6 +35,7 @@ std::uint64_t expectAgreement(const std::shared_ptr<const PreparedScene>& scene,
                               FaceCulling culling, const std::string& what, const Agreement& with = {});
 
 using Prepared = std::shared_ptr<const PreparedScene>;
+Prepared prepared(std::shared_ptr<const Scene> scene);
 Prepared prepared(Scene scene);
 Scene    builtinScene(const std::string& word);
 

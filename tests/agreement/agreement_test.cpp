@@ -20,11 +20,6 @@
 namespace zscope::tests {
 namespace {
 
-std::shared_ptr<const PreparedScene> prepared(std::shared_ptr<const Scene> scene)
-{
-    return std::make_shared<const PreparedScene>(std::move(scene));
-}
-
 /// 500 soups are cut into tests of 20, so that they run side by side and a failure is found quickly.
 constexpr std::uint64_t kSoups = 500, kSoupsPerTest = 20;
 

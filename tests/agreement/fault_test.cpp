@@ -15,7 +15,7 @@
 namespace zscope::tests {
 namespace {
 
-std::shared_ptr<const PreparedScene> prepared(const std::string& builtin)
+std::shared_ptr<const PreparedScene> preparedBuiltin(const std::string& builtin)
 {
     auto scene = loadScene("builtin:" + builtin);
     EXPECT_TRUE(scene) << builtin;
@@ -25,7 +25,7 @@ std::shared_ptr<const PreparedScene> prepared(const std::string& builtin)
 /// One picture of an odd size against the reference.
 VerifyRow judge(const std::string& builtin, const Pipeline& pipeline, Simd simd = Simd::Auto)
 {
-    const auto    scene = prepared(builtin);
+    const auto    scene = preparedBuiltin(builtin);
     VerifyRequest request;
     request.scene      = scene;
     request.camera     = cameraFor(scene->scene(), 333, 217);
@@ -74,7 +74,7 @@ TEST(Faults, EachMakesWrongPixelsWhereTheExactTextMakesNone)
 TEST(Faults, EachSpoilsTheSamePixelsWithAnyNumberOfThreads)
 {
     for (const FaultEntry& entry : faults()) {
-        const auto  scene = prepared(sceneFor(entry.fault));
+        const auto  scene = preparedBuiltin(sceneFor(entry.fault));
         DrawRequest request{.scene    = scene,
                             .camera   = cameraFor(scene->scene(), 333, 217),
                             .pipeline = findPreset(entry.preset)->pipeline};
@@ -95,7 +95,7 @@ TEST(Faults, EachSpoilsTheSamePixelsWithAnyNumberOfThreads)
 TEST(Faults, FarFirstIsWrongWhereFacesCoincideAndDrawsInVainWhatIsHiddenTooLate)
 {
     Pipeline   pipeline     = findPreset("hzb-octree")->pipeline;
-    const auto scene        = prepared("million?faces=100000");
+    const auto scene        = preparedBuiltin("million?faces=100000");
     const auto pixelsTested = [&] {
         Renderer    renderer;
         DrawRequest request;
@@ -145,7 +145,7 @@ std::vector<std::int64_t> idsOf(const VisibilityBuffer& visible)
 std::vector<std::int64_t> drawnWith(const std::string& builtin, const Pipeline& preset, const FaultSet& faults,
                                     FaceCulling culling = FaceCulling::None)
 {
-    const auto  scene = prepared(builtin);
+    const auto  scene = preparedBuiltin(builtin);
     DrawRequest request{.scene       = scene,
                         .camera      = cameraFor(scene->scene(), 333, 217),
                         .faceCulling = culling,
@@ -160,7 +160,7 @@ std::vector<std::int64_t> drawnWith(const std::string& builtin, const Pipeline& 
 /// Wherever both can happen, on a scene with all that faults need, at a size in which no level of the pyramid is even.
 TEST(Faults, AnyTwoDrawTogetherWithAnyNumberOfThreads)
 {
-    const auto scene = prepared("wall-and-city?blocks=2");
+    const auto scene = preparedBuiltin("wall-and-city?blocks=2");
     int        pairs = 0;
     for (const FaultEntry& one : faults())
         for (const FaultEntry& other : faults()) {
@@ -271,7 +271,7 @@ TEST(Approximations, EachPublishesItsErrorWhereTheDefinitionsChoiceHasNone)
 /// A dropped node is dropped whole, wherever a thread's lines begin, and its triangles are accounted for.
 TEST(Approximations, SmallNodesAreDroppedAlikeByEveryThreadAndCounted)
 {
-    const auto  scene    = prepared("city");
+    const auto  scene    = preparedBuiltin("city");
     const auto  pipeline = withChoice(findPreset("hzb-octree")->pipeline, "small-nodes", "drop-below-16");
     DrawRequest request;
     request.scene    = scene;

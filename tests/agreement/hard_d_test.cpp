@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/measure/error_figures.h"
+#include "tests/agreement/agreement_support.h"
 #include "tests/agreement/hard_support.h"
 
 namespace zscope::hardcase {
@@ -12,18 +13,18 @@ namespace {
 
 using Counters = std::map<std::string, std::uint64_t>;
 
-Counters countersOf(const HardCase& hard, const char* preset)
+Counters countersOfCase(const HardCase& hard, const char* preset)
 {
     DrawRequest request;
     request.scene    = hard.prepared;
     request.camera   = hard.camera;
     request.pipeline = findPreset(preset)->pipeline;
-    return tests::countersOf(request);
+    return zscope::tests::countersOf(request);
 }
 
 std::uint64_t hiddenBy(const HardCase& hard, const char* preset)
 {
-    const Counters counters = countersOf(hard, preset);
+    const Counters counters = countersOfCase(hard, preset);
     return counters.at("triangles_hidden_by_node") + counters.at("triangles_hidden");
 }
 

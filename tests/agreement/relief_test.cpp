@@ -71,7 +71,7 @@ constexpr std::uint64_t kPixels = 64 * 64;
 constexpr Relief        kBricks{ReliefPattern::Bricks, 0.5, 1};
 constexpr std::uint64_t kJoints = 64 * 8 + 56 * 4;
 
-std::map<std::string, std::uint64_t> countersOf(const CarvedSheets& sheets, const Pipeline& pipeline)
+std::map<std::string, std::uint64_t> countersOfSheets(const CarvedSheets& sheets, const Pipeline& pipeline)
 {
     Renderer                             renderer;
     const Result<FrameWork>              work = renderer.count(sheets.request(pipeline));
@@ -215,7 +215,7 @@ TEST(Relief, AnEarlyTestIsOnlyABoundAndSoShadesInVain)
     // The relief comes first, then what is seen through its joints.
     const CarvedSheets carved(kBricks, 1.5), flat(std::nullopt, 1.5);
     const auto         shaded = [](const CarvedSheets& sheets, DepthMoment moment) {
-        return countersOf(sheets, {.depth = moment})["fragments_shaded"];
+        return countersOfSheets(sheets, {.depth = moment})["fragments_shaded"];
     };
     EXPECT_EQ(shaded(flat, DepthMoment::Early), kPixels);
     EXPECT_EQ(shaded(carved, DepthMoment::Early), kPixels + kJoints);
@@ -228,7 +228,7 @@ TEST(Relief, AnEarlyTestIsOnlyABoundAndSoShadesInVain)
     // where they are.
     const CarvedSheets after(kBricks, 1.5, true);
     for (const DepthMoment moment : {DepthMoment::Deferred, DepthMoment::Early, DepthMoment::ZCull}) {
-        auto counters = countersOf(after, {.depth = moment});
+        auto counters = countersOfSheets(after, {.depth = moment});
         EXPECT_EQ(counters["fragments_moved"], kPixels);
         EXPECT_EQ(counters["fragments_moved_and_hidden"], kJoints);
         EXPECT_EQ(counters["fragments_shaded"], (moment == DepthMoment::Deferred ? 1 : 2) * kPixels);
@@ -236,11 +236,12 @@ TEST(Relief, AnEarlyTestIsOnlyABoundAndSoShadesInVain)
 
     // Where even the triangle is hidden, nobody looks at the relief, except whoever shades first.
     const CarvedSheets hidden(kBricks, 0.5, true);
-    EXPECT_EQ(countersOf(hidden, {.depth = DepthMoment::Early})["fragments_moved"], 0u);
-    EXPECT_EQ(countersOf(hidden, {.depth = DepthMoment::Late})["fragments_moved"], kPixels);
-    EXPECT_GE(countersOf(hidden, {.depth = DepthMoment::ZCull})["tiles_rejected"], 64u);
-    EXPECT_GE(countersOf(flat, {.depth = DepthMoment::ZCull})["tiles_rejected"], 64u);
-    EXPECT_EQ(countersOf(carved, {.depth = DepthMoment::ZCull})["tiles_rejected"], 0u) << "a joint crosses every tile";
+    EXPECT_EQ(countersOfSheets(hidden, {.depth = DepthMoment::Early})["fragments_moved"], 0u);
+    EXPECT_EQ(countersOfSheets(hidden, {.depth = DepthMoment::Late})["fragments_moved"], kPixels);
+    EXPECT_GE(countersOfSheets(hidden, {.depth = DepthMoment::ZCull})["tiles_rejected"], 64u);
+    EXPECT_GE(countersOfSheets(flat, {.depth = DepthMoment::ZCull})["tiles_rejected"], 64u);
+    EXPECT_EQ(countersOfSheets(carved, {.depth = DepthMoment::ZCull})["tiles_rejected"], 0u)
+        << "a joint crosses every tile";
 }
 
 TEST(Relief, TheStatisticsSaySoAndOfOtherScenesThatThereIsNone)
@@ -261,8 +262,8 @@ TEST(Relief, TheStatisticsSaySoAndOfOtherScenesThatThereIsNone)
             EXPECT_EQ(says("can only say no for where the triangle is"), !late && sheets == &carved) << why;
         }
         if (preset.pipeline.chooser == Chooser::Measured) continue;
-        EXPECT_EQ(countersOf(flat, preset.pipeline)["fragments_moved"], 0u) << preset.name;
-        EXPECT_GE(countersOf(carved, preset.pipeline)["fragments_moved"], kPixels) << preset.name;
+        EXPECT_EQ(countersOfSheets(flat, preset.pipeline)["fragments_moved"], 0u) << preset.name;
+        EXPECT_GE(countersOfSheets(carved, preset.pipeline)["fragments_moved"], kPixels) << preset.name;
     }
 }
 

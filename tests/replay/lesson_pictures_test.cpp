@@ -7,7 +7,7 @@
 
 #include "core/lesson/colour_maps.h"
 #include "core/lesson/node_boxes.h"
-#include "core/lesson/observer.h"
+#include "core/lesson/outside_view.h"
 #include "core/lesson/pyramid_levels.h"
 #include "tests/replay/replay_support.h"
 
@@ -187,7 +187,7 @@ TEST_P(Trees, TheObserverShowsEveryTriangleWithTheVerdictOfItsNode)
     ASSERT_TRUE(count.ok());
     const auto state = replay.at(Grain::Node, StepIndex{*count - 1});
     ASSERT_TRUE(state.ok() && state->hierarchy);
-    const auto observer = Observer::make(seen.scene, seen.camera, *state->hierarchy);
+    const auto observer = OutsideView::make(seen.scene, seen.camera, *state->hierarchy);
     ASSERT_TRUE(observer.ok());
     EXPECT_EQ((*observer)->trianglesShown() + (*observer)->trianglesLeftOut(), seen.scene->scene().triangleCount());
 

@@ -7,7 +7,7 @@
 
 #include <QWidget>
 
-#include "core/lesson/observer.h"
+#include "core/lesson/outside_view.h"
 
 class QToolButton;
 

@@ -20,7 +20,7 @@
 #include "core/lesson/difference.h"
 #include "core/lesson/layers.h"
 #include "core/lesson/node_boxes.h"
-#include "core/lesson/observer.h"
+#include "core/lesson/outside_view.h"
 #include "core/lesson/pyramid_levels.h"
 #include "core/lesson/replay.h"
 #include "core/scene/load.h"

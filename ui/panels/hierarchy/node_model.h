@@ -12,7 +12,7 @@
 #include <QPalette>
 #include <QSortFilterProxyModel>
 
-#include "core/lesson/observer.h"
+#include "core/lesson/outside_view.h"
 #include "ui/session/snapshot.h"
 
 namespace zscope::ui {

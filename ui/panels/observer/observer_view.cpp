@@ -76,9 +76,9 @@ void ObserverView::request()
         Worker::Slot::Draw,
         [this, step = m_step, scene = m_scene, control = m_control, boxes = m_boxes, selected = m_selected, size,
          known = m_observer, knownStep = m_observer ? m_observedStep : nullptr](const std::atomic<bool>& cancel) {
-            std::shared_ptr<const Observer> observer = known;
+            std::shared_ptr<const OutsideView> observer = known;
             if (!observer || knownStep != step) {
-                auto made = Observer::make(scene->prepared, step->camera, *step->state.hierarchy);
+                auto made = OutsideView::make(scene->prepared, step->camera, *step->state.hierarchy);
                 if (!made) return;
                 observer = *made;
             }

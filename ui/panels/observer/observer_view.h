@@ -31,8 +31,8 @@ public:
     /// Back to where the whole scene and the culling view are seen.
     void resetView();
 
-    bool                                   isIdle() const { return !m_worker->isBusy(); }
-    const std::shared_ptr<const Observer>& observer() const { return m_observer; }
+    bool                                      isIdle() const { return !m_worker->isBusy(); }
+    const std::shared_ptr<const OutsideView>& observer() const { return m_observer; }
     /// The row of the node that is seen at a place of the widget; -1: none.
     int nodeAt(const QPointF& place) const;
 
@@ -63,7 +63,7 @@ private:
     int                                m_selected = -1;
     VerdictSet                         m_boxes{};
     std::optional<CameraControl>       m_control;   // once the user has moved
-    std::shared_ptr<const Observer>    m_observer;  // of the picture on show, made from
+    std::shared_ptr<const OutsideView> m_observer;  // of the picture on show, made from
     std::shared_ptr<const ShownStep>   m_observedStep;
     Camera                             m_camera;  // likewise
     ObserverPicture                    m_picture;

@@ -1,4 +1,4 @@
-#include "core/lesson/observer.h"
+#include "core/lesson/outside_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,10 +78,10 @@ std::uint32_t observerColourOf(NodeVerdict verdict)
     return 0xFFD9B44A;
 }
 
-Result<std::shared_ptr<const Observer>> Observer::make(std::shared_ptr<const PreparedScene> scene,
-                                                       const Camera& culling, const HierarchyState& hierarchy)
+Result<std::shared_ptr<const OutsideView>> OutsideView::make(std::shared_ptr<const PreparedScene> scene,
+                                                             const Camera& culling, const HierarchyState& hierarchy)
 {
-    auto made       = std::make_shared<Observer>();
+    auto made       = std::make_shared<OutsideView>();
     made->m_culling = culling;
     made->m_bounds  = scene->scene().bounds;
     made->m_bounds.include(culling.eye);
@@ -107,11 +107,11 @@ Result<std::shared_ptr<const Observer>> Observer::make(std::shared_ptr<const Pre
     made->m_painted = *painted;
     made->addBoxes(scene->scene(), hierarchy.nodes);
     made->addFrustum(culling);
-    return std::shared_ptr<const Observer>(std::move(made));
+    return std::shared_ptr<const OutsideView>(std::move(made));
 }
 
-void Observer::addTriangles(const PreparedScene& prepared, const HierarchyState& hierarchy, TreeKind kind,
-                            NodeVerdict verdict, Mesh& mesh)
+void OutsideView::addTriangles(const PreparedScene& prepared, const HierarchyState& hierarchy, TreeKind kind,
+                               NodeVerdict verdict, Mesh& mesh)
 {
     const Scene&      scene = prepared.scene();
     const SceneTrees& trees = treesOf(prepared, kind);
@@ -149,7 +149,7 @@ void Observer::addTriangles(const PreparedScene& prepared, const HierarchyState&
     }
 }
 
-void Observer::addBoxes(const Scene& scene, const std::vector<NodeRow>& nodes)
+void OutsideView::addBoxes(const Scene& scene, const std::vector<NodeRow>& nodes)
 {
     for (const NodeRow& row : nodes) {
         if (row.box.isEmpty()) continue;
@@ -165,7 +165,7 @@ void Observer::addBoxes(const Scene& scene, const std::vector<NodeRow>& nodes)
     }
 }
 
-void Observer::addFrustum(const Camera& camera)
+void OutsideView::addFrustum(const Camera& camera)
 {
     m_frustumFrom = m_lines.size();
     // As far as the scene reaches: the far plane may be anywhere.
@@ -190,9 +190,9 @@ void Observer::addFrustum(const Camera& camera)
     }
 }
 
-std::size_t Observer::boxesOf(NodeVerdict verdict) const { return m_boxes[static_cast<std::size_t>(verdict)]; }
+std::size_t OutsideView::boxesOf(NodeVerdict verdict) const { return m_boxes[static_cast<std::size_t>(verdict)]; }
 
-Camera Observer::firstView(int width, int height) const
+Camera OutsideView::firstView(int width, int height) const
 {
     const dvec3  middle = (m_bounds.min + m_bounds.max) * 0.5;
     const double size   = std::max(glm::length(m_bounds.max - m_bounds.min), 1e-6);
@@ -211,8 +211,8 @@ Camera Observer::firstView(int width, int height) const
     return camera ? *camera : m_culling;
 }
 
-Result<ObserverPicture> Observer::draw(const Camera& from, const VerdictSet& boxes, int selected, int threads,
-                                       const std::atomic<bool>* cancel) const
+Result<ObserverPicture> OutsideView::draw(const Camera& from, const VerdictSet& boxes, int selected, int threads,
+                                          const std::atomic<bool>* cancel) const
 {
     const Pipeline zbuffer = findPreset("zbuffer")->pipeline;
     Renderer       renderer;

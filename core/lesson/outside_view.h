@@ -29,7 +29,7 @@ struct ObserverPicture {
     Grid<int>           nodes;  // the row of the node whose box or triangle is seen; -1: nothing, or the frustum
 };
 
-class Observer {
+class OutsideView {
 public:
     static constexpr std::uint64_t kMostTriangles = 400'000;
     static constexpr std::size_t   kMostBoxes     = 3'000;
@@ -37,8 +37,8 @@ public:
     static constexpr int kFrustum = -1;
 
     /// `culling` is the camera whose view was culled.
-    static Result<std::shared_ptr<const Observer>> make(std::shared_ptr<const PreparedScene> scene,
-                                                        const Camera& culling, const HierarchyState& hierarchy);
+    static Result<std::shared_ptr<const OutsideView>> make(std::shared_ptr<const PreparedScene> scene,
+                                                           const Camera& culling, const HierarchyState& hierarchy);
 
     /// `boxes`: whose boxes are drawn; `selected`: a row whose box is drawn thick, or -1.
     Result<ObserverPicture> draw(const Camera& from, const VerdictSet& boxes, int selected, int threads,
