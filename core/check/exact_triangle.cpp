@@ -81,6 +81,7 @@ ExactTriangle::ExactTriangle(const Scene& scene, const Camera& camera, TriangleI
     for (int i = 0; i < m_count; ++i) {
         const Corner& corner = m_corners[static_cast<std::size_t>(i)];
         const Shift   shift  = shiftAt(corner.x, corner.y, corner.depth);
+        m_mostShift          = std::max({m_mostShift, shift.x, shift.y});
         m_lo                 = std::min(m_lo, corner.depth);
         m_hi                 = std::max(m_hi, corner.depth);
         m_left               = std::min(m_left, corner.x - shift.x);
@@ -127,6 +128,15 @@ void ExactTriangle::setBack(bool isMirrored)
         shift           = std::max({shift, s.x, s.y});
     }
     m_isSurelyBack = std::abs(area) > 4 * shift * (longest + shift);
+}
+
+bool ExactTriangle::mayEndAt(int line) const
+{
+    for (int i = 0; i < m_count; ++i) {
+        const Corner& corner = m_corners[static_cast<std::size_t>(i)];
+        if (std::abs(corner.y - (line + 0.5)) <= shiftAt(corner.x, corner.y, corner.depth).y + kOurStep) return true;
+    }
+    return false;
 }
 
 Place ExactTriangle::depthOf(int i, int j) const

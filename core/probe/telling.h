@@ -32,7 +32,7 @@ public:
     std::string_view polygon() const { return drawsFaces() ? "face" : "triangle"; }
     std::string_view polygons() const { return drawsFaces() ? "faces" : "triangles"; }
     /// "triangle 1,234"
-    std::string nameOf(TriangleId id) const { return std::string(polygon()) + ' ' + grouped(id.value); }
+    std::string nameOf(TriangleId id) const { return std::string(polygon()) + ' ' + grouped(std::uint64_t{id.value}); }
 };
 
 }  // namespace zscope

@@ -26,7 +26,7 @@ protected:
         request.pipeline.fault = faults;
         Frame frame;
         EXPECT_TRUE(Renderer().draw(request, frame));
-        const Picture       picture = frame.visible.picture();
+        const Picture       picture = pictureOf(frame.visible);
         check::CheckRequest asked;
         asked.camera = camera;
         asked.ids    = writeIds("i.npy", picture.ids);
@@ -163,7 +163,7 @@ TEST_F(Report, IsWrittenWholeOrNotAtAll)
     EXPECT_EQ(text, pageOf(answer, ""));
     const auto refused = check::writeReport(answer, "", write("file", "x"));
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().trouble, Trouble::Output);
+    EXPECT_EQ(refused.error().kind, Trouble::Output);
     std::filesystem::create_directories(path("c/report.html"));
     EXPECT_FALSE(check::writeReport(answer, "", path("c")));
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("c")), {}), 1) << "something was left";
