@@ -117,9 +117,8 @@ double ExactTriangle::doubleArea() const
 
 void ExactTriangle::setBack(bool isMirrored)
 {
-    const double area = doubleArea();
-    if ((isMirrored ? area < 0 : area > 0) == false) return;
-    double longest = 0, shift = 0;
+    const double area    = doubleArea();
+    double       longest = 0, shift = 0;
     for (int i = 0; i < m_count; ++i) {
         const Corner &a = m_corners[static_cast<std::size_t>(i)],
                      &b = m_corners[static_cast<std::size_t>((i + 1) % m_count)];
@@ -127,7 +126,8 @@ void ExactTriangle::setBack(bool isMirrored)
         longest         = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
         shift           = std::max({shift, s.x, s.y});
     }
-    m_isSurelyBack = std::abs(area) > 4 * shift * (longest + shift);
+    m_mayVanish    = std::abs(area) <= 4 * shift * (longest + shift);
+    m_isSurelyBack = (isMirrored ? area < 0 : area > 0) && !m_mayVanish;
 }
 
 bool ExactTriangle::mayEndAt(int line) const

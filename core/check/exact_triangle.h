@@ -48,6 +48,8 @@ public:
     double mostShift() const { return m_mostShift; }
     /// A corner may be moved across the centre of this line from where the reference has it.
     bool mayEndAt(int line) const;
+    /// It is so thin that it may have no area on a grid.
+    bool mayVanish() const { return m_mayVanish; }
     bool isCutByNear() const { return m_isCut; }
     /// The viewer surely sees its back: no displacement turns it over.
     bool isSurelyBack() const { return m_isSurelyBack; }

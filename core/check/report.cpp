@@ -26,7 +26,7 @@ body{font:15px/1.5 system-ui,"Noto Sans CJK SC","WenQuanYi Micro Hei",sans-serif
 h1{font-size:26px;margin:16px 0 4px;overflow-wrap:anywhere}h2{font-size:19px;margin:32px 0 8px;border-top:1px solid #ddd;padding-top:20px}
 p.soft,figcaption,td.soft{color:#5a5a62}p.verdict{font-size:17px;border-left:6px solid #b00020;padding:4px 12px;margin:12px 0}
 p.right{border-color:#1a7f4b}
-div.row{display:flex;flex-wrap:wrap;gap:16px}figure{margin:0;flex:1 1 300px;max-width:520px}figure.wide{max-width:780px;flex-basis:100%}
+div.row{display:flex;flex-wrap:wrap;gap:16px;margin-bottom:12px}figure{margin:0;flex:1 1 300px;max-width:520px}figure.wide{max-width:780px;flex-basis:100%}
 svg.picture{width:100%;height:auto;display:block;border:1px solid #c9ccd3}image{image-rendering:pixelated}figcaption{font-size:13px;margin-top:2px}
 table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:14px;margin:8px 0}
 th,td{padding:3px 10px;text-align:right;border-bottom:1px solid #e6e6ea}th.l,td.l{text-align:left;overflow-wrap:anywhere}

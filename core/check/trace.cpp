@@ -266,10 +266,8 @@ std::string sentenceOf(const TraceAnswer& answer, const Trace& trace)
 
 }  // namespace
 
-Result<TraceAnswer> judgeTrace(const Trace& trace, const DrawRequest& asked, double halfStep)
+Result<TraceAnswer> judgeTrace(const Trace& trace, const DrawRequest& request, double halfStep)
 try {
-    DrawRequest request = asked;
-    request.shade       = false;
     if (const auto plan = planFrame(request); !plan) return plan.error();
     const auto  wasCancelled = [&request] { return request.cancel && request.cancel->load(); };
     const Error cancelled{Trouble::Cancelled, "stepping was cancelled"};

@@ -4,6 +4,7 @@
 //            that the corners of a polygon may lie elsewhere, in both programs together
 //                x          within d (1 + |dx|) pixels; dx within 2 d (1 + |dx|) per line of the edge
 //                lines      an edge may begin or end a line earlier or later if a corner lies within d of its centre
+//                           centre; a polygon so thin that it may have no area may have no edges
 //                spans      a pixel whose centre lies within d of an edge, or where the two surfaces tie
 //                depths     four float32 steps and what d changes; so who wins where two depths tie
 #pragma once
@@ -31,11 +32,17 @@ public:
     double shiftOf(std::int64_t polygon) const;
     /// A corner may lie on the other side of this line's centre.
     bool mayEndAt(std::int64_t polygon, int line) const;
+    /// It may have no area on a grid, and then no edges.
+    bool mayVanish(std::int64_t polygon) const;
     /// The polygon's place at the centre of a pixel: of a face, of any of its triangles.
     Place placeOf(std::int64_t polygon, int x, int y) const;
     /// The triangle's plane there, whether or not it covers the pixel.
     Place depthOf(std::int64_t triangle, int x, int y) const;
     int   width() const { return m_request.camera.width; }
+    bool  isInside(std::int64_t x, std::int64_t y) const
+    {
+        return x >= 0 && y >= 0 && x < width() && y < m_request.camera.height;
+    }
     /// Pixels whose centres lie within d of an edge.
     std::uint64_t pixelsNearEdges(std::int64_t triangle) const;
 

@@ -140,7 +140,8 @@ RowComparison::Found RowComparison::edges(EdgeList list, const JsonValue::Array&
 
     const int  y          = m_ours.sweep->y;
     const auto mayEndHere = [&](std::int64_t polygon) {
-        return m_limits.mayEndAt(polygon, y) || (list != EdgeList::Active && m_limits.mayEndAt(polygon, y - 1));
+        return m_limits.mayVanish(polygon) || m_limits.mayEndAt(polygon, y)
+               || (list != EdgeList::Active && m_limits.mayEndAt(polygon, y - 1));
     };
     const std::string_view where = list == EdgeList::Active    ? "your table"
                                    : list == EdgeList::Entered ? "your list of edges that entered"
@@ -239,7 +240,7 @@ RowComparison::Found RowComparison::polygons(const JsonValue::Array& theirs)
     const auto firstMissing = [&](const auto& in, const auto& from) -> std::optional<std::int64_t> {
         for (const std::int64_t polygon : in) {
             if (from.contains(polygon)) continue;
-            if (!m_limits.mayEndAt(polygon, m_ours.sweep->y)) return polygon;
+            if (!m_limits.mayVanish(polygon) && !m_limits.mayEndAt(polygon, m_ours.sweep->y)) return polygon;
             m_isRounding = true;
         }
         return std::nullopt;

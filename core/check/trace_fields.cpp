@@ -97,6 +97,13 @@ bool PolygonLimits::mayEndAt(std::int64_t polygon, int line) const
                                [line](const ExactTriangle& triangle) { return triangle.mayEndAt(line); });
 }
 
+bool PolygonLimits::mayVanish(std::int64_t polygon) const
+{
+    return std::ranges::any_of(trianglesOf(polygon), [](const ExactTriangle& triangle) {
+        return triangle.mayVanish() && !triangle.isEmpty();
+    });
+}
+
 Place PolygonLimits::placeOf(std::int64_t polygon, int x, int y) const
 {
     Place best;
