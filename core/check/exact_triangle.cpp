@@ -126,8 +126,18 @@ void ExactTriangle::setBack(bool isMirrored)
         longest         = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
         shift           = std::max({shift, s.x, s.y});
     }
-    m_mayVanish    = std::abs(area) <= 4 * shift * (longest + shift);
-    m_isSurelyBack = (isMirrored ? area < 0 : area > 0) && !m_mayVanish;
+    m_isThin       = std::abs(area) <= 4 * shift * (longest + shift);
+    m_isSurelyBack = (isMirrored ? area < 0 : area > 0) && !m_isThin;
+}
+
+bool ExactTriangle::mayVanish() const
+{
+    if (isEmpty()) return false;
+    const double inward        = 2 * m_mostShift + kOurStep;
+    const auto   holdsNoCentre = [inward](double from, double to) {
+        return std::ceil(from + inward - 0.5) > std::floor(to - inward - 0.5);
+    };
+    return m_isThin || holdsNoCentre(m_left, m_right) || holdsNoCentre(m_top, m_bottom);
 }
 
 bool ExactTriangle::mayEndAt(int line) const

@@ -48,8 +48,9 @@ public:
     double mostShift() const { return m_mostShift; }
     /// A corner may be moved across the centre of this line from where the reference has it.
     bool mayEndAt(int line) const;
-    /// It is so thin that it may have no area on a grid.
-    bool mayVanish() const { return m_mayVanish; }
+    /// It may be left out on a grid: it is so thin that it may have no area, or so small that its box may hold no
+    /// pixel's centre.
+    bool mayVanish() const;
     bool isCutByNear() const { return m_isCut; }
     /// The viewer surely sees its back: no displacement turns it over.
     bool isSurelyBack() const { return m_isSurelyBack; }
@@ -84,6 +85,7 @@ private:
     double                m_lo = 0, m_hi = 0;                                // of the corners
     double                m_left = 0, m_right = 0, m_top = 0, m_bottom = 0;  // of corners, each moved by d
     double                m_mostShift = 0;
+    bool                  m_isThin    = false;
     bool                  m_isEdgeOn  = false;  // the plane goes through the eye
 };
 

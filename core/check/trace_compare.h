@@ -3,8 +3,9 @@
 // Rounding   a difference that a careful renderer may have is none; isRounding() says that there was one. d is the most
 //            that the corners of a polygon may lie elsewhere, in both programs together
 //                x          within d (1 + |dx|) pixels; dx within 2 d (1 + |dx|) per line of the edge
-//                lines      an edge may begin or end a line earlier or later if a corner lies within d of its centre
-//                           centre; a polygon so thin that it may have no area may have no edges
+//                lines      an edge may begin or end a line earlier or later if a corner lies within d of its centre,
+//                           and a polygon may have no edges that may have no area on a grid, or whose box may hold
+//                           no pixel's centre
 //                spans      a pixel whose centre lies within d of an edge, or where the two surfaces tie
 //                depths     four float32 steps and what d changes; so who wins where two depths tie
 #pragma once
@@ -32,7 +33,7 @@ public:
     double shiftOf(std::int64_t polygon) const;
     /// A corner may lie on the other side of this line's centre.
     bool mayEndAt(std::int64_t polygon, int line) const;
-    /// It may have no area on a grid, and then no edges.
+    /// It may be left out: ExactTriangle::mayVanish().
     bool mayVanish(std::int64_t polygon) const;
     /// The polygon's place at the centre of a pixel: of a face, of any of its triangles.
     Place placeOf(std::int64_t polygon, int x, int y) const;

@@ -99,9 +99,7 @@ bool PolygonLimits::mayEndAt(std::int64_t polygon, int line) const
 
 bool PolygonLimits::mayVanish(std::int64_t polygon) const
 {
-    return std::ranges::any_of(trianglesOf(polygon), [](const ExactTriangle& triangle) {
-        return triangle.mayVanish() && !triangle.isEmpty();
-    });
+    return std::ranges::any_of(trianglesOf(polygon), &ExactTriangle::mayVanish);
 }
 
 Place PolygonLimits::placeOf(std::int64_t polygon, int x, int y) const
