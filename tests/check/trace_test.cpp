@@ -421,7 +421,17 @@ std::string unsnappedSweep(const DrawRequest& request)
             polygons.insert(edge.polygon);
         }
         std::ranges::stable_sort(active, {}, [](const auto& each) { return each.first; });
-        Json row{{"line", line}, {"active_edges", Json::array()}, {"active_polygons", polygons}};
+        std::map<std::uint32_t, std::vector<float>> crossings;
+        for (const auto& [x, edge] : active) crossings[edge["polygon"].get<std::uint32_t>()].push_back(x);
+        Json spans = Json::array();
+        for (const auto& [polygon, xs] : crossings) {
+            const auto pixel = [&](float x) {
+                return std::clamp(static_cast<int>(std::ceil(x - 0.5F)), 0, camera.width);
+            };
+            const int x0 = pixel(xs.front()), x1 = pixel(xs.back());
+            if (x0 < x1) spans.push_back({{"x0", x0}, {"x1", x1}, {"polygon", polygon}});
+        }
+        Json row{{"line", line}, {"active_edges", Json::array()}, {"active_polygons", polygons}, {"spans", spans}};
         for (const auto& [x, edge] : active) row["active_edges"].push_back(edge);
         text += row.dump() + '\n';
     }
