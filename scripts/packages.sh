@@ -16,6 +16,7 @@ packages_for_the_window=(
 packages_to_compare=(libembree-dev libosmesa6-dev)  # other renderers, for `bench --peers`
 packages_to_test=(
     libgtest-dev libgmp-dev xvfb xauth parallel poppler-utils
+    libxml2-utils python3-jsonschema  # reports for courses against their schemas
     bubblewrap  # runs untrusted programs, for `grade`
     clang libomp-dev libclang-rt-14-dev llvm clang-format
 )

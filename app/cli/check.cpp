@@ -1,11 +1,13 @@
 // zscope-cli check: what another program drew, judged against the reference, with likely causes of what is wrong.
 #include <algorithm>
+#include <filesystem>
 
 #include "app/cli/check_output.h"
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/outputs.h"
 #include "app/cli/words.h"
+#include "core/check/report.h"
 #include "core/io/file_writer.h"
 #include "core/io/read_file.h"
 
@@ -17,9 +19,9 @@ constexpr std::uint64_t kMaxCameraFile = 1 << 20;  // bytes
 struct CheckOptions {
     SceneOption                scene;
     std::optional<std::string> camera, matrix, size;
-    std::optional<std::string> depth, ids, picture, dump;
+    std::optional<std::string> depth, ids, picture, dump, trace, algorithm;
     std::optional<std::string> depthIs, rows, idsAre, idsFrom, cull, subpixelBits;
-    std::optional<std::string> junit, gradescope;
+    std::optional<std::string> report, junit, gradescope;
     bool                       doesNotDiagnose = false;
     bool                       json            = false;
 };
@@ -96,18 +98,32 @@ Result<Done> readCamera(const CheckOptions& options, check::CheckRequest& reques
 
 Result<Exit> checkFiles(const CheckOptions& options, Session& session)
 {
-    if (!options.depth && !options.ids && !options.picture && !options.dump)
-        return Error{Trouble::Usage, "say what is to be checked: --depth, --ids, --picture or --dump"};
-    const std::vector<Output> outputs{{"--junit", options.junit, {".xml"}},
-                                      {"--gradescope", options.gradescope, {".json"}}};
-    std::vector<std::string>  inputs{options.scene.word()};
-    for (const auto& file : {options.camera, options.matrix, options.depth, options.ids, options.picture, options.dump})
+    const bool hasPicture = options.depth || options.ids || options.picture || options.dump;
+    if (!hasPicture && !options.trace)
+        return Error{Trouble::Usage, "say what is to be checked: --depth, --ids, --picture, --dump or --trace"};
+    if (options.report && !hasPicture)
+        return Error{Trouble::Usage, "--report shows pictures: add --depth, --ids, --picture or --dump"};
+    if (options.algorithm && !options.trace) return Error{Trouble::Usage, "--algorithm belongs to --trace"};
+    if (options.algorithm && !findPreset(*options.algorithm)) {
+        std::vector<std::string> names;
+        for (const Preset& preset : presets()) names.emplace_back(preset.name);
+        return unknownWord("algorithm", *options.algorithm, names);
+    }
+    std::vector<Output> outputs{{"--junit", options.junit, {".xml"}}, {"--gradescope", options.gradescope, {".json"}}};
+    std::vector<std::string> inputs{options.scene.word()};
+    for (const auto& file :
+         {options.camera, options.matrix, options.depth, options.ids, options.picture, options.dump, options.trace})
         if (file) inputs.push_back(*file);
     if (const auto done = checkOutputs(outputs, inputs); !done) return done.error();
 
     check::CheckRequest request;
     if (const auto done = readConventions(options, request); !done) return done.error();
     if (const auto done = readCamera(options, request); !done) return done.error();
+    if (options.report) {
+        if (const auto done = check::makeFolder(*options.report); !done) return done.error();
+        outputs.push_back({"--report", (std::filesystem::path(*options.report) / check::kReportFile).string()});
+        if (const auto done = checkOutputs(outputs, inputs); !done) return done.error();
+    }
     request.depth     = options.depth;
     request.ids       = options.ids;
     request.picture   = options.picture;
@@ -115,20 +131,47 @@ Result<Exit> checkFiles(const CheckOptions& options, Session& session)
     request.diagnoses = !options.doesNotDiagnose;
     request.progress  = session.progress();
 
+    std::optional<check::Trace> trace;
+    std::optional<Pipeline>     pipeline;
+    if (options.trace) {
+        auto read = check::readTrace(*options.trace);
+        if (!read) return read.error();
+        trace           = *std::move(read);
+        const auto with = check::traceAlgorithm(*trace, options.algorithm);
+        if (!with) return with.error();
+        pipeline = *with;
+    }
     const Result<LoadedScene> scene = options.scene.prepare(session, 0);
     if (!scene) return scene.error();
     if (const auto done = checkOutputs(outputs, scene->scene->files); !done) return done.error();
-    const auto answer = check::Checker(scene->prepared).check(request);
-    if (!answer) return answer.error();
+    check::Checker                    checker(scene->prepared);
+    std::optional<check::CheckAnswer> picture;
+    if (hasPicture) {
+        auto answer = checker.check(request);
+        if (!answer) return answer.error();
+        picture            = *std::move(answer);
+        request.camera     = picture->camera;
+        request.given.cull = picture->conventions.cull;
+    }
+    std::optional<check::TraceAnswer> traced;
+    if (trace) {
+        auto answer = checker.checkTrace(request, *trace, *pipeline);
+        if (!answer) return answer.error();
+        traced = *std::move(answer);
+    }
+    const Judged judged{picture ? &*picture : nullptr, traced ? &*traced : nullptr, trace ? &*trace : nullptr};
 
-    session.print(options.json ? textOf(cli::jsonOf(*answer)) : textOf(*answer));
+    session.print(options.json ? textOf(cli::jsonOf(judged)) : textOf(judged));
+    if (options.report)
+        if (const auto path = check::writeReport(*picture, session.reproducingCommand(), *options.report); !path)
+            return path.error();
     if (options.junit)
-        if (const auto done = writeFile(*options.junit, junitOf(*answer, scene->scene->name)); !done)
+        if (const auto done = writeFile(*options.junit, junitOf(judged, scene->scene->name)); !done)
             return done.error();
     if (options.gradescope)
-        if (const auto done = writeFile(*options.gradescope, gradescopeOf(*answer, scene->scene->name)); !done)
+        if (const auto done = writeFile(*options.gradescope, gradescopeOf(judged, scene->scene->name)); !done)
             return done.error();
-    return answer->isRight() ? Exit::Done : Exit::CheckFailed;
+    return judged.isRight() ? Exit::Done : Exit::CheckFailed;
 }
 
 }  // namespace
@@ -149,6 +192,10 @@ Command addCheck(CLI::App& parent)
     option("--ids", options->ids, "FILE", "Ids of triangles or faces: .npy, .png (colour = id + 1), or .raw", "Files");
     option("--picture", options->picture, "FILE", "A picture: .png, .bmp or .ppm; only coverage is judged", "Files");
     option("--dump", options->dump, "FILE", "All of it in one file, as zscope_dump.h writes it", "Files");
+    option("--trace", options->trace, "FILE", "Its steps, as JSON lines with the fields that step --state writes",
+           "Files");
+    option("--algorithm", options->algorithm, "NAME",
+           "What the trace is held against; by default what it names, or what has its fields", "Files");
     const char* conventions = "Conventions (what is not given is found out)";
     option("--depth-is", options->depthIs, "WORD", "near/z, z, distance, ndc, window, window-reversed or linear",
            conventions);
@@ -160,6 +207,8 @@ Command addCheck(CLI::App& parent)
            conventions);
     parser->add_flag("--no-diagnose", options->doesNotDiagnose, "Look for no causes");
     parser->add_flag("--json", options->json, "JSON instead of text");
+    option("--report", options->report, "DIR", "Also write a page with pictures into this folder: report.html",
+           "Reports");
     option("--junit", options->junit, "FILE.xml", "Also write a JUnit report", "Reports");
     option("--gradescope", options->gradescope, "FILE.json", "Also write results as Gradescope reads them", "Reports");
     return {parser, [options](Session& session) {

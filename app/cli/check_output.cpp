@@ -5,28 +5,26 @@
 #include <fmt/format.h>
 
 #include "app/cli/table.h"
+#include "core/base/quotable.h"
+#include "core/io/markup.h"
 
 namespace zscope::cli {
 
 using check::CheckAnswer;
-using check::IdKind;
 using check::Mistake;
-using check::Rows;
 
 namespace {
 
-std::string_view wordOf(Rows rows) { return rows == Rows::TopDown ? "top-down" : "bottom-up"; }
-std::string_view wordOf(IdKind kind) { return kind == IdKind::Triangles ? "triangles" : "faces"; }
 std::string_view wordOf(FaceCulling culling) { return culling == FaceCulling::Back ? "back" : "none"; }
 
 template <class Value>
 Json wordOrNull(const std::optional<Value>& value)
 {
     if (!value) return nullptr;
-    if constexpr (std::is_same_v<Value, check::DepthMeaning>)
-        return check::wordOf(*value);
-    else
+    if constexpr (std::is_same_v<Value, FaceCulling>)
         return wordOf(*value);
+    else
+        return check::wordOf(*value);
 }
 
 Json jsonOf(const check::MistakeCounts& counts)
@@ -76,34 +74,10 @@ std::string conventionsText(const check::Conventions& c)
 std::string messageOf(const CheckCase& judged)
 {
     return judged.wrong == 0 ? std::string("nothing is wrong beyond rounding")
-                             : fmt::format("{} wrong pixel{}", judged.wrong, judged.wrong == 1 ? "" : "s");
+                             : fmt::format("{} wrong {}{}", judged.wrong, judged.what, judged.wrong == 1 ? "" : "s");
 }
 
 }  // namespace
-
-std::string xmlTextOf(std::string_view text)
-{
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-        }
-    }
-    return result;
-}
 
 Json jsonOf(const CheckAnswer& answer)
 {
@@ -127,6 +101,36 @@ Json jsonOf(const CheckAnswer& answer)
             {"causes", std::move(causes)},
             {"sentence", answer.sentence}};
 }
+
+Json jsonOf(const Judged& judged)
+{
+    Json json = judged.picture ? jsonOf(*judged.picture) : Json::object();
+    if (!judged.trace) return json;
+    const check::TraceAnswer& trace = *judged.trace;
+    json["sentence"]                = judged.sentence();
+    json["trace"]                   = {{"algorithm", trace.algorithm},
+                                       {"rows", trace.rows.size()},
+                                       {"wrong", trace.wrong},
+                                       {"rounding", trace.rounding},
+                                       {"first_wrong", nullptr}};
+    if (const auto first = trace.firstWrong) {
+        const check::JudgedRow& row  = trace.rows[*first];
+        Json&                   said = json["trace"]["first_wrong"];
+        said          = {{"row", *first}, {"line", judged.rows->rows[*first].line}, {"sentence", row.sentence}};
+        said["grain"] = row.grain ? Json(wordOf(*row.grain)) : Json(nullptr);
+        said["step"]  = row.grain ? Json(row.step.value) : Json(nullptr);
+    }
+    return json;
+}
+
+std::string Judged::sentence() const
+{
+    std::string text = picture ? picture->sentence : std::string();
+    if (trace) text += (text.empty() ? "" : " ") + trace->sentence;
+    return text;
+}
+
+namespace {
 
 std::string textOf(const CheckAnswer& answer)
 {
@@ -165,52 +169,81 @@ std::string textOf(const CheckAnswer& answer)
     return text;
 }
 
-std::vector<CheckCase> casesOf(const CheckAnswer& answer)
+std::string textOf(const check::TraceAnswer& answer, const check::Trace& trace)
 {
-    // What a file of background alone shows is judged by its coverage.
-    const auto& wrong = answer.wrong;
-    return {{"coverage", true, wrong.of(Mistake::Hole) + wrong.of(Mistake::Spill)},
-            {"surface", answer.conventions.ids.has_value(), wrong.of(Mistake::WrongSurface)},
-            {"depth", answer.conventions.depth.has_value(), wrong.of(Mistake::WrongDepth)}};
+    std::string text = answer.sentence + "\n";
+    if (!answer.firstWrong) return text;
+    const check::JudgedRow& row   = answer.rows[*answer.firstWrong];
+    const check::TraceRow&  first = trace.rows[*answer.firstWrong];
+    text += fmt::format("\nfirst wrong row: {}, {}:{}\n", *answer.firstWrong, printable(trace.file), first.line);
+    if (row.grain)
+        text += fmt::format("ours: step --algorithm {} --grain {} --at {}\n", answer.algorithm, wordOf(*row.grain),
+                            row.step.value);
+    return text;
 }
 
-std::string junitOf(const CheckAnswer& answer, const std::string& name)
+}  // namespace
+
+std::string textOf(const Judged& judged)
+{
+    std::string text = judged.picture ? textOf(*judged.picture) : std::string();
+    if (judged.trace) text += (text.empty() ? "" : "\n") + textOf(*judged.trace, *judged.rows);
+    return text;
+}
+
+std::vector<CheckCase> casesOf(const Judged& judged)
+{
+    std::vector<CheckCase> cases;
+    if (judged.picture) {
+        // What a file of background alone shows is judged by its coverage.
+        const auto& wrong       = judged.picture->wrong;
+        const auto& conventions = judged.picture->conventions;
+        cases                   = {{"coverage", true, wrong.of(Mistake::Hole) + wrong.of(Mistake::Spill)},
+                                   {"surface", conventions.ids.has_value(), wrong.of(Mistake::WrongSurface)},
+                                   {"depth", conventions.depth.has_value(), wrong.of(Mistake::WrongDepth)}};
+    }
+    if (judged.trace) cases.push_back({"trace", true, judged.trace->wrong, "row"});
+    return cases;
+}
+
+std::string junitOf(const Judged& judged, const std::string& name)
 {
     std::string cases;
-    int         failures = 0, skipped = 0;
-    for (const CheckCase& judged : casesOf(answer)) {
+    int         failures = 0, skipped = 0, tests = 0;
+    for (const CheckCase& each : casesOf(judged)) {
         std::string inside;
-        if (!judged.isJudged) {
+        ++tests;
+        if (!each.isJudged) {
             ++skipped;
             inside = "      <skipped message=\"the files do not show it\"/>\n";
-        } else if (judged.wrong > 0) {
+        } else if (each.wrong > 0) {
             ++failures;
-            inside = fmt::format("      <failure type=\"wrong\" message=\"{}\">{}</failure>\n", messageOf(judged),
-                                 xmlTextOf(answer.sentence));
+            inside = fmt::format("      <failure type=\"wrong\" message=\"{}\">{}</failure>\n", messageOf(each),
+                                 markupText(judged.sentence()));
         }
-        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", xmlTextOf(name), judged.name)
+        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", markupText(name), each.name)
                  + (inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n");
     }
     return fmt::format(
-               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites tests=\"3\" failures=\"{0}\" errors=\"0\">\n"
-               "  <testsuite name=\"zscope-cli check\" tests=\"3\" failures=\"{0}\" errors=\"0\" skipped=\"{1}\" "
+               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites tests=\"{2}\" failures=\"{0}\" errors=\"0\">\n"
+               "  <testsuite name=\"zscope-cli check\" tests=\"{2}\" failures=\"{0}\" errors=\"0\" skipped=\"{1}\" "
                "time=\"0\">\n",
-               failures, skipped)
+               failures, skipped, tests)
            + cases + "  </testsuite>\n</testsuites>\n";
 }
 
-std::string gradescopeOf(const CheckAnswer& answer, const std::string& name)
+std::string gradescopeOf(const Judged& judged, const std::string& name)
 {
     Json tests = Json::array();
-    for (const CheckCase& judged : casesOf(answer)) {
-        if (!judged.isJudged) continue;
-        tests.push_back({{"name", name + ": " + std::string(judged.name)},
-                         {"score", judged.wrong == 0 ? 1 : 0},
+    for (const CheckCase& each : casesOf(judged)) {
+        if (!each.isJudged) continue;
+        tests.push_back({{"name", name + ": " + std::string(each.name)},
+                         {"score", each.wrong == 0 ? 1 : 0},
                          {"max_score", 1},
-                         {"status", judged.wrong == 0 ? "passed" : "failed"},
-                         {"output", messageOf(judged)}});
+                         {"status", each.wrong == 0 ? "passed" : "failed"},
+                         {"output", messageOf(each)}});
     }
-    return cli::textOf(Json{{"output", answer.sentence}, {"tests", std::move(tests)}});
+    return cli::textOf(Json{{"output", judged.sentence()}, {"tests", std::move(tests)}});
 }
 
 }  // namespace zscope::cli

@@ -260,7 +260,36 @@ Result<CheckAnswer> Checker::check(const CheckRequest& request)
     }
     answer.verdicts = std::move(judgement.verdicts);
     answer.sentence = sentenceOf(answer, diagnosed);
+    answer.truth    = reading.truth;
+    answer.shown    = std::move(best.shown);
     return answer;
+}
+
+Result<TraceAnswer> Checker::checkTrace(const CheckRequest& request, const Trace& trace, const Pipeline& pipeline)
+{
+    std::optional<Dump> dump;
+    if (!request.camera && !request.matrix && request.dump) {
+        Result<Dump> read = readDump(*request.dump);
+        if (!read) return read.error();
+        dump = *std::move(read);
+    }
+    const auto cameras = camerasFor(request, dump);
+    if (!cameras) return cameras.error();
+    std::optional<TraceAnswer> best;
+    for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
+        if (request.given.cull && *request.given.cull != culling) continue;
+        const DrawRequest drawn{.scene       = m_kept->scene,
+                                .camera      = cameras->front(),
+                                .faceCulling = culling,
+                                .pipeline    = pipeline,
+                                .cancel      = request.progress.cancel};
+        Result<TraceAnswer> answer = judgeTrace(trace, drawn, halfStepOf(request.subpixelBits));
+        if (!answer) return answer.error();
+        if (!best || (answer->firstWrong && *answer->firstWrong > *best->firstWrong) || answer->isRight())
+            best = *std::move(answer);
+        if (best->isRight()) break;
+    }
+    return *std::move(best);
 }
 
 }  // namespace zscope::check

@@ -18,6 +18,7 @@
 #include "core/check/conventions.h"
 #include "core/check/diagnosis.h"
 #include "core/check/judge.h"
+#include "core/check/trace.h"
 #include "core/measure/pixel_covers.h"
 
 namespace zscope::check {
@@ -60,6 +61,10 @@ struct CheckAnswer {
     Grid<Verdict>             verdicts          = {};
     std::string               sentence          = {};  // all of it in plain English
 
+    // what was compared
+    std::shared_ptr<const Truth> truth = {};
+    Shown                        shown = {};
+
     bool isRight() const { return wrong.total() == 0; }
 };
 
@@ -71,6 +76,9 @@ public:
     Checker& operator=(Checker&&) noexcept;
 
     Result<CheckAnswer> check(const CheckRequest& request);
+    /// A trace of a run with the request's camera; of its files the dump alone is read. Where the culling is not given,
+    /// the one that more of the trace agrees with.
+    Result<TraceAnswer> checkTrace(const CheckRequest& request, const Trace& trace, const Pipeline& pipeline);
 
 private:
     struct Kept;

@@ -81,6 +81,7 @@ ExactTriangle::ExactTriangle(const Scene& scene, const Camera& camera, TriangleI
     for (int i = 0; i < m_count; ++i) {
         const Corner& corner = m_corners[static_cast<std::size_t>(i)];
         const Shift   shift  = shiftAt(corner.x, corner.y, corner.depth);
+        m_mostShift          = std::max({m_mostShift, shift.x, shift.y});
         m_lo                 = std::min(m_lo, corner.depth);
         m_hi                 = std::max(m_hi, corner.depth);
         m_left               = std::min(m_left, corner.x - shift.x);
@@ -116,9 +117,8 @@ double ExactTriangle::doubleArea() const
 
 void ExactTriangle::setBack(bool isMirrored)
 {
-    const double area = doubleArea();
-    if ((isMirrored ? area < 0 : area > 0) == false) return;
-    double longest = 0, shift = 0;
+    const double area    = doubleArea();
+    double       longest = 0, shift = 0;
     for (int i = 0; i < m_count; ++i) {
         const Corner &a = m_corners[static_cast<std::size_t>(i)],
                      &b = m_corners[static_cast<std::size_t>((i + 1) % m_count)];
@@ -126,7 +126,27 @@ void ExactTriangle::setBack(bool isMirrored)
         longest         = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
         shift           = std::max({shift, s.x, s.y});
     }
-    m_isSurelyBack = std::abs(area) > 4 * shift * (longest + shift);
+    m_isThin       = std::abs(area) <= 4 * shift * (longest + shift);
+    m_isSurelyBack = (isMirrored ? area < 0 : area > 0) && !m_isThin;
+}
+
+bool ExactTriangle::mayVanish() const
+{
+    if (isEmpty()) return false;
+    const double inward        = 2 * m_mostShift + kOurStep;
+    const auto   holdsNoCentre = [inward](double from, double to) {
+        return std::ceil(from + inward - 0.5) > std::floor(to - inward - 0.5);
+    };
+    return m_isThin || holdsNoCentre(m_left, m_right) || holdsNoCentre(m_top, m_bottom);
+}
+
+bool ExactTriangle::mayEndAt(int line) const
+{
+    for (int i = 0; i < m_count; ++i) {
+        const Corner& corner = m_corners[static_cast<std::size_t>(i)];
+        if (std::abs(corner.y - (line + 0.5)) <= shiftAt(corner.x, corner.y, corner.depth).y + kOurStep) return true;
+    }
+    return false;
 }
 
 Place ExactTriangle::depthOf(int i, int j) const

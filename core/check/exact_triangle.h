@@ -42,6 +42,15 @@ public:
     Place depthOf(int i, int j) const;
 
     bool isEmpty() const { return m_count == 0; }
+    /// Of the reference's own sub-pixel grid: how far its corners lie from exact ones.
+    static constexpr double kOurStep = 1.0 / 512;
+    /// The most that one of its corners may be moved, pixels.
+    double mostShift() const { return m_mostShift; }
+    /// A corner may be moved across the centre of this line from where the reference has it.
+    bool mayEndAt(int line) const;
+    /// It may be left out on a grid: it is so thin that it may have no area, or so small that its box may hold no
+    /// pixel's centre.
+    bool mayVanish() const;
     bool isCutByNear() const { return m_isCut; }
     /// The viewer surely sees its back: no displacement turns it over.
     bool isSurelyBack() const { return m_isSurelyBack; }
@@ -75,7 +84,9 @@ private:
     double                m_a = 0, m_b = 0, m_c = 0;                         // depth = a x + b y + c
     double                m_lo = 0, m_hi = 0;                                // of the corners
     double                m_left = 0, m_right = 0, m_top = 0, m_bottom = 0;  // of corners, each moved by d
-    bool                  m_isEdgeOn = false;                                // the plane goes through the eye
+    double                m_mostShift = 0;
+    bool                  m_isThin    = false;
+    bool                  m_isEdgeOn  = false;  // the plane goes through the eye
 };
 
 }  // namespace zscope::check

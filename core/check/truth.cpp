@@ -70,12 +70,14 @@ bool FaceNumbers::areOneSurface(std::int64_t triangle, std::int64_t other) const
     return face == faceOf(other) && mayBeCutOtherwise(face);
 }
 
+double halfStepOf(int subpixelBits) { return std::ldexp(1.0, -1 - std::min(subpixelBits, 8)); }
+
 Result<std::shared_ptr<const Truth>> truthOf(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera,
                                              FaceCulling culling, int subpixelBits, const Progress& progress)
 try {
     Result<Picture> picture = referencePicture(scene->scene(), camera, culling, progress);
     if (!picture) return picture.error();
-    const double halfStep = std::ldexp(1.0, -1 - std::min(subpixelBits, 8));
+    const double halfStep = halfStepOf(subpixelBits);
     Truth        truth{scene, FaceNumbers(scene->scene()), camera, culling, halfStep, *std::move(picture), {}, 0};
     truth.slack.reset(camera.width, camera.height);
     std::uint64_t covered = 0;

@@ -58,6 +58,9 @@ struct Truth {
     bool isCovered(std::size_t pixel) const { return picture.ids.values()[pixel] >= 0; }
 };
 
+/// Half a step of the coarser of two sub-pixel grids, ours and one of so many bits; pixels.
+double halfStepOf(int subpixelBits);
+
 /// Errors: Limit, Cancelled.
 Result<std::shared_ptr<const Truth>> truthOf(const std::shared_ptr<const PreparedScene>& scene, const Camera& camera,
                                              FaceCulling culling, int subpixelBits, const Progress& progress);

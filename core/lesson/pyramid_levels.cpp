@@ -7,31 +7,6 @@
 namespace zscope {
 namespace {
 
-/// Every cell the farthest of its 2 x 2 children.
-Grid<float> halved(const Grid<float>& below)
-{
-    Grid<float> above((below.width() + 1) / 2, (below.height() + 1) / 2);
-    for (int y = 0; y < above.height(); ++y) {
-        for (int x = 0; x < above.width(); ++x) {
-            float value = below.at(2 * x, 2 * y);
-            if (2 * x + 1 < below.width()) value = std::min(value, below.at(2 * x + 1, 2 * y));
-            if (2 * y + 1 < below.height()) value = std::min(value, below.at(2 * x, 2 * y + 1));
-            if (2 * x + 1 < below.width() && 2 * y + 1 < below.height())
-                value = std::min(value, below.at(2 * x + 1, 2 * y + 1));
-            above.at(x, y) = value;
-        }
-    }
-    return above;
-}
-
-Grid<float> depthsOf(const VisibilityBuffer& visible)
-{
-    Grid<float> depths(visible.width(), visible.height());
-    for (int y = 0; y < visible.height(); ++y)
-        for (int x = 0; x < visible.width(); ++x) depths.at(x, y) = visible.storedAt(x, y);
-    return depths;
-}
-
 void findLagging(PyramidLevel& level, const Grid<float>& truth)
 {
     level.lags.reset(level.width(), level.height(), 0);
@@ -55,6 +30,30 @@ void colour(PyramidLevel& level, const PyramidPicture& picture)
 
 }  // namespace
 
+Grid<float> farthestOfFour(const Grid<float>& below)
+{
+    Grid<float> above((below.width() + 1) / 2, (below.height() + 1) / 2);
+    for (int y = 0; y < above.height(); ++y) {
+        for (int x = 0; x < above.width(); ++x) {
+            float value = below.at(2 * x, 2 * y);
+            if (2 * x + 1 < below.width()) value = std::min(value, below.at(2 * x + 1, 2 * y));
+            if (2 * y + 1 < below.height()) value = std::min(value, below.at(2 * x, 2 * y + 1));
+            if (2 * x + 1 < below.width() && 2 * y + 1 < below.height())
+                value = std::min(value, below.at(2 * x + 1, 2 * y + 1));
+            above.at(x, y) = value;
+        }
+    }
+    return above;
+}
+
+Grid<float> storedDepths(const VisibilityBuffer& visible)
+{
+    Grid<float> depths(visible.width(), visible.height());
+    for (int y = 0; y < visible.height(); ++y)
+        for (int x = 0; x < visible.width(); ++x) depths.at(x, y) = visible.storedAt(x, y);
+    return depths;
+}
+
 PyramidPicture pyramidOf(const StepState& state)
 {
     PyramidPicture picture;
@@ -63,7 +62,7 @@ PyramidPicture pyramidOf(const StepState& state)
     const auto&             cells   = state.hierarchy->cells;
     picture.empty                   = visible.empty();
 
-    Grid<float> pixels = depthsOf(visible);
+    Grid<float> pixels = storedDepths(visible);
     bool        any    = false;
     for (const float depth : pixels.values()) {
         if (depth <= picture.empty) continue;
@@ -74,7 +73,7 @@ PyramidPicture pyramidOf(const StepState& state)
 
     Grid<float> truth = std::move(pixels);
     for (int level = 0; level < Pyramid::kTileLevel + static_cast<int>(cells.size()); ++level) {
-        if (level > 0) truth = halved(truth);
+        if (level > 0) truth = farthestOfFour(truth);
         PyramidLevel& made = picture.levels.emplace_back();
         made.level         = level;
         made.isStored      = level >= Pyramid::kTileLevel;

@@ -37,6 +37,11 @@ struct PyramidPicture {
 };
 PyramidPicture pyramidOf(const StepState& state);
 
+/// Every depth as the buffer stores it: level 0.
+Grid<float> storedDepths(const VisibilityBuffer& visible);
+/// The level above: every cell the farthest of its 2 x 2 children.
+Grid<float> farthestOfFour(const Grid<float>& below);
+
 /// The colour of what nothing has been drawn to.
 inline constexpr std::uint32_t kEmptyCell = 0xFF14161A;
 

@@ -10,23 +10,12 @@
 #include "core/frame/observed_run.h"
 #include "core/lesson/checkpoints.h"
 #include "core/lesson/recorders.h"
+#include "core/lesson/run_state.h"
 #include "core/lesson/run_telling.h"
 
 namespace zscope {
 
 namespace {
-
-/// The stored levels of the pyramid as the run left them.
-std::vector<Grid<float>> cellsOf(const Pyramid& pyramid)
-{
-    std::vector<Grid<float>> cells;
-    for (int level = Pyramid::kTileLevel; level < pyramid.levels(); ++level) {
-        const GridView<const float> stored = pyramid.stored(level);
-        Grid<float>&                copy   = cells.emplace_back(stored.width, stored.height);
-        for (int y = 0; y < stored.height; ++y) std::ranges::copy(stored.row(y), copy.view().row(y).begin());
-    }
-    return cells;
-}
 
 /// A stage begins; so many steps of each grain have happened.
 struct StageBegin {
@@ -220,30 +209,16 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
         const RunRecorders& recorders = run.recorders;
         const Pipeline      pipeline  = repeatable(m_request).pipeline;
 
-        StepState state;
-        state.frame         = run.frame;
-        state.algorithm     = nameOf(m_request.pipeline);
-        state.grain         = grain;
-        state.step          = step;
-        state.count         = m_survey->steps.seen(grain);
-        state.event         = run.stop.lastGrain();
-        state.method        = run.stop.method();
-        state.part          = run.stop.part();
-        state.stage         = recorders.stage.stage();
-        state.sweep         = recorders.sweep.state();
-        const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;
-        state.hierarchy     = recorders.hierarchy.state(m_request.camera.width, m_request.camera.height, hasCells);
-        if (state.hierarchy && pipeline.order != Order::Submitted)
-            state.hierarchy->tree = pipeline.order == Order::Octree ? TreeKind::Octree : TreeKind::Bvh;
-        if (state.hierarchy && hasCells) state.hierarchy->cells = cellsOf(run.scratch.pyramid);
-        state.tests    = recorders.tests.tests();
-        state.triangle = recorders.triangle.state();
-        state.span     = recorders.pixel.span();
-        state.interval = recorders.interval.state();
-        if (run.stop.lastWas<PixelTested>()) state.pixel = recorders.pixel.pixel();
-        if (run.stop.lastWas<TileTested>()) state.tile = recorders.pixel.tile();
-        if (run.stop.lastWas<PixelBlended>()) state.blend = recorders.pixel.blend();
-        state.sentence = run.stop.sentence();
+        StepState state = stateOf(recorders, run.stop.last(), m_request, &run.scratch.pyramid);
+        state.frame     = run.frame;
+        state.grain     = grain;
+        state.step      = step;
+        state.count     = m_survey->steps.seen(grain);
+        state.event     = run.stop.lastGrain();
+        state.method    = run.stop.method();
+        state.part      = run.stop.part();
+        state.tests     = recorders.tests.tests();
+        state.sentence  = run.stop.sentence();
         if (m_request.pipeline.chooser == Chooser::Measured)
             state.sentence +=
                 " (auto has measured nothing here: its steps are those of " + nameOf(pipeline) + ", its first choice.)";

@@ -76,12 +76,8 @@ public:
     /// So many of them have happened before the run began.
     void  beginAfter(std::uint64_t seen) { m_seen = seen; }
     Grain lastGrain() const { return m_last ? *m_last->grain : Grain::Frame; }
-    /// Whether the last step was one of this type.
-    template <class Event>
-    bool lastWas() const
-    {
-        return m_last == &kEventKind<Event>;
-    }
+    /// The kind of the last step; nullptr: there was none.
+    const EventKind* last() const { return m_last; }
     /// Of the step that ended the run.
     const std::string& sentence() const { return m_sentence; }
     /// Of the last step: the method's call, and the part's statement.

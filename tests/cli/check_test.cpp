@@ -84,6 +84,8 @@ TEST_F(Check, WritesReportsForCourses)
     EXPECT_NE(xml.find("<testsuites tests=\"3\" failures=\"2\" errors=\"0\">"), std::string::npos) << xml;
     EXPECT_NE(xml.find("name=\"depth\""), std::string::npos);
     EXPECT_NE(xml.find("<skipped"), std::string::npos) << "there is no depth file";
+    expectFitsSchema(path("r.xml"));
+    expectFitsSchema(path("r.json"));
     const json results = json::parse(contentsOf(path("r.json")));
     EXPECT_EQ(results.at("tests").size(), 2u);
     for (const json& test : results.at("tests")) {
@@ -92,6 +94,84 @@ TEST_F(Check, WritesReportsForCourses)
         EXPECT_EQ(test.at("status"), "failed");
     }
     EXPECT_FALSE(results.at("output").get<std::string>().empty());
+}
+
+TEST_F(Check, WritesAPageThatSaysHowToJudgeAgain)
+{
+    draw(kScene, {"--algorithm", "scanline", "--fault", "x-truncated"});
+    const Answer answer = check(kScene, {"--ids", path("i.npy"), "--report", path("deep/report")});
+    EXPECT_EQ(answer.status, 1) << answer.err;
+    const std::string page = contentsOf(path("deep/report/report.html"));
+    EXPECT_NE(page.find("--ids " + path("i.npy") + "</pre>"), std::string::npos) << "without the option of the report";
+    EXPECT_NE(page.find("13-holes-and-fill-rules"), std::string::npos);
+    EXPECT_EQ(check(kScene, {"--ids", path("i.npy"), "--report", path("i.npy")}).status, 4);
+    const auto files = filesInFolder();
+    EXPECT_EQ(check(kScene, {"--ids", path("absent.npy"), "--report", path("deep/report")}).status, 3);
+    EXPECT_EQ(filesInFolder(), files);
+    EXPECT_EQ(contentsOf(path("deep/report/report.html")), page) << "a check that fails changes nothing";
+}
+
+TEST_F(Check, ReportsFitTheirSchemasWhateverFilesAreCalled)
+{
+    const std::string scene = write("a<b>&\"c\"'\x01 \xC3\xA4.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n");
+    draw(scene);
+    for (const auto& how : std::vector<std::vector<std::string>>{{}, {"--depth", path("d.npy")}}) {
+        std::vector<std::string> words{"--ids",       path("i.npy"),  "--junit",
+                                       path("r.xml"), "--gradescope", path("r.json")};
+        words.insert(words.end(), how.begin(), how.end());
+        EXPECT_EQ(check(scene, words).status, 0);
+        expectFitsSchema(path("r.xml"));
+        expectFitsSchema(path("r.json"));
+    }
+}
+
+TEST_F(Check, ATraceIsJudgedAloneOrWithAPicture)
+{
+    const std::string scene = "builtin:cubes";
+    draw(scene);
+    std::vector<json> rows;
+    for (const char* step : {"0", "40", "60", "80"}) {
+        const Answer stepped = run({"step", scene, "--camera", path("cam.json"), "--algorithm", "scanline", "--grain",
+                                    "line", "--at", step, "--state", path("s.json")});
+        ASSERT_EQ(stepped.status, 0) << stepped.err;
+        rows.push_back(json::parse(contentsOf(path("s.json"))));
+    }
+    const auto trace = [&] {
+        std::string text;
+        for (const json& row : rows) text += row.dump() + "\n";
+        return write("t.jsonl", text);
+    };
+    const Answer right = check(scene, {"--trace", trace(), "--json"});
+    EXPECT_EQ(right.status, 0) << right.err << right.out;
+    EXPECT_EQ(json::parse(right.out).at("trace").at("rows"), 4);
+    EXPECT_EQ(json::parse(right.out).at("trace").at("first_wrong"), nullptr);
+
+    rows[2]["active_edges"].erase(3);
+    const Answer wrong = check(scene, {"--trace", trace(), "--ids", path("i.npy"), "--json", "--junit", path("r.xml"),
+                                       "--gradescope", path("r.json")});
+    EXPECT_EQ(wrong.status, 1) << wrong.err;
+    const json found = json::parse(wrong.out);
+    EXPECT_EQ(found.at("wrong").at("holes"), 0) << "the picture is right";
+    const json first = found.at("trace").at("first_wrong");
+    EXPECT_EQ(first.at("row"), 2);
+    EXPECT_EQ(first.at("line"), 3);
+    EXPECT_EQ(first.at("grain"), "line");
+    EXPECT_EQ(first.at("step"), 60);
+    EXPECT_NE(first.at("sentence").get<std::string>().find("your table lacks an edge of polygon"), std::string::npos);
+    EXPECT_NE(contentsOf(path("r.xml")).find("name=\"trace\""), std::string::npos);
+    expectFitsSchema(path("r.xml"));
+    expectFitsSchema(path("r.json"));
+    const Answer text = check(scene, {"--trace", path("t.jsonl")});
+    EXPECT_EQ(text.status, 1);
+    EXPECT_NE(text.out.find("first wrong row: 2, " + path("t.jsonl") + ":3"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("ours: step --algorithm scanline --grain line --at 60"), std::string::npos) << text.out;
+
+    const Answer refused = check(scene, {"--trace", write("bad.jsonl", "{\"line\":1}\nnonsense\n")});
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_EQ(refused.err.find(path("bad.jsonl") + ":2: error: "), 0u) << refused.err;
+    EXPECT_EQ(check(scene, {"--trace", path("t.jsonl"), "--algorithm", "none"}).status, 2);
+    EXPECT_EQ(check(scene, {"--trace", path("t.jsonl"), "--report", path("page")}).status, 2);
+    EXPECT_EQ(check(scene, {"--ids", path("i.npy"), "--algorithm", "scanline"}).status, 2);
 }
 
 TEST_F(Check, RefusesWhatCannotBeUsed)

@@ -148,4 +148,18 @@ std::size_t Cli::filesInFolder() const
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()));
 }
 
+void expectFitsSchema(const std::string& report)
+{
+    const std::string schemas = std::string(ZSCOPE_SOURCE_DIR) + "/tests/check/";
+    const bool        isXml   = report.ends_with(".xml");
+    const std::string judge =
+        isXml ? "xmllint --noout --schema '" + schemas + "junit.xsd' '" + report + "'"
+              : "python3 -c 'import json, sys, jsonschema; jsonschema.validate(*(json.load(open(name)) for name in "
+                "sys.argv[1:]))' '"
+                    + report + "' '" + schemas + "gradescope.schema.json'";
+    EXPECT_EQ(std::system((judge + " > '" + report + ".log' 2>&1").c_str()), 0) << judge << '\n'
+                                                                                << contentsOf(report + ".log") << '\n'
+                                                                                << contentsOf(report);
+}
+
 }  // namespace zscope::cli_test

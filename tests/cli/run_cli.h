@@ -28,6 +28,9 @@ Answer runInto(const std::string& outFile, const std::vector<std::string>& argum
 
 std::string contentsOf(const std::filesystem::path& file);
 
+/// A JUnit (.xml) or Gradescope (.json) report against its schema in tests/check, by xmllint or Python's jsonschema.
+void expectFitsSchema(const std::string& report);
+
 /// A folder of its own for each test, removed afterwards.
 class Cli : public testing::Test {
 protected:

@@ -178,6 +178,8 @@ TEST_F(Grade, AProgramWithoutSubmissionsStartsWhereGradeRuns)
     ASSERT_EQ(results["tests"].size(), 1u);
     EXPECT_EQ(results["tests"][0]["score"], 1);
     EXPECT_EQ(results["tests"][0]["status"], "passed");
+    expectFitsSchema(path("junit.xml"));
+    expectFitsSchema(path("results.json"));
     EXPECT_NE(contentsOf(path("junit.xml")).find("<testsuites tests=\"1\" failures=\"0\" errors=\"0\">"),
               std::string::npos);
     EXPECT_EQ(Json::parse(writes.out)[0]["verdict"], "failed");  // that folder is for reading

@@ -95,7 +95,7 @@ public:
     int asked() const { return m_asked; }
 
 private:
-    PhraseBook        m_book{QStringLiteral(":/i18n/core_zh_CN.json")};
+    CoreTranslator    m_book{chinesePhrases()};
     std::set<QString> m_missing;
     int               m_asked = 0;
 };
@@ -141,8 +141,8 @@ private slots:
     }
     void phrasesAreMadeOfPhrasesAndAreAllOrNothing()
     {
-        const PhraseBook book(QStringLiteral(":/i18n/core_zh_CN.json"));
-        const auto       says = [&](const char* english) { return book.translate("Core", english); };
+        const CoreTranslator book(chinesePhrases());
+        const auto           says = [&](const char* english) { return book.translate("Core", english); };
         QCOMPARE(says("Triangle 1,234 is drawn: it is nearest so far at 5 pixels."),
                  QStringLiteral("三角形 1,234 已绘制：目前它在 5 个像素处最近。"));
         QCOMPARE(says("Line 3 is drawn: no edge enters or leaves. 1 face between 2 active edges gave 1 span."),

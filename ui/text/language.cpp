@@ -50,7 +50,7 @@ void Translation::speak(Language language)
         [[maybe_unused]] const bool isThere = m_installed.back()->load(name);
         Q_ASSERT(isThere);
     }
-    m_installed.push_back(std::make_unique<PhraseBook>(QStringLiteral(":/i18n/core_zh_CN.json")));
+    m_installed.push_back(std::make_unique<CoreTranslator>(chinesePhrases()));
     for (const auto& translator : m_installed) QCoreApplication::installTranslator(translator.get());
 }
 
