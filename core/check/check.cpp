@@ -260,6 +260,8 @@ Result<CheckAnswer> Checker::check(const CheckRequest& request)
     }
     answer.verdicts = std::move(judgement.verdicts);
     answer.sentence = sentenceOf(answer, diagnosed);
+    answer.truth    = reading.truth;
+    answer.shown    = std::move(best.shown);
     return answer;
 }
 

@@ -60,6 +60,10 @@ struct CheckAnswer {
     Grid<Verdict>             verdicts          = {};
     std::string               sentence          = {};  // all of it in plain English
 
+    // what was compared
+    std::shared_ptr<const Truth> truth = {};
+    Shown                        shown = {};
+
     bool isRight() const { return wrong.total() == 0; }
 };
 
