@@ -151,21 +151,21 @@ void Examiner::ask(const QStringList& files, bool isNew)
                     emit m_session.failed(said(error), [error] { return said(error); });
             });
         };
-        const auto files = theirFilesOf(question.files);
-        if (!files) return fail(files.error());
+        const auto sorted = theirFilesOf(question.files);
+        if (!sorted) return fail(sorted.error());
 
         Camera camera = question.camera;
-        if (files->size && *files->size != QSize(camera.width, camera.height)) {
-            const auto sized = makeCamera(inSize(question.view, *files->size), question.scene->scene().bounds);
+        if (sorted->size && *sorted->size != QSize(camera.width, camera.height)) {
+            const auto sized = makeCamera(inSize(question.view, *sorted->size), question.scene->scene().bounds);
             if (!sized) return fail(sized.error());
             camera = *sized;
         }
         check::CheckRequest request;
-        request.depth   = files->depth;
-        request.ids     = files->ids;
-        request.picture = files->picture;
-        request.dump    = files->dump;
-        if (!files->hasMatrices) request.camera = camera;
+        request.depth   = sorted->depth;
+        request.ids     = sorted->ids;
+        request.picture = sorted->picture;
+        request.dump    = sorted->dump;
+        if (!sorted->hasMatrices) request.camera = camera;
         auto told               = std::chrono::steady_clock::now();
         request.progress.cancel = &cancel;
         request.progress.report = [&](double fraction, std::string_view) {
@@ -175,7 +175,7 @@ void Examiner::ask(const QStringList& files, bool isNew)
             mine([this, fraction] { show(m_phase, fraction); });
         };
         check::Checker& checker = desk->checkerFor(question.scene->prepared, camera);
-        auto            answer  = firstAnswer(checker, request, *files);
+        auto            answer  = firstAnswer(checker, request, *sorted);
         if (!answer) return fail(answer.error());
 
         auto theirs         = std::make_shared<TheirPicture>();
@@ -184,7 +184,7 @@ void Examiner::ask(const QStringList& files, bool isNew)
         theirs->sceneWord   = question.scene->word;
         theirs->answer      = std::make_shared<const check::CheckAnswer>(std::move(answer).value());
         theirs->isDiagnosed = theirs->answer->isRight();  // there is nothing to explain
-        if (const auto filled = fill(*theirs, *files); !filled) return fail(filled.error());
+        if (const auto filled = fill(*theirs, *sorted); !filled) return fail(filled.error());
         Look look = question.look;
         if (question.isNew) look.layer = &layerFor(*theirs->answer, *look.layer);
         const auto shown = repainted(*theirs, look, question.a.get());
