@@ -1,11 +1,13 @@
 // zscope-cli check: what another program drew, judged against the reference, with likely causes of what is wrong.
 #include <algorithm>
+#include <filesystem>
 
 #include "app/cli/check_output.h"
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/outputs.h"
 #include "app/cli/words.h"
+#include "core/check/report.h"
 #include "core/io/file_writer.h"
 #include "core/io/read_file.h"
 
@@ -19,7 +21,7 @@ struct CheckOptions {
     std::optional<std::string> camera, matrix, size;
     std::optional<std::string> depth, ids, picture, dump;
     std::optional<std::string> depthIs, rows, idsAre, idsFrom, cull, subpixelBits;
-    std::optional<std::string> junit, gradescope;
+    std::optional<std::string> report, junit, gradescope;
     bool                       doesNotDiagnose = false;
     bool                       json            = false;
 };
@@ -98,9 +100,8 @@ Result<Exit> checkFiles(const CheckOptions& options, Session& session)
 {
     if (!options.depth && !options.ids && !options.picture && !options.dump)
         return Error{Trouble::Usage, "say what is to be checked: --depth, --ids, --picture or --dump"};
-    const std::vector<Output> outputs{{"--junit", options.junit, {".xml"}},
-                                      {"--gradescope", options.gradescope, {".json"}}};
-    std::vector<std::string>  inputs{options.scene.word()};
+    std::vector<Output> outputs{{"--junit", options.junit, {".xml"}}, {"--gradescope", options.gradescope, {".json"}}};
+    std::vector<std::string> inputs{options.scene.word()};
     for (const auto& file : {options.camera, options.matrix, options.depth, options.ids, options.picture, options.dump})
         if (file) inputs.push_back(*file);
     if (const auto done = checkOutputs(outputs, inputs); !done) return done.error();
@@ -108,6 +109,11 @@ Result<Exit> checkFiles(const CheckOptions& options, Session& session)
     check::CheckRequest request;
     if (const auto done = readConventions(options, request); !done) return done.error();
     if (const auto done = readCamera(options, request); !done) return done.error();
+    if (options.report) {
+        if (const auto done = check::makeFolder(*options.report); !done) return done.error();
+        outputs.push_back({"--report", (std::filesystem::path(*options.report) / check::kReportFile).string()});
+        if (const auto done = checkOutputs(outputs, inputs); !done) return done.error();
+    }
     request.depth     = options.depth;
     request.ids       = options.ids;
     request.picture   = options.picture;
@@ -122,6 +128,9 @@ Result<Exit> checkFiles(const CheckOptions& options, Session& session)
     if (!answer) return answer.error();
 
     session.print(options.json ? textOf(jsonOf(*answer)) : textOf(*answer));
+    if (options.report)
+        if (const auto path = check::writeReport(*answer, session.reproducingCommand(), *options.report); !path)
+            return path.error();
     if (options.junit)
         if (const auto done = writeFile(*options.junit, junitOf(*answer, scene->scene->name)); !done)
             return done.error();
@@ -160,6 +169,8 @@ Command addCheck(CLI::App& parent)
            conventions);
     parser->add_flag("--no-diagnose", options->doesNotDiagnose, "Look for no causes");
     parser->add_flag("--json", options->json, "JSON instead of text");
+    option("--report", options->report, "DIR", "Also write a page with pictures into this folder: report.html",
+           "Reports");
     option("--junit", options->junit, "FILE.xml", "Also write a JUnit report", "Reports");
     option("--gradescope", options->gradescope, "FILE.json", "Also write results as Gradescope reads them", "Reports");
     return {parser, [options](Session& session) {

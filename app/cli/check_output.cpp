@@ -5,28 +5,25 @@
 #include <fmt/format.h>
 
 #include "app/cli/table.h"
+#include "core/io/markup.h"
 
 namespace zscope::cli {
 
 using check::CheckAnswer;
-using check::IdKind;
 using check::Mistake;
-using check::Rows;
 
 namespace {
 
-std::string_view wordOf(Rows rows) { return rows == Rows::TopDown ? "top-down" : "bottom-up"; }
-std::string_view wordOf(IdKind kind) { return kind == IdKind::Triangles ? "triangles" : "faces"; }
 std::string_view wordOf(FaceCulling culling) { return culling == FaceCulling::Back ? "back" : "none"; }
 
 template <class Value>
 Json wordOrNull(const std::optional<Value>& value)
 {
     if (!value) return nullptr;
-    if constexpr (std::is_same_v<Value, check::DepthMeaning>)
-        return check::wordOf(*value);
-    else
+    if constexpr (std::is_same_v<Value, FaceCulling>)
         return wordOf(*value);
+    else
+        return check::wordOf(*value);
 }
 
 Json jsonOf(const check::MistakeCounts& counts)
@@ -80,30 +77,6 @@ std::string messageOf(const CheckCase& judged)
 }
 
 }  // namespace
-
-std::string xmlTextOf(std::string_view text)
-{
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-        }
-    }
-    return result;
-}
 
 Json jsonOf(const CheckAnswer& answer)
 {
@@ -186,9 +159,9 @@ std::string junitOf(const CheckAnswer& answer, const std::string& name)
         } else if (judged.wrong > 0) {
             ++failures;
             inside = fmt::format("      <failure type=\"wrong\" message=\"{}\">{}</failure>\n", messageOf(judged),
-                                 xmlTextOf(answer.sentence));
+                                 markupText(answer.sentence));
         }
-        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", xmlTextOf(name), judged.name)
+        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", markupText(name), judged.name)
                  + (inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n");
     }
     return fmt::format(

@@ -23,9 +23,6 @@ struct CheckCase {
 };
 std::vector<CheckCase> casesOf(const check::CheckAnswer& answer);
 
-/// Fit for XML, attributes too.
-std::string xmlTextOf(std::string_view text);
-
 /// `name` is what was checked: a scene, a submission.
 std::string junitOf(const check::CheckAnswer& answer, const std::string& name);
 std::string gradescopeOf(const check::CheckAnswer& answer, const std::string& name);

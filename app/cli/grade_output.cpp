@@ -9,6 +9,7 @@
 #include "app/cli/check_output.h"
 #include "app/cli/grade_journal.h"
 #include "app/cli/table.h"
+#include "core/io/markup.h"
 
 namespace zscope::cli {
 namespace {
@@ -49,16 +50,16 @@ std::string junitSuite(std::span<const GradeRow> rows)
         if (!isGood(row.verdict)) ++(isWrong ? failures : errors);
         seconds += row.seconds;
         const std::string_view kind = isWrong ? "failure" : "error";
-        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xmlTextOf(row.submission),
-                             xmlTextOf(row.scene), row.seconds);
+        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", markupText(row.submission),
+                             markupText(row.scene), row.seconds);
         cases += isGood(row.verdict)
                      ? "/>\n"
                      : fmt::format(">\n      <{0} type=\"{1}\" message=\"{1}\">{2}</{0}>\n    </testcase>\n", kind,
-                                   wordOf(row.verdict), xmlTextOf(row.detail));
+                                   wordOf(row.verdict), markupText(row.detail));
     }
     return fmt::format(
                "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\" time=\"{:.3f}\">\n",
-               xmlTextOf(rows.front().submission), rows.size(), failures, errors, seconds)
+               markupText(rows.front().submission), rows.size(), failures, errors, seconds)
            + cases + "  </testsuite>\n";
 }
 

@@ -29,6 +29,9 @@ extern "C" void requestInterrupt(int signal)
 /// Options of the subcommands that make pictures; each takes a value.
 constexpr std::array<std::string_view, 6> kOutputOptions{"-o", "--output", "--ids", "--depth", "--stats", "--state"};
 
+/// Those of check, whose --ids and --depth are read.
+constexpr std::array<std::string_view, 3> kReportOptions{"--report", "--junit", "--gradescope"};
+
 /// JSON knows what UTF-8 is: where some of the text is not, it can be replaced or left out.
 bool isUtf8(std::string_view text)
 {
@@ -63,12 +66,15 @@ std::string quotedForShell(std::string_view word)
 
 std::string commandWithoutOutputs(std::span<char* const> arguments)
 {
+    const bool judges =
+        std::ranges::any_of(arguments, [](const char* word) { return std::string_view(word) == "check"; });
+    const auto  outputs = judges ? std::span<const std::string_view>(kReportOptions) : kOutputOptions;
     std::string command = "zscope-cli";
     for (std::size_t i = 1; i < arguments.size(); ++i) {
         const std::string_view word   = arguments[i];
         const std::string_view option = word.substr(0, word.find('='));
         if (word == "--quiet" || (word.starts_with("-o") && word.size() > 2)) continue;
-        if (std::ranges::find(kOutputOptions, option) != kOutputOptions.end()) {
+        if (std::ranges::find(outputs, option) != outputs.end()) {
             if (option == word) ++i;  // its value is the next word
             continue;
         }

@@ -291,4 +291,7 @@ std::vector<Reading> readingsOf(const Foreign& files, const Conventions& given,
     return readings;
 }
 
+std::string_view wordOf(Rows rows) { return rows == Rows::TopDown ? "top-down" : "bottom-up"; }
+std::string_view wordOf(IdKind kind) { return kind == IdKind::Triangles ? "triangles" : "faces"; }
+
 }  // namespace zscope::check

@@ -21,6 +21,9 @@
 namespace zscope::check {
 
 enum class IdKind { Triangles, Faces };
+/// "top-down", "bottom-up"; "triangles", "faces".
+std::string_view wordOf(Rows rows);
+std::string_view wordOf(IdKind kind);
 
 /// What is given, or what was found.
 struct Conventions {

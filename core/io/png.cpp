@@ -129,7 +129,8 @@ std::string bigEndian(std::uint32_t value)
             static_cast<char>(value)};
 }
 
-void writeChunk(FileWriter& file, std::string_view type, std::string_view contents)
+template <class Sink>
+void writeChunk(Sink& file, std::string_view type, std::string_view contents)
 {
     const auto crc = [](uLong before, std::string_view bytes) {
         if (bytes.empty()) return before;  // zlib begins anew where there is no buffer
@@ -141,8 +142,17 @@ void writeChunk(FileWriter& file, std::string_view type, std::string_view conten
     file.write(bigEndian(static_cast<std::uint32_t>(crc(crc(0, type), contents))));
 }
 
+/// A file in memory.
+struct ByteSink {
+    std::string bytes;
+
+    void           write(std::string_view more) { bytes += more; }
+    constexpr bool failed() const { return false; }
+};
+
 /// Everything before the pixels.
-void writeHead(FileWriter& file, GridView<const std::uint32_t> argb, bool alpha, std::span<const PngText> texts)
+template <class Sink>
+void writeHead(Sink& file, GridView<const std::uint32_t> argb, bool alpha, std::span<const PngText> texts)
 {
     constexpr std::string_view kOpaqueKind("\x08\x02\x00\x00\x00", 5);  // 8 bits, red green blue; not interlaced
     constexpr std::string_view kAlphaKind("\x08\x06\x00\x00\x00", 5);   // the same and alpha
@@ -155,7 +165,8 @@ void writeHead(FileWriter& file, GridView<const std::uint32_t> argb, bool alpha,
 }
 
 /// The pixels: one zlib stream, whose parts threads make side by side and write one after another.
-void writePixels(FileWriter& file, GridView<const std::uint32_t> argb, bool alpha, const PngWork& work)
+template <class Sink>
+void writePixels(Sink& file, GridView<const std::uint32_t> argb, bool alpha, const PngWork& work)
 {
     constexpr std::string_view kZlibHead = "\x78\x9c";  // deflate, a window of 32 KiB, the default level
     const std::size_t          rowBytes  = 1 + static_cast<std::size_t>(argb.width) * (alpha ? 4 : 3);
@@ -190,23 +201,43 @@ std::vector<PngText> reproducingTexts(const std::string& command, const std::str
     return {{kPngSoftware, "ZScope " ZSCOPE_VERSION}, {kPngCommand, command}, {kPngSceneDigest, sceneDigest}};
 }
 
-Result<Done> writePng(const std::string& path, GridView<const std::uint32_t> argb, std::span<const PngText> texts,
-                      const PngWork& work)
+namespace {
+
+/// `path` is named where there is no memory left.
+template <class Sink>
+Result<Done> encode(Sink& sink, GridView<const std::uint32_t> argb, std::span<const PngText> texts, const PngWork& work,
+                    const std::string& path)
 {
     assert(argb.width >= 1 && argb.height >= 1);
-    Result<FileWriter> file = FileWriter::create(path);
-    if (!file) return file.error();
     const bool alpha = !isOpaque(argb);
-    writeHead(*file, argb, alpha, texts);
+    writeHead(sink, argb, alpha, texts);
     try {
-        writePixels(*file, argb, alpha, work);
+        writePixels(sink, argb, alpha, work);
     } catch (const std::bad_alloc&) {
         return Error{Trouble::Limit, "there is no memory left to encode the picture", path};
     }
     if (work.cancel && work.cancel->load(std::memory_order_relaxed))
         return Error{Trouble::Cancelled, "writing was cancelled"};
-    writeChunk(*file, "IEND", {});
+    writeChunk(sink, "IEND", {});
+    return Done{};
+}
+
+}  // namespace
+
+Result<Done> writePng(const std::string& path, GridView<const std::uint32_t> argb, std::span<const PngText> texts,
+                      const PngWork& work)
+{
+    Result<FileWriter> file = FileWriter::create(path);
+    if (!file) return file.error();
+    if (const auto done = encode(*file, argb, texts, work, path); !done) return done.error();
     return file->commit();
+}
+
+Result<std::string> pngOf(GridView<const std::uint32_t> argb, std::span<const PngText> texts, const PngWork& work)
+{
+    ByteSink sink;
+    if (const auto done = encode(sink, argb, texts, work, {}); !done) return done.error();
+    return std::move(sink.bytes);
 }
 
 }  // namespace zscope

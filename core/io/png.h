@@ -48,5 +48,8 @@ struct PngWork {
 /// Width and height must be at least 1.
 Result<Done> writePng(const std::string& path, GridView<const std::uint32_t> argb, std::span<const PngText> texts,
                       const PngWork& work = {});
+/// The bytes of that file. Errors: Limit, Cancelled.
+Result<std::string> pngOf(GridView<const std::uint32_t> argb, std::span<const PngText> texts = {},
+                          const PngWork& work = {});
 
 }  // namespace zscope

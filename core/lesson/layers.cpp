@@ -48,17 +48,6 @@ Grid<std::uint32_t> tests(const LayerSource& source)
     return picture;
 }
 
-/// A colour per id, far apart for ids that follow each other, never as light as the background.
-std::uint32_t colourOfId(std::uint32_t rank)
-{
-    std::uint32_t bits = rank * 0x9E3779B9u;  // 2^32 / golden ratio: neighbours land far apart
-    bits ^= bits >> 15;
-    bits *= 0x85EBCA6Bu;
-    bits ^= bits >> 13;
-    const auto part = [bits](int shift) { return 40u + ((bits >> shift) & 0xFFu) * 3u / 4u; };
-    return 0xFF000000u | part(0) << 16 | part(8) << 8 | part(16);
-}
-
 Grid<std::uint32_t> ids(const LayerSource& source)
 {
     const VisibilityBuffer& visible = source.frame.visible;
@@ -77,6 +66,16 @@ constexpr std::array kLayers{
 };
 
 }  // namespace
+
+std::uint32_t colourOfId(std::uint32_t rank)
+{
+    std::uint32_t bits = rank * 0x9E3779B9u;  // 2^32 / golden ratio: neighbours land far apart
+    bits ^= bits >> 15;
+    bits *= 0x85EBCA6Bu;
+    bits ^= bits >> 13;
+    const auto part = [bits](int shift) { return 40u + ((bits >> shift) & 0xFFu) * 3u / 4u; };
+    return 0xFF000000u | part(0) << 16 | part(8) << 8 | part(16);
+}
 
 std::uint32_t heatOfTests(std::uint32_t tests) { return heat((tests - 0.5) / kMostTests); }
 

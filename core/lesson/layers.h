@@ -34,6 +34,9 @@ std::vector<std::uint64_t> depthHistogram(const VisibilityBuffer& visible, const
 inline constexpr int kMostTests = 12;
 std::uint32_t        heatOfTests(std::uint32_t tests);
 
+/// Of a triangle by its id plus 1: far apart for ids that follow each other, never as light as the background.
+std::uint32_t colourOfId(std::uint32_t rank);
+
 /// What a layer is painted from.
 struct LayerSource {
     const Frame&               frame;            // drawn with shading
