@@ -45,8 +45,8 @@ struct Student : Desk {
     }
     bool isOpen = false;
 
-    Examiner&       examiner() { return session.examiner(); }
-    const Snapshot& now() { return session.now(); }
+    Examiner&           examiner() { return session.examiner(); }
+    const Snapshot&     now() { return session.now(); }
     const TheirPicture* theirs() { return session.now().compare.theirs.get(); }
     template <class Kind>
     Kind& panel(const char* word)
@@ -68,7 +68,7 @@ struct Student : Desk {
     QString writeDepth(const QString& name, const Grid<float>& depth)
     {
         const QString path = folder.filePath(name);
-        const auto fill = [&](int y, std::span<float> row) { std::ranges::copy(depth.view().row(y), row.begin()); };
+        const auto    fill = [&](int y, std::span<float> row) { std::ranges::copy(depth.view().row(y), row.begin()); };
         [&] { QVERIFY(writeNpy(path.toStdString(), depth.width(), depth.height(), NpyRow<float>(fill)).ok()); }();
         return path;
     }
@@ -366,7 +366,8 @@ private slots:
         QVERIFY(student.isOpen);
         const Picture spoilt = student.drawnBy(truncated());
         student.drop({student.writeDepth("depth.npy", spoilt.depth)});
-        QVERIFY(QTest::qWaitFor([&] { return student.examiner().phase() == Examiner::Phase::Diagnosing; }, Desk::kLong));
+        QVERIFY(
+            QTest::qWaitFor([&] { return student.examiner().phase() == Examiner::Phase::Diagnosing; }, Desk::kLong));
         QVERIFY(student.theirs());  // B is there before the causes are
         QVERIFY(student.button("Cancel")->isVisible());
         QTest::mouseClick(student.button("Cancel"), Qt::LeftButton);
@@ -391,8 +392,7 @@ private slots:
         for (auto* label : student.diagnosis().findChildren<QLabel*>()) {
             QString said = label->text();
             said.remove(QRegularExpression("<[^>]*>|\\([a-z0-9=+ -]+\\)|near/z|depth\\.npy|[0-9]+-[a-z-]+"));
-            if (!label->isHidden())
-                QVERIFY2(!said.contains(QRegularExpression("[A-Za-z]{3,}")), qPrintable(said));
+            if (!label->isHidden()) QVERIFY2(!said.contains(QRegularExpression("[A-Za-z]{3,}")), qPrintable(said));
         }
         student.photograph("diagnosis-zh");
         QLabel* link = nullptr;
@@ -405,6 +405,27 @@ private slots:
         if (!student.session.course().lesson()) emit link->linkActivated("13-holes-and-fill-rules");
         QVERIFY(student.session.course().lesson());
         student.window.speak(Language::English);
+    }
+    void aReportIsSaved()
+    {
+        Student student;
+        QVERIFY(student.isOpen);
+        student.drop({student.writeDepth("depth.npy", student.drawnBy(truncated()).depth)});
+        QVERIFY(student.isJudged());
+        QString notice;
+        connect(&student.session, &Session::noticed, this, [&](const QString& said) { notice = said; });
+        const QString path = student.folder.filePath("report.html");
+        student.examiner().saveReport(path);
+        QVERIFY(student.isJudged());
+        QVERIFY(notice.contains("report.html"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray page = file.readAll();
+        QVERIFY(page.contains("x-truncated"));
+        QVERIFY(page.contains("</html>"));
+        student.examiner().saveReport(student.folder.filePath("no such folder/report.html"));
+        QVERIFY(student.isJudged());
+        QVERIFY(student.window.messages().sentence().contains("no such folder"));
     }
     void anotherBEndsIt()
     {

@@ -4,8 +4,11 @@
 #include <chrono>
 #include <utility>
 
+#include <QDir>
 #include <QFileInfo>
 
+#include "core/check/report.h"
+#include "core/io/file_writer.h"
 #include "ui/session/session.h"
 #include "ui/session/their_files.h"
 #include "ui/text/phrase_book.h"
@@ -127,6 +130,25 @@ void Examiner::goBack()
         m_session.open(theirs->sceneWord, viewOf);
     else
         m_session.useView(viewOf(m_session.now().scene->scene()));
+}
+
+void Examiner::saveReport(const QString& file)
+{
+    const auto theirs = m_session.now().compare.theirs;
+    if (!theirs) return;
+    m_worker->post(Worker::Slot::Draw, [this, theirs, file](const std::atomic<bool>&) {
+        const auto   page    = check::reportPage(*theirs->answer, {});
+        Result<Done> written = Done{};
+        if (page)
+            written = writeFile(file.toStdString(), *page);
+        else
+            written = page.error();
+        m_worker->deliver([this, file, written] {
+            if (!written)
+                return emit m_session.failed(said(written.error()), [written] { return said(written.error()); });
+            emit m_session.noticed(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+        });
+    });
 }
 
 void Examiner::ask(const QStringList& files, bool isNew)

@@ -38,6 +38,9 @@ public:
     void goBack();
     /// Asks whoever shows dialogs for files.
     void chooseFiles() { emit filesWanted(); }
+    void chooseReport() { emit reportWanted(); }
+    /// The page of `check --report`, written in the background; Session::noticed() says when it is there.
+    void saveReport(const QString& file);
 
     enum class Phase { Idle, Judging, Diagnosing };
     Phase phase() const { return m_phase; }
@@ -51,6 +54,7 @@ signals:
     /// B has appeared.
     void opened();
     void filesWanted();
+    void reportWanted();
 
 private:
     struct Question;

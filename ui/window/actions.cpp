@@ -197,8 +197,10 @@ void Actions::showTool(Tool tool)
     m_swap->setToolTip(compare.theirs   ? tr("What another program drew cannot be drawn again as A")
                        : !compare.other ? tr("There is no B to compare with: choose one above, under B")
                                         : QString());
-    m_judgeAgain->setEnabled(scene && compare.theirs);
-    m_judgeAgain->setToolTip(compare.theirs ? QString() : tr("Open your picture first: File ▸ Open my picture…"));
+    for (QAction* action : {m_judgeAgain, m_saveReport}) {
+        action->setEnabled(scene && compare.theirs);
+        action->setToolTip(compare.theirs ? QString() : tr("Open your picture first: File ▸ Open my picture…"));
+    }
     for (QAction* action : m_needOther) {
         const bool isFree = tool == Tool::Inspect || !std::ranges::count(m_inspectOnly, action);
         action->setEnabled(scene && other && isFree);

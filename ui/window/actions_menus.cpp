@@ -413,6 +413,8 @@ void Actions::makeCompareMenu()
         add(menu, "compare.swap", QT_TR_NOOP("&Swap A and B"), QKeySequence(), [this] { m_session.swapCompared(); });
     m_judgeAgain = add(menu, "compare.judge-again", QT_TR_NOOP("&Judge my picture again"), key(Qt::Key_F7),
                        [this] { m_session.examiner().judgeAgain(); });
+    m_saveReport = add(menu, "compare.save-report", QT_TR_NOOP("Save the &report on my picture…"), QKeySequence(),
+                       [this] { m_session.examiner().chooseReport(); });
     menu->addSeparator();
     m_needScene.push_back(add(menu, "compare.sheet", QT_TR_NOOP("Save a comparison s&heet…"),
                               key(Qt::CTRL | Qt::SHIFT | Qt::Key_S), m_requests.saveSheet));

@@ -190,6 +190,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
 
     Examiner& examiner = session.examiner();
     connect(&examiner, &Examiner::filesWanted, this, [this] { chooseTheirs(); });
+    connect(&examiner, &Examiner::reportWanted, this, [this] { saveReport(); });
     connect(&examiner, &Examiner::opened, this, [this] {
         m_messages->hide();  // something went right
         makeRoomForDiagnosis();

@@ -106,6 +106,7 @@ private:
     void          addRecentFile(const QString& file);
     void          chooseFile();
     void          chooseTheirs();
+    void          saveReport();
     void          makeRoomForDiagnosis();
     void          chooseLessons();
     void          showPanel(const QString& word);

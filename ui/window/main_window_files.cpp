@@ -69,6 +69,23 @@ void MainWindow::chooseTheirs()
     if (!files.isEmpty()) openTheirs(files);
 }
 
+void MainWindow::saveReport()
+{
+    const auto theirs = m_session.now().compare.theirs;
+    if (!theirs) return;
+    const QDir folder(m_settings.theirFolder());
+    QString    file = QFileDialog::getSaveFileName(
+           this, tr("Save the report"), folder.filePath(QFileInfo(theirs->title).completeBaseName() + "-report.html"),
+           tr("HTML pages (*.html)"));
+    if (file.isEmpty()) return;
+    if (!file.endsWith(".html", Qt::CaseInsensitive)) {
+        file += ".html";
+        if (QFileInfo::exists(file))
+            return m_messages->tell([file] { return tr("%1 is there already; it was left as it is.").arg(file); });
+    }
+    m_session.examiner().saveReport(file);
+}
+
 void MainWindow::openTheirs(const QStringList& files)
 {
     m_settings.setTheirFolder(QFileInfo(files.front()).absolutePath());

@@ -55,11 +55,13 @@ DiagnosisPanel::DiagnosisPanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_hint(wrapped("hint")), m_title(wrapped("title")), m_stale(wrapped()),
       m_work(wrapped("soft")), m_sentence(wrapped()), m_conventions(wrapped("soft")), m_causesTitle(wrapped("section")),
       m_clusters(wrapped()), m_open(new QPushButton), m_again(new QPushButton), m_back(new QPushButton),
-      m_cancel(new QPushButton), m_first(new QPushButton), m_progress(new QProgressBar), m_rows(new QVBoxLayout)
+      m_cancel(new QPushButton), m_first(new QPushButton), m_report(new QPushButton), m_progress(new QProgressBar),
+      m_rows(new QVBoxLayout)
 {
     m_hint->setAlignment(Qt::AlignCenter);
     m_progress->setTextVisible(false);
-    for (QPushButton* button : {m_open, m_again, m_back, m_cancel, m_first}) button->setFocusPolicy(Qt::TabFocus);
+    for (QPushButton* button : {m_open, m_again, m_back, m_cancel, m_first, m_report})
+        button->setFocusPolicy(Qt::TabFocus);
 
     auto* counts = new QGridLayout;
     counts->setHorizontalSpacing(2 * kStep);
@@ -88,7 +90,7 @@ DiagnosisPanel::DiagnosisPanel(Session& session, QWidget* parent)
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kStep);
     buttons->addWidget(m_again);
-    buttons->addWidget(m_first);
+    buttons->addWidget(m_report);
     buttons->addStretch(1);
 
     auto* body   = new ScrolledPart;
@@ -101,12 +103,13 @@ DiagnosisPanel::DiagnosisPanel(Session& session, QWidget* parent)
     inside->addWidget(m_work);
     inside->addLayout(work);
     inside->addWidget(m_sentence);
-    inside->addLayout(buttons);
+    inside->addWidget(m_first, 0, Qt::AlignLeft);
     inside->addWidget(m_causesTitle);
     inside->addLayout(m_rows);
     inside->addWidget(m_clusters);
     inside->addLayout(counts);
     inside->addWidget(m_conventions);
+    inside->addLayout(buttons);
     inside->addStretch(1);
 
     auto* empty  = new QWidget;
@@ -125,6 +128,7 @@ DiagnosisPanel::DiagnosisPanel(Session& session, QWidget* parent)
     connect(m_open, &QPushButton::clicked, &examiner, &Examiner::chooseFiles);
     connect(m_again, &QPushButton::clicked, &examiner, &Examiner::judgeAgain);
     connect(m_back, &QPushButton::clicked, &examiner, &Examiner::goBack);
+    connect(m_report, &QPushButton::clicked, &examiner, &Examiner::chooseReport);
     connect(m_cancel, &QPushButton::clicked, &examiner, &Examiner::cancel);
     connect(&examiner, &Examiner::changed, this, &DiagnosisPanel::showWork);
     connect(m_first, &QPushButton::clicked, this, [this] {
@@ -145,6 +149,8 @@ DiagnosisPanel::DiagnosisPanel(Session& session, QWidget* parent)
         m_cancel->setText(tr("Cancel"));
         m_first->setText(tr("First wrong pixel"));
         m_first->setToolTip(tr("Picks the first wrong pixel in reading order: the panel Why says what is wrong there"));
+        m_report->setText(tr("Save report…"));
+        m_report->setToolTip(tr("Writes a page with pictures, in English and Chinese, to hand in"));
         m_causesTitle->setText(tr("What explains it. A click draws A with it."));
         m_causesTitle->setToolTip(tr("A click switches the mistake on in A, another one switches it off"));
         m_sentence->setAccessibleName(tr("Diagnosis"));
@@ -188,7 +194,8 @@ void DiagnosisPanel::showAnswer(const Snapshot& shown)
 {
     showWork();
     const auto theirs = shown.compare.theirs;
-    for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_sentence, m_conventions, m_again, m_first})
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{m_title, m_sentence, m_conventions, m_again, m_first, m_report})
         part->setVisible(theirs != nullptr);
     const bool isOld = theirs && isStale(shown);
     m_stale->setVisible(isOld);

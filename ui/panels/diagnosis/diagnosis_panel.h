@@ -39,7 +39,7 @@ private:
 
     QStackedLayout* m_bodyOrHint;
     QLabel *        m_hint, *m_title, *m_stale, *m_work, *m_sentence, *m_conventions, *m_causesTitle, *m_clusters;
-    QPushButton *   m_open, *m_again, *m_back, *m_cancel, *m_first;
+    QPushButton *   m_open, *m_again, *m_back, *m_cancel, *m_first, *m_report;
     QProgressBar*   m_progress;
     // wrong and rounding, by mistake
     std::array<std::array<QLabel*, 2>, 4> m_counts{};
