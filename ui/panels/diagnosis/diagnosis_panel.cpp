@@ -87,11 +87,14 @@ DiagnosisPanel::DiagnosisPanel(Session& session, QWidget* parent)
     work->setSpacing(kStep);
     work->addWidget(m_progress, 1);
     work->addWidget(m_cancel);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(kStep);
-    buttons->addWidget(m_again);
-    buttons->addWidget(m_report);
-    buttons->addStretch(1);
+    const auto row = [](QPushButton* left, QPushButton* right) {
+        auto* buttons = new QHBoxLayout;
+        buttons->setSpacing(kStep);
+        buttons->addWidget(left);
+        buttons->addWidget(right);
+        buttons->addStretch(1);
+        return buttons;
+    };
 
     auto* body   = new ScrolledPart;
     auto* inside = new QVBoxLayout(body);
@@ -99,17 +102,16 @@ DiagnosisPanel::DiagnosisPanel(Session& session, QWidget* parent)
     inside->setSpacing(kStep);
     inside->addWidget(m_title);
     inside->addWidget(m_stale);
-    inside->addWidget(m_back, 0, Qt::AlignLeft);
+    inside->addLayout(row(m_again, m_back));
     inside->addWidget(m_work);
     inside->addLayout(work);
     inside->addWidget(m_sentence);
-    inside->addWidget(m_first, 0, Qt::AlignLeft);
+    inside->addLayout(row(m_first, m_report));
     inside->addWidget(m_causesTitle);
     inside->addLayout(m_rows);
     inside->addWidget(m_clusters);
     inside->addLayout(counts);
     inside->addWidget(m_conventions);
-    inside->addLayout(buttons);
     inside->addStretch(1);
 
     auto* empty  = new QWidget;
