@@ -53,6 +53,11 @@ DepthScale::DepthScale(const Camera& camera, DepthMeaning meaning)
 
 bool DepthScale::isPossible() const { return m_meaning != DepthMeaning::Linear || std::isfinite(m_far); }
 
+double DepthScale::rayAt(int x, int y) const
+{
+    return std::hypot(1.0, (x + 0.5 - m_halfWidth) / m_scale, (y + 0.5 - m_halfHeight) / m_scale);
+}
+
 DepthValue DepthScale::of(double depth, int x, int y) const
 {
     const double nearPart = std::isinf(m_far) ? 0 : m_near / (m_far - m_near);
@@ -63,7 +68,7 @@ DepthValue DepthScale::of(double depth, int x, int y) const
         case DepthMeaning::Z:
             return {z, zSlope, z};
         case DepthMeaning::Distance: {
-            const double ray = std::hypot(1.0, (x + 0.5 - m_halfWidth) / m_scale, (y + 0.5 - m_halfHeight) / m_scale);
+            const double ray = rayAt(x, y);
             return {z * ray, zSlope * ray, z * ray};
         }
         case DepthMeaning::Ndc:
@@ -77,6 +82,28 @@ DepthValue DepthScale::of(double depth, int x, int y) const
     }
     const double length = m_far - m_near;
     return {(z - m_near) / length, zSlope / length, z / length};
+}
+
+double DepthScale::depthOf(double value, int x, int y) const
+{
+    const double nearPart = std::isinf(m_far) ? 0 : m_near / (m_far - m_near);
+    switch (m_meaning) {
+        case DepthMeaning::NearOverZ:
+            return value;
+        case DepthMeaning::Z:
+            return m_near / value;
+        case DepthMeaning::Distance:
+            return m_near / value * rayAt(x, y);
+        case DepthMeaning::Ndc:
+            return (m_range + nearPart - value) / (2 * m_range);
+        case DepthMeaning::Window:
+            return 1 - value / m_range;
+        case DepthMeaning::WindowReversed:
+            return (value + nearPart) / m_range;
+        case DepthMeaning::Linear:
+            break;
+    }
+    return m_near / (m_near + value * (m_far - m_near));
 }
 
 double toleranceOf(const DepthValue& value, double depth, double slack, const DepthResolution& resolution)

@@ -53,8 +53,13 @@ public:
     bool isPossible() const;
     /// Of depth D at pixel (x, y).
     DepthValue of(double depth, int x, int y) const;
+    /// The other way round: near/z of a value at pixel (x, y), whatever it comes to.
+    double depthOf(double value, int x, int y) const;
 
 private:
+    /// Length of the ray through the centre of a pixel, for z = 1.
+    double rayAt(int x, int y) const;
+
     DepthMeaning m_meaning;
     double       m_near, m_far, m_range;  // far/(far - near); 1 without a far plane
     double       m_halfWidth, m_halfHeight, m_scale;

@@ -152,7 +152,7 @@ Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgeme
             const auto [explained, adds, addsDepth] = comparison.of(**picture);
             const Cause tried{entry.name,  entry.title, static_cast<double>(explained) / static_cast<double>(wrong),
                               explained,   adds,        addsDepth,
-                              entry.lesson};
+                              entry.lesson, entry.pipelines[which]};
             if (!found || ratioOf(tried, wrong) > ratioOf(*found, wrong)) found = tried;
         }
         return found;

@@ -26,6 +26,7 @@ struct Cause {
     std::uint64_t    adds      = 0;
     std::uint64_t    addsDepth = 0;  // of them: only the depth would be wrong
     std::string_view lesson;         // empty: none teaches it
+    Pipeline         pipeline;       // that was drawn: with this mistake, and with no other
 };
 
 /// A place where wrong pixels gather: their share there, and that of all covered pixels.

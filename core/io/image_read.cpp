@@ -165,4 +165,9 @@ Result<Grid<float>> pfmOf(std::string_view bytes, const std::string& file, int w
     return values;
 }
 
+std::optional<std::string> pngTextOf(std::string_view bytes, std::string_view keyword)
+{
+    return readPngText(bytes, keyword);
+}
+
 }  // namespace zscope

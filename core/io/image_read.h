@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,9 @@ Result<Grid<std::uint32_t>> coloursOf(std::string_view bytes, const std::string&
 
 /// The numbers of a grey PNG of 16 bits.
 Result<Grid<std::uint16_t>> grey16Of(std::string_view bytes, const std::string& file, int width, int height);
+
+/// The text that a PNG carries under a keyword (core/io/png.h); nothing if it has none, or is no PNG.
+std::optional<std::string> pngTextOf(std::string_view bytes, std::string_view keyword);
 
 /// The floats of a PFM file; of one with colours the first of each pixel.
 Result<Grid<float>> pfmOf(std::string_view bytes, const std::string& file, int width, int height);

@@ -33,6 +33,8 @@ struct PngText {
 inline constexpr const char* kPngSoftware    = "Software";      // "ZScope 0.1.0"
 inline constexpr const char* kPngCommand     = "Command";       // a command line
 inline constexpr const char* kPngSceneDigest = "Scene digest";  // Scene::digest
+/// Of the window's pictures besides: what opens the same view again.
+inline constexpr const char* kPngSession = "Session";
 
 /// The three texts above. `command` is the command line without the options that name outputs.
 std::vector<PngText> reproducingTexts(const std::string& command, const std::string& sceneDigest);

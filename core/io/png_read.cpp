@@ -63,11 +63,31 @@ bool readRows(png_structp png, png_infop info, Want want, PngRead& read, int wid
     return true;
 }
 
+/// The same rule: what a jump must not lose is the caller's.
+void readTextBeforePixels(png_structp png, png_infop info, std::string_view keyword, std::string& text, bool& isThere)
+{
+    if (setjmp(png_jmpbuf(png))) return;
+    png_read_info(png, info);
+    png_textp texts = nullptr;
+    const int count = png_get_text(png, info, &texts, nullptr);
+    for (int i = 0; i < count && !isThere; ++i) {
+        if (keyword != texts[i].key) continue;
+        const bool isLong = texts[i].compression >= PNG_ITXT_COMPRESSION_NONE;
+        text.assign(texts[i].text, isLong ? texts[i].itxt_length : texts[i].text_length);
+        isThere = true;
+    }
+}
+
+bool beginsAsPng(std::string_view bytes)
+{
+    return bytes.size() >= 8 && png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) == 0;
+}
+
 PngRead readAll(std::string_view bytes, Want want, int width, int height, std::vector<png_byte>& rows,
                 std::size_t& rowBytes)
 {
     PngRead read;
-    if (bytes.size() < 8 || png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) != 0) {
+    if (!beginsAsPng(bytes)) {
         read.trouble = "it does not begin as PNG";
         return read;
     }
@@ -115,6 +135,24 @@ PngRead readPngGrey16(std::string_view bytes, int width, int height, Grid<std::u
         std::memcpy(grey.view().row(y).data(), rows.data() + static_cast<std::size_t>(y) * rowBytes,
                     grey.view().row(y).size_bytes());
     return read;
+}
+
+std::optional<std::string> readPngText(std::string_view bytes, std::string_view keyword)
+{
+    if (!beginsAsPng(bytes)) return std::nullopt;
+    Source      source{bytes, 0};
+    std::string trouble, text;
+    bool        isThere = false;
+    png_structp png     = png_create_read_struct(PNG_LIBPNG_VER_STRING, &trouble, remember, ignore);
+    png_infop   info    = png ? png_create_info_struct(png) : nullptr;
+    if (info) {
+        png_set_read_fn(png, &source, readBytes);
+        png_set_user_limits(png, 1u << 24, 1u << 24);
+        readTextBeforePixels(png, info, keyword, text, isThere);
+    }
+    png_destroy_read_struct(&png, info ? &info : nullptr, nullptr);
+    if (!isThere) return std::nullopt;
+    return text;
 }
 
 }  // namespace zscope

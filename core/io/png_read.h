@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,5 +24,7 @@ struct PngRead {
 PngRead readPng8(std::string_view bytes, int width, int height, Grid<std::uint32_t>& colours);
 /// Grey of 16 bits, alpha left out; anything else is refused.
 PngRead readPngGrey16(std::string_view bytes, int width, int height, Grid<std::uint16_t>& grey);
+/// Of the text with this keyword that stands before the pixels.
+std::optional<std::string> readPngText(std::string_view bytes, std::string_view keyword);
 
 }  // namespace zscope

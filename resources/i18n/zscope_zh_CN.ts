@@ -67,6 +67,26 @@
         <source>triangles of %1 that %2 shows nowhere</source>
         <translation>%1 中有而 %2 完全没有显示的三角形</translation>
     </message>
+    <message>
+        <source>B shows what A shows, but for rounding.</source>
+        <translation>除舍入外，B 与 A 相同。</translation>
+    </message>
+    <message>
+        <source>another surface</source>
+        <translation>表面不同</translation>
+    </message>
+    <message>
+        <source>another depth, B nearer</source>
+        <translation>深度不同，B 更近</translation>
+    </message>
+    <message>
+        <source>another depth, B farther</source>
+        <translation>深度不同，B 更远</translation>
+    </message>
+    <message>
+        <source>equal but for rounding</source>
+        <translation>仅舍入不同</translation>
+    </message>
 </context>
 <context>
     <name>DepthTest</name>
@@ -189,6 +209,101 @@
     <message>
         <source>Open a scene to see its depth tests.</source>
         <translation>打开一个场景来查看它的深度测试。</translation>
+    </message>
+</context>
+<context>
+    <name>Diagnosis</name>
+    <message>
+        <source>hole</source>
+        <translation>空洞</translation>
+    </message>
+    <message>
+        <source>spill</source>
+        <translation>溢出</translation>
+    </message>
+    <message>
+        <source>wrong surface</source>
+        <translation>表面错误</translation>
+    </message>
+    <message>
+        <source>wrong depth</source>
+        <translation>深度错误</translation>
+    </message>
+    <message>
+        <source>The files hold background alone: there are no conventions.</source>
+        <translation>文件中只有背景，无法得出约定。</translation>
+    </message>
+    <message>
+        <source>depth is %1</source>
+        <translation>深度为 %1</translation>
+    </message>
+    <message>
+        <source>the top row comes first</source>
+        <translation>首行在上</translation>
+    </message>
+    <message>
+        <source>the bottom row comes first</source>
+        <translation>首行在下</translation>
+    </message>
+    <message>
+        <source>ids are triangles, counted from %1</source>
+        <translation>编号为三角形，从 %1 开始</translation>
+    </message>
+    <message>
+        <source>ids are faces, counted from %1</source>
+        <translation>编号为面，从 %1 开始</translation>
+    </message>
+    <message>
+        <source>back faces are left out</source>
+        <translation>剔除背面</translation>
+    </message>
+    <message>
+        <source>back faces are drawn</source>
+        <translation>绘制背面</translation>
+    </message>
+    <message>
+        <source>holes</source>
+        <translation>空洞</translation>
+    </message>
+    <message>
+        <source>spills</source>
+        <translation>溢出</translation>
+    </message>
+    <message>
+        <source>wrong surfaces</source>
+        <translation>表面错误</translation>
+    </message>
+    <message>
+        <source>wrong depths</source>
+        <translation>深度错误</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>rounding (%1)</source>
+        <translation>舍入（%1）</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
     </message>
 </context>
 <context>
@@ -372,6 +487,10 @@
     <message>
         <source>Measure</source>
         <translation>测量</translation>
+    </message>
+    <message>
+        <source>Diagnosis</source>
+        <translation>诊断</translation>
     </message>
 </context>
 <context>
@@ -1625,6 +1744,26 @@
         <source>Only with the tool Inspect (I)</source>
         <translation>只在查看工具（I）下可用</translation>
     </message>
+    <message>
+        <source>What another program drew cannot be drawn again as A</source>
+        <translation>其他程序的图像不能作为 A 重新绘制</translation>
+    </message>
+    <message>
+        <source>Open your picture first: File ▸ Open my picture…</source>
+        <translation>请先打开你的图像：文件 ▸ 打开我的图像…</translation>
+    </message>
+    <message>
+        <source>Open &amp;my picture…</source>
+        <translation>打开我的图像(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;Judge my picture again</source>
+        <translation>重新判断我的图像(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Save the &amp;report on my picture…</source>
+        <translation>保存我的图像的报告(&amp;R)…</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::ActiveEdgesPanel</name>
@@ -1927,6 +2066,18 @@
         <source>A and B side by side, moved and zoomed together (B)</source>
         <translation>A 与 B 并排显示，一起移动和缩放（B）</translation>
     </message>
+    <message>
+        <source>What another program drew cannot be drawn again as A</source>
+        <translation>其他程序的图像不能作为 A 重新绘制</translation>
+    </message>
+    <message>
+        <source>B is of another scene or camera.</source>
+        <translation>B 的场景或相机不同。</translation>
+    </message>
+    <message>
+        <source>B is being compared.</source>
+        <translation>正在比较 B。</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::CountersModel</name>
@@ -1970,6 +2121,137 @@
     <message>
         <source>triangle %1</source>
         <translation>三角形 %1</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::DiagnosisPanel</name>
+    <message>
+        <source>Drop what your own renderer drew on the window: depth, ids or a picture. Its mistakes are found and named here.</source>
+        <translation>把你自己的渲染器的结果（深度、编号或图像）拖到窗口上，这里会找出其中的错误并说明原因。</translation>
+    </message>
+    <message>
+        <source>Open my picture…</source>
+        <translation>打开我的图像…</translation>
+    </message>
+    <message>
+        <source>Judge again</source>
+        <translation>重新判断</translation>
+    </message>
+    <message>
+        <source>Reads the files again and judges them by the camera on show (F7)</source>
+        <translation>重新读取文件，并按当前相机判断（F7）</translation>
+    </message>
+    <message>
+        <source>Back to its view</source>
+        <translation>回到原视图</translation>
+    </message>
+    <message>
+        <source>Opens the scene and the camera by which the picture was judged</source>
+        <translation>打开判断该图像时所用的场景和相机</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>First wrong pixel</source>
+        <translation>第一个错误像素</translation>
+    </message>
+    <message>
+        <source>Picks the first wrong pixel in reading order: the panel Why says what is wrong there</source>
+        <translation>按从左到右、从上到下的次序选取第一个错误像素，“原因”面板说明那里错在何处</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>保存报告…</translation>
+    </message>
+    <message>
+        <source>Writes a page with pictures, in English and Chinese, to hand in</source>
+        <translation>写出一个带图的中英文网页，供提交之用</translation>
+    </message>
+    <message>
+        <source>What explains it. A click draws A with it.</source>
+        <translation>可能的原因（单击后 A 也带上该错误）</translation>
+    </message>
+    <message>
+        <source>A click switches the mistake on in A, another one switches it off</source>
+        <translation>单击使 A 带上该错误，再次单击则取消</translation>
+    </message>
+    <message>
+        <source>Diagnosis</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>Conventions found</source>
+        <translation>得出的约定</translation>
+    </message>
+    <message>
+        <source>Progress of the judging</source>
+        <translation>判断的进度</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>舍入</translation>
+    </message>
+    <message>
+        <source>The reference is drawn and compared.</source>
+        <translation>正在绘制参考图像并比较。</translation>
+    </message>
+    <message>
+        <source>Mistakes are tried, one after another.</source>
+        <translation>正在逐一尝试各种错误。</translation>
+    </message>
+    <message>
+        <source>Mistakes were not tried: it was cancelled.</source>
+        <translation>已取消，没有尝试各种错误。</translation>
+    </message>
+    <message>
+        <source>Another scene is open than the one by which this was judged.</source>
+        <translation>当前打开的不是判断时所用的场景。</translation>
+    </message>
+    <message>
+        <source>The camera has moved since this was judged.</source>
+        <translation>判断之后相机已移动。</translation>
+    </message>
+    <message>
+        <source>Found: %1.</source>
+        <translation>得出的约定：%1。</translation>
+    </message>
+    <message>
+        <source>%1 % of the wrong pixels lie %2, and %3 % of all.</source>
+        <translation>%1 % 的错误像素%2，而在全部像素中占 %3 %。</translation>
+    </message>
+    <message>
+        <source>old</source>
+        <translation>已过时</translation>
+    </message>
+    <message>
+        <source>1 wrong pixel</source>
+        <translation>1 个错误像素</translation>
+    </message>
+    <message>
+        <source>%1 wrong pixels</source>
+        <translation>%1 个错误像素</translation>
+    </message>
+    <message>
+        <source>%1 explains %2 of the wrong pixels.</source>
+        <translation>%1 解释了 %2 个错误像素。</translation>
+    </message>
+    <message>
+        <source>It would spoil 1 more pixel.</source>
+        <translation>它还会使另外 1 个像素出错。</translation>
+    </message>
+    <message>
+        <source>It would spoil %1 more pixels.</source>
+        <translation>它还会使另外 %1 个像素出错。</translation>
+    </message>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>课程：%1</translation>
     </message>
 </context>
 <context>
@@ -2053,6 +2335,17 @@
     <message>
         <source>x·256</source>
         <translation>x·256</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::Examiner</name>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Open the scene first that your picture shows.</source>
+        <translation>请先打开图像所显示的场景。</translation>
     </message>
 </context>
 <context>
@@ -2568,6 +2861,14 @@
         <source>picture</source>
         <translation>图像</translation>
     </message>
+    <message>
+        <source>id</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>深度</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::MainWindow</name>
@@ -2702,6 +3003,22 @@
     <message>
         <source>%1 triangles</source>
         <translation>%1 个三角形</translation>
+    </message>
+    <message>
+        <source>Open my picture</source>
+        <translation>打开我的图像</translation>
+    </message>
+    <message>
+        <source>Depth, ids and pictures (%1);;All files (*)</source>
+        <translation>深度、编号和图像 (%1);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>HTML pages (*.html)</source>
+        <translation>HTML 网页 (*.html)</translation>
     </message>
 </context>
 <context>
@@ -3793,6 +4110,14 @@
         <source>%1 pixels</source>
         <translation>%1 个像素</translation>
     </message>
+    <message>
+        <source>id %1</source>
+        <translation>编号 %1</translation>
+    </message>
+    <message>
+        <source>depth %1</source>
+        <translation>深度 %1</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::StepTrack</name>
@@ -4059,6 +4384,10 @@
     <message>
         <source>%1 pixels</source>
         <translation>%1 个像素</translation>
+    </message>
+    <message>
+        <source>What B has at the pixel</source>
+        <translation>B 在该像素处的值</translation>
     </message>
 </context>
 </TS>

@@ -414,8 +414,8 @@ private slots:
         const QString name = freePictureName(session->now(), folder.path());
         QCOMPARE(name, QString("teapot_scanline_1"));
         const QString file = folder.filePath(name + ".png");
-        QVERIFY(!savePicture(shownBy(*session), file, session->now(), {}, false));
-        QVERIFY(savePicture(shownBy(*session), file, session->now(), {}, false));
+        QVERIFY(!savePicture(shownBy(*session), file, *session, false));
+        QVERIFY(savePicture(shownBy(*session), file, *session, false));
         QCOMPARE(freePictureName(session->now(), folder.path()), QString("teapot_scanline_2"));
         QImageReader  reader(file);
         const QString command = QImage(file).text("Command");

@@ -8,6 +8,7 @@
 #include "ui/panels/active_edges/active_edges_panel.h"
 #include "ui/panels/compare/compare_panel.h"
 #include "ui/panels/depth_test/depth_test_panel.h"
+#include "ui/panels/diagnosis/diagnosis_panel.h"
 #include "ui/panels/faults/faults_panel.h"
 #include "ui/panels/hierarchy/hierarchy_panel.h"
 #include "ui/panels/lessons/lessons_panel.h"
@@ -62,6 +63,8 @@ constexpr std::array kPanels{
                "pipeline"},
     PanelEntry{"marks", QT_TRANSLATE_NOOP("Panels", "Marks"), Qt::LeftDockWidgetArea, make<MarksPanel>, always,
                "scene"},
+    PanelEntry{"diagnosis", QT_TRANSLATE_NOOP("Panels", "Diagnosis"), Qt::LeftDockWidgetArea, make<DiagnosisPanel>,
+               always, "scene", 60, false},
     PanelEntry{"measure", QT_TRANSLATE_NOOP("Panels", "Measure"), Qt::RightDockWidgetArea, make<MeasurePanel>, always,
                nullptr, 60, false},
     PanelEntry{"timeline", QT_TRANSLATE_NOOP("Panels", "Timeline"), Qt::BottomDockWidgetArea, make<TimelinePanel>,

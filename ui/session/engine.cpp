@@ -314,6 +314,28 @@ std::shared_ptr<const Comparison> compared(std::shared_ptr<const ShownStep> a, s
     return result;
 }
 
+std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame>   a,
+                                           std::shared_ptr<const TheirPicture> theirs)
+{
+    auto result        = std::make_shared<Comparison>();
+    auto found         = differenceOf(a->frame.visible, drawsFaces(a->pipeline), *theirs);
+    result->difference = std::move(found.difference);
+    result->rounding   = found.rounding;
+    result->a          = std::move(a);
+    result->theirs     = std::move(theirs);
+    return result;
+}
+
+std::shared_ptr<const TheirPicture> repainted(const TheirPicture& theirs, const Look& look, const DrawnFrame* a)
+{
+    auto other = std::make_shared<TheirPicture>(theirs);
+    Look used  = look;
+    if (a) used.range = fixedRange(look.range, a->frame.visible);
+    paint(*other, used);
+    other->look = look;
+    return other;
+}
+
 QImage imageOf(const Grid<std::uint32_t>& colours)
 {
     if (colours.width() == 0) return {};

@@ -67,6 +67,11 @@ std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame> a, 
                                            std::uint32_t tolerance);
 std::shared_ptr<const Comparison> compared(std::shared_ptr<const ShownStep> a, std::shared_ptr<const ShownStep> b,
                                            std::uint32_t tolerance);
+/// What another program drew held against A, which has its camera.
+std::shared_ptr<const Comparison> compared(std::shared_ptr<const DrawnFrame>   a,
+                                           std::shared_ptr<const TheirPicture> theirs);
+/// With the range of A's depths; nullptr: with its own.
+std::shared_ptr<const TheirPicture> repainted(const TheirPicture& theirs, const Look& look, const DrawnFrame* a);
 
 /// A view of the colours, valid while they live; not a copy.
 QImage imageOf(const Grid<std::uint32_t>& colours);

@@ -10,6 +10,7 @@
 
 #include "core/io/png.h"
 
+#include "ui/session/session_file.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/utf8_text.h"
 
@@ -78,16 +79,17 @@ QString commandLineOf(const QStringList& words)
     return quoted.join(' ');
 }
 
-std::optional<QString> savePicture(const QImage& image, const QString& file, const Snapshot& shown,
-                                   const DrawSettings& settings, bool replace)
+std::optional<QString> savePicture(const QImage& image, const QString& file, const Session& session, bool replace)
 {
+    const Snapshot& shown = session.now();
     if (!replace && QFileInfo::exists(file))
         return QCoreApplication::translate("SavePicture", "%1 is there already; it was left as it is.").arg(file);
 
     const auto texts = [&] {
-        const std::string command = commandLineOf(commandOf(shown, settings)).toStdString();
+        const std::string command = commandLineOf(commandOf(shown, session.settings())).toStdString();
         auto              all = reproducingTexts(command, shown.scene ? shown.scene->scene().digest : std::string());
         if (shown.view.exact) all.push_back({kCameraFile, cameraToJson(*shown.view.exact)});
+        if (const auto saved = sessionFileOf(session)) all.push_back({kPngSession, sessionToJson(*saved, file)});
         return all;
     }();
     const QImage                        opaque = image.convertToFormat(QImage::Format_RGB32);

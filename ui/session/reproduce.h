@@ -15,9 +15,8 @@ QStringList commandOf(const Snapshot& shown, const DrawSettings& settings);
 /// The same as one line that a shell takes apart again.
 QString commandLineOf(const QStringList& words);
 
-/// Writes a PNG with the command, the version and the scene's digest in text chunks. An existing file is replaced
-/// only if `replace`; the file is complete or absent. Returns the trouble as a sentence, or nothing.
-std::optional<QString> savePicture(const QImage& image, const QString& file, const Snapshot& shown,
-                                   const DrawSettings& settings, bool replace);
+/// Writes a PNG with the command, the version, the scene's digest and the session in text chunks. An existing file is
+/// replaced only if `replace`; the file is complete or absent. Returns the trouble as a sentence, or nothing.
+std::optional<QString> savePicture(const QImage& image, const QString& file, const Session& session, bool replace);
 
 }  // namespace zscope::ui

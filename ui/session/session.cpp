@@ -8,6 +8,7 @@
 
 #include "ui/predict/predictions.h"
 #include "ui/session/course.h"
+#include "ui/session/examiner.h"
 #include "ui/text/phrase_book.h"
 
 namespace zscope::ui {
@@ -36,6 +37,7 @@ Session::Session(const DrawSettings& settings, QObject* parent)
     });
     m_predictions = std::make_unique<Predictions>(*this);
     m_course      = std::make_unique<Course>(*this);
+    m_examiner    = std::make_unique<Examiner>(*this);
 }
 
 Session::~Session() = default;
@@ -267,29 +269,34 @@ void Session::setDepthRange(const DepthRange& range)
 void Session::repaint()
 {
     const auto looks = [this](const auto& shown) { return !shown || shown->look == m_now.look; };
-    if (looks(m_now.frame) && looks(m_now.step) && looks(m_now.compare.frame) && looks(m_now.compare.step)) return;
-    m_worker->post(Worker::Slot::Repaint,
-                   [this, look = m_now.look, frame = m_now.frame, step = m_now.step, other = m_now.compare.frame,
-                    otherStep = m_now.compare.step](const std::atomic<bool>&) {
-                       const auto ofFrame = [&](const auto& from) {
-                           return from && from->look != look ? repainted(*from, look) : from;
-                       };
-                       const auto ofStep = [&](const auto& from, const auto& finished) {
-                           return from && from->look != look ? repainted(*from, finished.get(), look) : from;
-                       };
-                       auto newFrame = ofFrame(frame), newOther = ofFrame(other);
-                       auto newStep = ofStep(step, newFrame), newOtherStep = ofStep(otherStep, newOther);
-                       deliver([=, this] {
-                           // Whatever has been made anew since then is painted on its own account.
-                           if (m_now.frame == frame) m_now.frame = newFrame;
-                           if (m_now.step == step) m_now.step = newStep;
-                           if (m_now.compare.frame == other) m_now.compare.frame = newOther;
-                           if (m_now.compare.step == otherStep) m_now.compare.step = newOtherStep;
-                           emit changed(Change::Picture);
-                           compareAgain();
-                           repaint();
-                       });
-                   });
+    if (looks(m_now.frame) && looks(m_now.step) && looks(m_now.compare.frame) && looks(m_now.compare.step)
+        && looks(m_now.compare.theirs))
+        return;
+    m_worker->post(Worker::Slot::Repaint, [this, look = m_now.look, frame = m_now.frame, step = m_now.step,
+                                           other = m_now.compare.frame, otherStep = m_now.compare.step,
+                                           theirs = m_now.compare.theirs](const std::atomic<bool>&) {
+        const auto ofFrame = [&](const auto& from) {
+            return from && from->look != look ? repainted(*from, look) : from;
+        };
+        const auto ofStep = [&](const auto& from, const auto& finished) {
+            return from && from->look != look ? repainted(*from, finished.get(), look) : from;
+        };
+        auto newFrame = ofFrame(frame), newOther = ofFrame(other);
+        auto newStep = ofStep(step, newFrame), newOtherStep = ofStep(otherStep, newOther);
+        auto newTheirs = theirs && theirs->look != look ? repainted(*theirs, look, newFrame.get()) : theirs;
+        deliver([=, this] {
+            // Whatever has been made anew since then is painted on its own account.
+            if (m_now.frame == frame) m_now.frame = newFrame;
+            if (m_now.step == step) m_now.step = newStep;
+            if (m_now.compare.frame == other) m_now.compare.frame = newOther;
+            if (m_now.compare.step == otherStep) m_now.compare.step = newOtherStep;
+            if (m_now.compare.theirs == theirs) m_now.compare.theirs = newTheirs;
+            emit changed(Change::Picture);
+            compareAgain();
+            compareTheirs();
+            repaint();
+        });
+    });
 }
 
 void Session::adoptGrain()
@@ -459,6 +466,7 @@ void Session::frameDrawn(const std::shared_ptr<const DrawnFrame>& frame)
     repaint();                                      // if the look has changed while it was drawn
     if (frame->generation != m_generation) return;  // a newer one is on its way
     if (m_now.compare.other) drawOther();
+    compareTheirs();
     if (atEnd)
         m_rest.start();
     else
@@ -486,6 +494,7 @@ void Session::stepMade(const std::shared_ptr<const ShownStep>& step, std::uint64
     emit changed(Change::Picture);
     repaint();
     if (m_now.compare.other && step->generation == m_generation) stepOther();
+    compareTheirs();
 }
 
 void Session::troubled(const Error& error)

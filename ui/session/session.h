@@ -21,6 +21,7 @@
 namespace zscope::ui {
 
 class Course;
+class Examiner;
 class Predictions;
 
 /// What stays the same for the whole run of the program; from the command line.
@@ -100,6 +101,8 @@ public:
     // Comparison
     /// B; nothing ends the comparison.
     void compareWith(const std::optional<Pipeline>& other);
+    /// B that another program drew, or the same judged further.
+    void compareWithTheirs(const std::shared_ptr<const TheirPicture>& theirs);
     void swapCompared();
     void showCompared(CompareShow show);
     /// B is seen while it is held.
@@ -129,6 +132,7 @@ public:
     bool         isIdle() const;
     Player&      player() { return m_player; }
     Course&      course() { return *m_course; }
+    Examiner&    examiner() { return *m_examiner; }
     Predictions& predictions() { return *m_predictions; }
     /// What is shown of the picture's step has changed without it: panels look again.
     void presentAgain() { emit changed(Change::Picture); }
@@ -156,6 +160,7 @@ private:
     void repaint();  // if anything on show looks otherwise than it should
     void drawOther();
     void stepOther();
+    void compareTheirs();  // with A's finished picture
     struct SearchAnswer {
         std::optional<std::uint64_t>        step;  // to go to
         QString                             notice;
@@ -199,7 +204,8 @@ private:
     std::shared_ptr<Engine>      m_otherEngine;  // likewise, for B
     std::unique_ptr<Worker>      m_worker;       // stops before anything that it works with goes
     std::unique_ptr<Predictions> m_predictions;  // hears of a step before any panel does
-    std::unique_ptr<Course>      m_course;       // goes first: it asks the session
+    std::unique_ptr<Course>      m_course;       // go first: they ask the session
+    std::unique_ptr<Examiner>    m_examiner;
 };
 
 }  // namespace zscope::ui

@@ -10,14 +10,50 @@ namespace zscope::ui {
 
 void Session::compareWith(const std::optional<Pipeline>& other)
 {
-    if (other == m_now.compare.other) return;
+    if (other == m_now.compare.other && !m_now.compare.theirs) return;
     m_now.compare.other  = other;
+    m_now.compare.theirs = nullptr;
     m_now.compare.frame  = nullptr;
     m_now.compare.step   = nullptr;
     m_now.compare.result = nullptr;
     if (!other) m_now.compare.show = CompareShow::A, m_now.compare.isHeld = false;
     emit changed(Change::Compare | Change::Picture);
     otherChanged();
+}
+
+void Session::compareWithTheirs(const std::shared_ptr<const TheirPicture>& theirs)
+{
+    CompareState& compare = m_now.compare;
+    compare.other.reset();
+    compare.frame  = nullptr;
+    compare.step   = nullptr;
+    compare.result = nullptr;
+    compare.theirs = theirs;
+    emit changed(Change::Compare | Change::Picture);
+    compareTheirs();
+    repaint();
+}
+
+void Session::compareTheirs()
+{
+    CompareState& compare = m_now.compare;
+    if (!compare.theirs || !m_now.frame || m_now.frame->generation != m_generation) return;
+    if (isStale(m_now)) {
+        if (!compare.result) return;
+        compare.result = nullptr;
+        return emit changed(Change::Compare | Change::Picture);
+    }
+    if (compare.result && compare.result->a == m_now.frame && compare.result->theirs == compare.theirs) return;
+    m_worker->post(Worker::Slot::StepOther, [this, a = m_now.frame, theirs = compare.theirs](const std::atomic<bool>&) {
+        auto result = compared(a, theirs);
+        deliver([this, result = std::move(result), a, theirs] {
+            if (m_now.compare.theirs == theirs && m_now.frame == a) {
+                m_now.compare.result = result;
+                emit changed(Change::Compare | Change::Picture);
+            }
+            repaint();  // posting this has swept it away
+        });
+    });
 }
 
 void Session::otherChanged()
@@ -112,14 +148,14 @@ void Session::swapCompared()
 
 void Session::showCompared(CompareShow show)
 {
-    if (!m_now.compare.other || show == m_now.compare.show) return;
+    if (!m_now.compare.isOn() || show == m_now.compare.show) return;
     m_now.compare.show = show;
     emit changed(Change::Compare | Change::Picture);
 }
 
 void Session::holdOther(bool held)
 {
-    if (held == m_now.compare.isHeld || (held && !m_now.compare.other)) return;
+    if (held == m_now.compare.isHeld || (held && !m_now.compare.isOn())) return;
     m_now.compare.isHeld = held;
     emit changed(Change::Compare | Change::Picture);
 }

@@ -250,6 +250,7 @@ void Session::search(std::function<Result<SearchAnswer>(const DrawRequest&)> fin
             if (found->step) return goToStep(*found->step);
             repaint();  // the search has swept away what was waiting
             if (m_now.compare.other && m_now.showsStep) stepOther();
+            compareTheirs();
         });
     });
 }

@@ -20,6 +20,18 @@ int levelOnShow(const Snapshot& shown)
     return std::clamp(level, 0, top);
 }
 
+bool isStale(const Snapshot& shown)
+{
+    const TheirPicture* theirs = shown.compare.theirs.get();
+    return theirs && shown.scene && (theirs->scene != shown.scene->scene().digest || theirs->camera() != shown.camera);
+}
+
+QString nameOfOther(const CompareState& compare)
+{
+    if (compare.theirs) return compare.theirs->title;
+    return compare.other ? QString::fromStdString(nameOf(*compare.other)) : QString();
+}
+
 bool isBeyondWipe(const Snapshot& shown, const QPoint& pixel)
 {
     const VisibilityBuffer* other = shown.compare.seen() == CompareShow::Wipe ? shown.visibleOfOther() : nullptr;
@@ -42,6 +54,14 @@ std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel)
     PixelFacts facts;
     facts.pixel           = pixel;
     const std::int64_t id = visible->idAt(pixel.x(), pixel.y());
+    if (visible == shown.visibleOfOther() && shown.compare.theirs) {
+        const check::CheckAnswer& answer = *shown.compare.theirs->answer;
+        facts.theirs                     = theirPixel(*shown.compare.theirs, pixel);
+        if (id >= 0 && answer.conventions.ids == check::IdKind::Triangles && !isStale(shown)
+            && static_cast<std::uint64_t>(id) < shown.scene->scene().triangleCount())
+            facts.triangle = TriangleId{static_cast<std::uint32_t>(id)};
+        return facts;
+    }
     if (id < 0) return facts;
     facts.triangle = TriangleId{static_cast<std::uint32_t>(id)};
     facts.depth    = visible->depthAt(pixel.x(), pixel.y());
@@ -59,6 +79,20 @@ std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel)
     facts.material             = QString::fromStdString(mesh.materialOf(polygon).name);
     if (scene.instances.size() > 1) facts.instance = QString::number(instance.value);  // its number, like a triangle's
     return facts;
+}
+
+QString numbersAt(const Snapshot& shown, const QPoint& pixel)
+{
+    const auto facts = factsOf(shown, pixel);
+    if (!facts) return {};
+    if (!facts->theirs)
+        return facts->triangle ? QString::number(facts->triangle->value) + '\n'
+                                     + QString::number(static_cast<double>(facts->depth), 'f', 4)
+                               : QString();
+    QStringList lines;
+    if (facts->theirs->id) lines << QString::number(*facts->theirs->id);
+    if (facts->theirs->depth) lines << QString::number(*facts->theirs->depth, 'f', 4);
+    return lines.join('\n');
 }
 
 std::optional<NodeName> nodeOfPick(const Snapshot& shown)

@@ -25,7 +25,9 @@
 #include "core/lesson/replay.h"
 #include "core/scene/load.h"
 #include "ui/camera/camera_control.h"
+#include "ui/session/look.h"
 #include "ui/session/marks.h"
+#include "ui/session/their_picture.h"
 
 namespace zscope::ui {
 
@@ -38,15 +40,6 @@ struct LoadedScene {
     std::uint64_t                        polygons = 0;  // likewise
 
     const Scene& scene() const { return prepared->scene(); }
-};
-
-/// What a picture shows of each pixel.
-struct Look {
-    const Layer* layer = &zscope::layers().front();
-    DepthRange   range;  // of the layer of depths
-
-    bool        isShaded() const { return layer == &zscope::layers().front(); }
-    friend bool operator==(const Look&, const Look&) = default;
 };
 
 /// How the depths of a picture are spread, for the control of their range.
@@ -108,14 +101,17 @@ struct ShownStep {
     bool          isLast() const { return state.step.value >= last(); }
 };
 
-/// A and B side by side: B is another way to draw the same view.
+/// A and B side by side: B is another way to draw the same view, or what another program drew.
 struct Comparison {
     std::shared_ptr<const DrawnFrame> a, b;          // the finished pictures that were compared, or
     std::shared_ptr<const ShownStep>  stepA, stepB;  // those of two steps
-    Difference                        difference;
-    ErrorFigures                      figures;            // of B, with A as what is right, or the other way round
-    bool                              isAJudged = false;  // the other way round: B claims to be exact, and A does not
-    std::uint32_t                     tolerance = 0;
+    // of what another program drew, held against `a`: it has no figures, but pixels that count as equal
+    std::shared_ptr<const TheirPicture> theirs;
+    std::uint64_t                       rounding = 0;
+    Difference                          difference;
+    ErrorFigures                        figures;            // of B, with A as what is right, or the other way round
+    bool                                isAJudged = false;  // the other way round: B claims to be exact, and A does not
+    std::uint32_t                       tolerance = 0;
 };
 
 /// What is picked, selected and marked in a scene.
@@ -152,19 +148,21 @@ struct LinkNote {
 QString textOf(const LinkNote& note);  // translated; ui/session/linking.cpp
 
 struct CompareState {
-    std::optional<Pipeline>           other;  // B; nothing: there is no comparison
-    CompareShow                       show     = CompareShow::A;
-    bool                              isHeld   = false;  // Shift is held: B is seen for as long
-    bool                              isLinked = true;   // B is stepped with A
-    Link                              link     = Link::Number;
-    LinkNote                          linkNote;
-    double                            wipe      = 0.5;  // of the picture's width: A to the left, B to the right
-    std::uint32_t                     tolerance = 0;    // float32 steps
-    std::shared_ptr<const DrawnFrame> frame;            // of B; nullptr until one was drawn
-    std::shared_ptr<const ShownStep>  step;             // of B
-    std::shared_ptr<const Comparison> result;           // nullptr until there is one
+    std::optional<Pipeline>             other;   // B, or
+    std::shared_ptr<const TheirPicture> theirs;  // B that another program drew. Neither: there is no comparison
+    CompareShow                         show     = CompareShow::A;
+    bool                                isHeld   = false;  // Shift is held: B is seen for as long
+    bool                                isLinked = true;   // B is stepped with A
+    Link                                link     = Link::Number;
+    LinkNote                            linkNote;
+    double                              wipe      = 0.5;  // of the picture's width: A to the left, B to the right
+    std::uint32_t                       tolerance = 0;    // float32 steps
+    std::shared_ptr<const DrawnFrame>   frame;            // of B; nullptr until one was drawn
+    std::shared_ptr<const ShownStep>    step;             // of B
+    std::shared_ptr<const Comparison>   result;           // nullptr until there is one
 
-    CompareShow seen() const { return !other ? CompareShow::A : isHeld ? CompareShow::B : show; }
+    bool        isOn() const { return other || theirs; }
+    CompareShow seen() const { return !isOn() ? CompareShow::A : isHeld ? CompareShow::B : show; }
 };
 
 struct Snapshot {
@@ -190,15 +188,26 @@ struct Snapshot {
     QString                   busy;           // what the worker does; empty: nothing to wait for
     double                    progress = -1;  // in [0, 1], or -1: not known
 
+    /// What another program drew, if it can lie over A's picture.
+    const TheirPicture* theirsToShow() const
+    {
+        const TheirPicture* theirs = compare.theirs.get();
+        if (!theirs || !frame || theirs->camera().width != frame->camera.width
+            || theirs->camera().height != frame->camera.height)
+            return nullptr;
+        return theirs;
+    }
     /// B's picture of the same moment as A's; nullptr while there is none.
     const VisibilityBuffer* visibleOfOther() const
     {
+        if (const TheirPicture* theirs = theirsToShow()) return &theirs->frame->visible;
         if (!compare.other) return nullptr;
         if (showsStep && compare.isLinked) return compare.step ? &compare.step->state.frame.visible : nullptr;
         return compare.frame ? &compare.frame->frame.visible : nullptr;
     }
     const Grid<std::uint32_t>* coloursOfOther() const
     {
+        if (const TheirPicture* theirs = theirsToShow()) return &theirs->painted;
         if (!compare.other) return nullptr;
         if (showsStep && compare.isLinked) {
             if (!compare.step) return nullptr;
@@ -281,6 +290,10 @@ inline constexpr Changes kEverything{Change::Scene,    Change::Camera,    Change
 
 /// Whether the pixel lies where a wipe shows B.
 bool isBeyondWipe(const Snapshot& shown, const QPoint& pixel);
+/// B is of another scene or camera than those on show, so that it cannot be compared.
+bool isStale(const Snapshot& shown);
+/// What B is called: its algorithm, or the files that it was read from; empty: there is none.
+QString nameOfOther(const CompareState& compare);
 /// The same with B in the place of A, as while it is held.
 Snapshot asOther(const Snapshot& shown);
 
@@ -292,7 +305,12 @@ struct PixelFacts {
     double                    z     = 0;                  // view distance; 0 for background
     QString                   instance, group, material;  // names, empty where there is nothing to tell
     std::uint64_t             polygon = 0;                // of the mesh, as the file counts them from 0
+    // of what another program drew: nothing of the above but the pixel and, if its ids are those of triangles, the
+    // triangle
+    std::optional<TheirPixel> theirs;
 };
+/// The id and the depth of a pixel that are written into it when it is large; empty: background.
+QString                   numbersAt(const Snapshot& shown, const QPoint& pixel);
 std::optional<PixelFacts> factsOf(const Snapshot& shown, const QPoint& pixel);
 
 /// The triangle whose rows light up: the selected one, else that of the picked pixel.

@@ -250,8 +250,7 @@ void FrameView::paintPane(QPainter& painter, const Snapshot& shown, const QImage
         paintPicture(painter, picture);
     }
     if (shown.layers.grid && m_view.zoom() >= kGridFrom) paintGrid(painter);
-    const VisibilityBuffer* visible = shown.visible();
-    if (visible && shown.layers.grid && m_view.zoom() >= kValuesFrom * scale) paintValues(painter, *visible, picture);
+    if (shown.layers.grid && m_view.zoom() >= kValuesFrom * scale) paintValues(painter, shown, picture);
     paintOverlay(painter, overlay, m_view, themeOf(palette()), scale);
 }
 
@@ -326,23 +325,19 @@ void FrameView::paintGrid(QPainter& painter) const
         painter.drawLine(m_view.toView(QPointF(seen.left(), y)), m_view.toView(QPointF(seen.right() + 1, y)));
 }
 
-void FrameView::paintValues(QPainter& painter, const VisibilityBuffer& visible, const QImage& picture) const
+void FrameView::paintValues(QPainter& painter, const Snapshot& shown, const QImage& picture) const
 {
     QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     font.setPixelSize(static_cast<int>(std::clamp(m_view.zoom() / 6.5, 8.0, 20.0 * devicePixelRatioF())));
     painter.setFont(font);
-    const QRect seen = m_view.visiblePixels().intersected(QRect(0, 0, visible.width(), visible.height()));
+    const QRect seen = m_view.visiblePixels().intersected(picture.rect());
     for (int y = seen.top(); y <= seen.bottom(); ++y) {
         for (int x = seen.left(); x <= seen.right(); ++x) {
-            const bool              isOther = isBeyondWipe(m_shown, {x, y});
-            const VisibilityBuffer& here    = isOther ? *m_shown.visibleOfOther() : visible;
-            const std::int64_t      id      = here.idAt(x, y);
-            if (id < 0) continue;
-            const bool isDark = qGray((isOther && !m_other.isNull() ? m_other : picture).pixel(x, y)) < 128;
-            painter.setPen(isDark ? Qt::white : Qt::black);
-            painter.drawText(
-                m_view.toView(QRectF(x, y, 1, 1)), Qt::AlignCenter,
-                QString::number(id) + '\n' + QString::number(static_cast<double>(here.depthAt(x, y)), 'f', 4));
+            const QString numbers = numbersAt(shown, {x, y});
+            if (numbers.isEmpty()) continue;
+            const bool isOther = isBeyondWipe(shown, {x, y}) && !m_other.isNull();
+            painter.setPen(qGray((isOther ? m_other : picture).pixel(x, y)) < 128 ? Qt::white : Qt::black);
+            painter.drawText(m_view.toView(QRectF(x, y, 1, 1)), Qt::AlignCenter, numbers);
         }
     }
 }
@@ -351,9 +346,8 @@ QStringList FrameView::chips() const
 {
     QStringList chips{m_shown.showsStep ? tr("Step") : tr("Finished picture")};
     if (!m_shown.look.isShaded()) chips << said(m_shown.look.layer->word);
-    if (m_shown.compare.other) {
-        const QString a = QString::fromStdString(nameOf(m_shown.pipeline)),
-                      b = QString::fromStdString(nameOf(*m_shown.compare.other));
+    if (m_shown.compare.isOn()) {
+        const QString a = QString::fromStdString(nameOf(m_shown.pipeline)), b = nameOfOther(m_shown.compare);
         switch (m_shown.compare.seen()) {
             case CompareShow::A:
                 chips << tr("A  %1").arg(a);

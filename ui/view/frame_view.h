@@ -90,7 +90,7 @@ private:
     /// Where the wipe lies; logical, nothing while there is none.
     std::optional<double> wipeAt() const;
     void                  paintGrid(QPainter& painter) const;
-    void                  paintValues(QPainter& painter, const VisibilityBuffer& visible, const QImage& picture) const;
+    void                  paintValues(QPainter& painter, const Snapshot& shown, const QImage& picture) const;
     void                  paintChips(QPainter& painter) const;
     void                  paintLegend(QPainter& painter) const;
     void                  paintHint(QPainter& painter) const;

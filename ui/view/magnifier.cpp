@@ -48,7 +48,11 @@ void Magnifier::present(const Snapshot& shown, const QImage& picture, const std:
 
     m_facts = {{tr("pixel"), tr("%1, %2").arg(facts->pixel.x()).arg(facts->pixel.y())}};
     if (!whose.isEmpty()) m_facts.push_back({tr("picture"), whose});
-    if (facts->triangle) {
+    if (facts->theirs) {
+        if (!facts->theirs->isCovered) m_facts.push_back({tr("background"), QString()});
+        if (facts->theirs->id) m_facts.push_back({tr("id"), QString::number(*facts->theirs->id)});
+        if (facts->theirs->depth) m_facts.push_back({tr("depth"), significant(*facts->theirs->depth, 6)});
+    } else if (facts->triangle) {
         m_facts.push_back({tr("triangle"), grouped(facts->triangle->value)});
         m_facts.push_back({tr("depth D"), depthText(facts->depth)});
         m_facts.push_back({tr("distance z"), decimal(facts->z, 4)});

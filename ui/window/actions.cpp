@@ -187,7 +187,16 @@ void Actions::showTool(Tool tool)
     m_camera->setChecked(tool == Tool::Camera);
     for (QAction* action : m_inspectOnly) action->setEnabled(scene && tool == Tool::Inspect);
     for (QAction* action : m_cameraOnly) action->setEnabled(scene && tool == Tool::Camera);
-    const bool other = m_session.now().compare.other.has_value();
+    const CompareState& compare = m_session.now().compare;
+    const bool          other   = compare.isOn();
+    m_swap->setEnabled(scene && compare.other);
+    m_swap->setToolTip(compare.theirs   ? tr("What another program drew cannot be drawn again as A")
+                       : !compare.other ? tr("There is no B to compare with: choose one above, under B")
+                                        : QString());
+    for (QAction* action : {m_judgeAgain, m_saveReport}) {
+        action->setEnabled(scene && compare.theirs);
+        action->setToolTip(compare.theirs ? QString() : tr("Open your picture first: File ▸ Open my picture…"));
+    }
     for (QAction* action : m_needOther) {
         const bool isFree = tool == Tool::Inspect || !std::ranges::count(m_inspectOnly, action);
         action->setEnabled(scene && other && isFree);

@@ -29,9 +29,9 @@ namespace zscope::ui {
 
 /// What an action asks of the window itself.
 struct WindowRequests {
-    std::function<void()> open, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel, namePictures,
-        saveSheet, measure, stopMeasuring, openRecord, addKeyFrame, addKeyFrameAfterCut, savePath, forgetPath,
-        resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
+    std::function<void()> open, openTheirs, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel,
+        namePictures, saveSheet, measure, stopMeasuring, openRecord, addKeyFrame, addKeyFrameAfterCut, savePath,
+        forgetPath, resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
     std::function<void(const QString&)> layout;  // its word
     std::function<void()>               saveOwnLayout;
     std::function<void(const QString&)> useOwnLayout, forgetOwnLayout;
@@ -121,7 +121,8 @@ private:
     std::vector<QAction*>                              m_layerChoices;  // in the order of layers()
     std::vector<std::pair<QAction*, bool Layers::*>>   m_layerToggles;
     QAction *m_open = nullptr, *m_inspect = nullptr, *m_camera = nullptr, *m_fit = nullptr, *m_cull = nullptr,
-            *m_measure = nullptr, *m_stopMeasuring = nullptr;
+            *m_measure = nullptr, *m_stopMeasuring = nullptr, *m_judgeAgain = nullptr, *m_saveReport = nullptr,
+            *m_swap                                       = nullptr;
     bool                                    m_isMeasuring = false;
     std::vector<QAction*>                   m_layoutChoices;  // in the order of layoutEntries()
     QMenu *                                 m_ownLayouts = nullptr, *m_forgetLayouts = nullptr;

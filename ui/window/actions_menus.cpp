@@ -2,6 +2,7 @@
 // The menus: which actions there are, their keys, and what they ask the session for.
 #include "ui/parts/choice_box.h"
 #include "ui/session/course.h"
+#include "ui/session/examiner.h"
 #include "ui/text/utf8_text.h"
 #include "ui/window/actions.h"
 #include "ui/window/layouts.h"
@@ -38,7 +39,9 @@ void Actions::makeFileMenu()
 {
     QMenu* menu = addMenu(nullptr, QT_TR_NOOP("&File"));
     m_open      = add(menu, "file.open", QT_TR_NOOP("&Open…"), QKeySequence::Open, m_requests.open, "open");
-    m_recent    = addMenu(menu, QT_TR_NOOP("Open &recent"));
+    m_needScene.push_back(add(menu, "file.open-theirs", QT_TR_NOOP("Open &my picture…"),
+                              key(Qt::CTRL | Qt::SHIFT | Qt::Key_O), m_requests.openTheirs));
+    m_recent = addMenu(menu, QT_TR_NOOP("Open &recent"));
     for (int i = 0; i < Settings::kRecentFiles; ++i) {
         QAction* action =
             addNamed(m_recent, QString("recent.%1").arg(i + 1), QString(), {digit(i, Qt::ControlModifier)},
@@ -105,6 +108,7 @@ void Actions::makeViewMenu()
     nudge("pick.down", QT_TR_NOOP("Pick the pixel below"), Qt::Key_Down, {0, 1});
     add(menu, "view.stop", QT_TR_NOOP("&Stop work, or forget the pick"), key(Qt::Key_Escape), [this] {
         if (!m_session.isIdle()) return m_session.cancelWork();
+        if (!m_session.examiner().isIdle()) return m_session.examiner().cancel();
         m_session.pick({});
         m_session.selectEdge({});
         m_session.selectNode({});
@@ -404,8 +408,12 @@ void Actions::makeCompareMenu()
     show("compare.wipe", QT_TR_NOOP("&Wipe"), Qt::Key_W, CompareShow::Wipe);
     show("compare.difference", QT_TR_NOOP("&Difference"), Qt::Key_D, CompareShow::Difference);
     show("compare.side-by-side", QT_TR_NOOP("Side &by side"), Qt::Key_B, CompareShow::Beside);
-    m_needOther.push_back(
-        add(menu, "compare.swap", QT_TR_NOOP("&Swap A and B"), QKeySequence(), [this] { m_session.swapCompared(); }));
+    m_swap =
+        add(menu, "compare.swap", QT_TR_NOOP("&Swap A and B"), QKeySequence(), [this] { m_session.swapCompared(); });
+    m_judgeAgain = add(menu, "compare.judge-again", QT_TR_NOOP("&Judge my picture again"), key(Qt::Key_F7),
+                       [this] { m_session.examiner().judgeAgain(); });
+    m_saveReport = add(menu, "compare.save-report", QT_TR_NOOP("Save the &report on my picture…"), QKeySequence(),
+                       [this] { m_session.examiner().chooseReport(); });
     menu->addSeparator();
     m_needScene.push_back(add(menu, "compare.sheet", QT_TR_NOOP("Save a comparison s&heet…"),
                               key(Qt::CTRL | Qt::SHIFT | Qt::Key_S), m_requests.saveSheet));

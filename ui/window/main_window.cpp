@@ -34,6 +34,7 @@
 #include "ui/parts/typing.h"
 #include "ui/parts/wheel_guard.h"
 #include "ui/session/course.h"
+#include "ui/session/examiner.h"
 #include "ui/session/reproduce.h"
 #include "ui/sheet/sheet_maker.h"
 #include "ui/text/numbers.h"
@@ -116,6 +117,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     setStatusBar(m_status);
     m_actions = new Actions(*this, session, *m_view, settings,
                             {.open                = [this] { chooseFile(); },
+                             .openTheirs          = [this] { chooseTheirs(); },
                              .savePicture         = [this] { savePicture(true); },
                              .savePlainPicture    = [this] { savePicture(false); },
                              .savePictureAs       = [this] { savePictureAs(); },
@@ -186,6 +188,13 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     qApp->installEventFilter(new Keypad(*this, m_actions->bindings()));
     qApp->installEventFilter(this);  // is asked first
 
+    Examiner& examiner = session.examiner();
+    connect(&examiner, &Examiner::filesWanted, this, [this] { chooseTheirs(); });
+    connect(&examiner, &Examiner::reportWanted, this, [this] { saveReport(); });
+    connect(&examiner, &Examiner::opened, this, [this] {
+        m_messages->hide();  // something went right
+        makeRoomForDiagnosis();
+    });
     Course& course = session.course();
     connect(&course, &Course::troubled, m_messages, qOverload<std::function<QString()>>(&MessageBar::tell));
     connect(&course, &Course::panelWanted, this, [this](const QString& word) { showPanel(word); });
@@ -209,6 +218,7 @@ MainWindow::~MainWindow()
     // Widgets that go may still commit what was typed into them: nobody is here any more to show what that changes.
     m_session.disconnect(this);
     m_session.course().disconnect(this);
+    m_session.examiner().disconnect(this);
     qApp->removeEventFilter(this);
     qDeleteAll(findChildren<QDialog*>());  // they speak of actions, which go with the window
 }

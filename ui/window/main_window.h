@@ -56,7 +56,12 @@ public:
     WindowLayout layoutNow() const;
     /// False, and nothing is changed, if it does not fit.
     bool applyLayout(const WindowLayout& layout);
+    /// A session file, or a picture of the window that carries one.
     void openSession(const QString& file);
+    /// What another program drew becomes B.
+    void openTheirs(const QStringList& files);
+    /// As if they were dropped; with `asB` a picture becomes B even if it carries a session.
+    void openFiles(const QStringList& files, bool asB);
     /// Replaces the file.
     void saveSessionTo(const QString& file);
 
@@ -100,10 +105,15 @@ private:
     void          applyAppearance(Appearance appearance);
     void          addRecentFile(const QString& file);
     void          chooseFile();
+    void          chooseTheirs();
+    void          saveReport();
+    void          makeRoomForDiagnosis();
     void          chooseLessons();
     void          showPanel(const QString& word);
     void          keepTabsOffTheEdge();
+    void          joinNeighbour(PanelDock& opened);
     void          makeRoomForLesson();
+    void          makeRoomFor(const QString& word);
     void          savePicture(bool decorated);
     void          savePictureAs();
     void          copyPicture();

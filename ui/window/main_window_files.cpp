@@ -14,9 +14,11 @@
 #include "core/io/file_writer.h"
 #include "core/io/read_file.h"
 #include "ui/session/course.h"
+#include "ui/session/examiner.h"
 #include "ui/session/picture_name.h"
 #include "ui/session/reproduce.h"
 #include "ui/session/session_file.h"
+#include "ui/session/their_files.h"
 #include "ui/text/phrase_book.h"
 #include "ui/view/frame_view.h"
 #include "ui/window/actions.h"
@@ -35,6 +37,7 @@ constexpr std::uint64_t kLargestSession = std::uint64_t{16} << 20;  // bytes
 void MainWindow::open(const QString& word, const Session::ViewOf& viewOf)
 {
     if (word.endsWith(QString(".") + kSessionSuffix, Qt::CaseInsensitive)) return openSession(word);
+    if (!word.startsWith("builtin:") && isDrawn(word)) return openFiles({word}, false);
     QString name = word;
     m_fileAwaited.clear();
     if (!word.startsWith("builtin:")) m_fileAwaited = name = QFileInfo(word).absoluteFilePath();
@@ -58,6 +61,47 @@ void MainWindow::chooseFile()
     if (!file.isEmpty()) open(file);
 }
 
+void MainWindow::chooseTheirs()
+{
+    const QStringList files =
+        QFileDialog::getOpenFileNames(this, tr("Open my picture"), m_settings.theirFolder(),
+                                      tr("Depth, ids and pictures (%1);;All files (*)").arg(drawnPatterns()));
+    if (!files.isEmpty()) openTheirs(files);
+}
+
+void MainWindow::saveReport()
+{
+    const auto theirs = m_session.now().compare.theirs;
+    if (!theirs) return;
+    const QDir folder(m_settings.theirFolder());
+    QString    file = QFileDialog::getSaveFileName(
+           this, tr("Save the report"), folder.filePath(QFileInfo(theirs->title).completeBaseName() + "-report.html"),
+           tr("HTML pages (*.html)"));
+    if (file.isEmpty()) return;
+    if (!file.endsWith(".html", Qt::CaseInsensitive)) {
+        file += ".html";
+        if (QFileInfo::exists(file))
+            return m_messages->tell([file] { return tr("%1 is there already; it was left as it is.").arg(file); });
+    }
+    m_session.examiner().saveReport(file);
+}
+
+void MainWindow::openTheirs(const QStringList& files)
+{
+    m_settings.setTheirFolder(QFileInfo(files.front()).absolutePath());
+    m_session.examiner().open(files);
+}
+
+void MainWindow::openFiles(const QStringList& files, bool asB)
+{
+    QStringList drawn;
+    for (const QString& file : files)
+        if (isDrawn(file)) drawn << file;
+    if (drawn.isEmpty() || !isDrawn(files.front())) return open(files.front());
+    if (!asB && sessionInPicture(files.front())) return openSession(files.front());
+    openTheirs(drawn);
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     for (const QUrl& url : event->mimeData()->urls())
@@ -66,11 +110,12 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    for (const QUrl& url : event->mimeData()->urls()) {
-        if (!url.isLocalFile()) continue;
-        event->acceptProposedAction();
-        return open(url.toLocalFile());
-    }
+    QStringList files;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) files << url.toLocalFile();
+    if (files.isEmpty()) return;
+    event->acceptProposedAction();
+    openFiles(files, event->modifiers().testFlag(Qt::ShiftModifier));
 }
 
 void MainWindow::savePicture(bool decorated)
@@ -80,7 +125,7 @@ void MainWindow::savePicture(bool decorated)
     const QDir    folder(m_settings.pictureFolder());
     const QString file =
         folder.filePath(freePictureName(m_session.now(), folder.path(), m_settings.pictureTemplate()) + ".png");
-    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), false))
+    if (const auto trouble = ui::savePicture(image, file, m_session, false))
         m_messages->tell(*trouble);
     else
         m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
@@ -97,8 +142,7 @@ void MainWindow::savePictureAs()
     if (file.isEmpty()) return;
     const bool asked = file.endsWith(".png", Qt::CaseInsensitive);  // the dialog has asked about this very name
     if (!asked) file += ".png";
-    if (const auto trouble = ui::savePicture(image, file, m_session.now(), m_session.settings(), asked))
-        return m_messages->tell(*trouble);
+    if (const auto trouble = ui::savePicture(image, file, m_session, asked)) return m_messages->tell(*trouble);
     m_settings.setPictureFolder(QFileInfo(file).absolutePath());
     m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(file)), 8000);
 }
@@ -121,9 +165,15 @@ void MainWindow::copyPicture()
 
 void MainWindow::openSession(const QString& file)
 {
-    const auto text = readRegularFile(file.toStdString(), kLargestSession);
-    if (!text) return m_messages->tell(text.error());
-    const auto session = sessionFromJson(*text, file);
+    std::string text;
+    if (auto carried = sessionInPicture(file)) {
+        text = *std::move(carried);
+    } else {
+        auto read = readRegularFile(file.toStdString(), kLargestSession);
+        if (!read) return m_messages->tell(read.error());
+        text = std::move(read).value();
+    }
+    const auto session = sessionFromJson(text, file);
     if (!session) return m_messages->tell(session.error());
     addRecentFile(QFileInfo(file).absoluteFilePath());
     if (!session->layout.state.isEmpty()) applyLayout(session->layout);

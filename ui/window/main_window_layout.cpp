@@ -244,12 +244,27 @@ void MainWindow::showPanel(const QString& word)
     PanelDock* wanted = dock(word);
     if (!wanted) return m_messages->tell([word] { return tr("There is no panel “%1”").arg(word); });
     const bool opens = !wanted->isWanted();
+    if (opens) joinNeighbour(*wanted);
     wanted->setWanted(true);
     QTimer::singleShot(0, wanted, [this, wanted, opens] {
         if (opens && dockWidgetArea(wanted) == Qt::RightDockWidgetArea) shareHeights();
         wanted->raise();
         keepTabsOffTheEdge();
     });
+}
+
+/// A panel that the layout leaves out opens behind a tab of its neighbour, if that is where the panel belongs.
+void MainWindow::joinNeighbour(PanelDock& opened)
+{
+    const PanelEntry& entry = opened.entry();
+    const bool        isElsewhere =
+        opened.isFloating() || dockWidgetArea(&opened) != entry.area || !tabifiedDockWidgets(&opened).isEmpty();
+    if (!entry.tabbedWith || isElsewhere) return;
+    for (const char* word : {entry.tabbedWith, "pipeline"}) {
+        PanelDock* neighbour = dock(word);
+        if (!isThere(*neighbour) || dockWidgetArea(neighbour) != entry.area) continue;
+        return tabifyDockWidget(neighbour, &opened);
+    }
 }
 
 void MainWindow::keepTabsOffTheEdge()
@@ -266,12 +281,18 @@ void MainWindow::keepTabsOffTheEdge()
     }
 }
 
-void MainWindow::makeRoomForLesson()
+void MainWindow::makeRoomForLesson() { makeRoomFor(QStringLiteral("lessons")); }
+
+void MainWindow::makeRoomForDiagnosis() { makeRoomFor(QStringLiteral("diagnosis")); }
+
+void MainWindow::makeRoomFor(const QString& word)
 {
-    showPanel(QStringLiteral("lessons"));
-    if (dockWidgetArea(dock("lessons")) != Qt::LeftDockWidgetArea) return;
+    showPanel(word);
+    PanelDock *wanted = dock(word), *pipeline = dock("pipeline");
+    if (dockWidgetArea(wanted) != Qt::LeftDockWidgetArea) return;
     widen(Qt::LeftDockWidgetArea, std::max(320, width() * 24 / 100));
-    if (dock("pipeline")->isWanted()) divideHeight(*this, {dock("lessons"), dock("pipeline")}, {80, 20});
+    if (pipeline->isWanted() && !tabifiedDockWidgets(pipeline).contains(wanted))
+        divideHeight(*this, {wanted, pipeline}, {80, 20});
 }
 
 WindowLayout MainWindow::layoutNow() const
@@ -326,10 +347,8 @@ void MainWindow::forgetOwnLayout(const QString& name)
 void MainWindow::restoreLayout()
 {
     if (const QByteArray geometry = m_settings.geometry(); !geometry.isEmpty()) restoreGeometry(geometry);
-    if (const QByteArray layout = m_settings.layout(); !layout.isEmpty())
-        restoreState(layout, Settings::kLayoutVersion);
-    else
-        return;
+    const QByteArray layout = m_settings.layout();
+    if (layout.isEmpty() || !restoreState(layout, Settings::kLayoutVersion)) return;
     const QStringList hidden = m_settings.hiddenPanels();
     for (PanelDock* dock : m_docks) dock->setWanted(!hidden.contains(dock->entry().word));
     QTimer::singleShot(0, this, [this] { rememberWidths(); });

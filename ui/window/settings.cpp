@@ -196,6 +196,9 @@ void Settings::keepKeys(const QString& command, const std::optional<QStringList>
         m_settings.setValue("keys/" + command, keys->isEmpty() ? QStringList{QString()} : *keys);
 }
 
+QString Settings::theirFolder() const { return m_settings.value("files/theirs").toString(); }
+void    Settings::setTheirFolder(const QString& folder) { m_settings.setValue("files/theirs", folder); }
+
 QString Settings::lessonFolder() const { return m_settings.value("files/lessons").toString(); }
 
 void Settings::setLessonFolder(const QString& folder) { m_settings.setValue("files/lessons", folder); }

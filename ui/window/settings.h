@@ -19,7 +19,7 @@ class Settings {
     Q_DECLARE_TR_FUNCTIONS(Settings)
 
 public:
-    static constexpr int kLayoutVersion = 1;
+    static constexpr int kLayoutVersion = 2;
     static constexpr int kRecentFiles   = 9;
 
     /// A file, or the user's own place.
@@ -65,6 +65,9 @@ public:
     std::optional<QStringList> keysOf(const QString& command) const;
     void                       keepKeys(const QString& command, const std::optional<QStringList>& keys);
 
+    /// Of pictures that another program drew; empty: none was opened yet.
+    QString theirFolder() const;
+    void    setTheirFolder(const QString& folder);
     /// A teacher's lessons; empty: none.
     QString lessonFolder() const;
     void    setLessonFolder(const QString& folder);

@@ -18,6 +18,12 @@ QString pixelText(const Snapshot& shown, const std::optional<QPoint>& pixel)
     const auto facts = pixel ? factsOf(shown, *pixel) : std::nullopt;
     if (!facts) return {};
     QString text = StatusLine::tr("x %1  y %2").arg(facts->pixel.x()).arg(facts->pixel.y());
+    if (facts->theirs) {
+        if (!facts->theirs->isCovered) return text + "   " + StatusLine::tr("background");
+        if (facts->theirs->id) text += "   " + StatusLine::tr("id %1").arg(*facts->theirs->id);
+        if (facts->theirs->depth) text += "   " + StatusLine::tr("depth %1").arg(significant(*facts->theirs->depth, 6));
+        return text;
+    }
     if (!facts->triangle) return text + "   " + StatusLine::tr("background");
     return text + "   " + StatusLine::tr("triangle %1").arg(grouped(facts->triangle->value)) + "   D "
            + depthText(facts->depth) + "   z " + decimal(facts->z, 4);

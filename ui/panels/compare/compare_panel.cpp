@@ -46,16 +46,17 @@ void sayTitles(QComboBox& box, int first)
         box.setItemData(first + static_cast<int>(i), said(presets()[i].title), Qt::ToolTipRole);
 }
 
-/// A composition without a name of its own stands below the others while it is chosen.
-void choose(QComboBox& box, const std::optional<Pipeline>& pipeline, int first)
+/// A composition without a name of its own stands below the others while it is chosen, and so does what another
+/// program drew.
+void choose(QComboBox& box, const std::optional<Pipeline>& pipeline, const QString& name, int first)
 {
     const QSignalBlocker quiet(&box);
     const int            named = first + static_cast<int>(presets().size());
     while (box.count() > named) box.removeItem(named);
-    if (!pipeline) return box.setCurrentIndex(0);
+    if (name.isEmpty()) return box.setCurrentIndex(0);
     for (std::size_t i = 0; i < presets().size(); ++i)
-        if (presets()[i].pipeline == *pipeline) return box.setCurrentIndex(first + static_cast<int>(i));
-    box.addItem(wordOf(*pipeline), -2);
+        if (presets()[i].pipeline == pipeline) return box.setCurrentIndex(first + static_cast<int>(i));
+    box.addItem(name, -2);
     box.setCurrentIndex(named);
 }
 
@@ -65,7 +66,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     : Panel(session, parent), m_a(presetBox()), m_b(presetBox()), m_link(new ChoiceBox), m_swap(new QPushButton),
       m_keep(new QPushButton), m_worst(new QPushButton), m_wipe(new QSlider(Qt::Horizontal)), m_tolerance(new QSpinBox),
       m_linked(new QCheckBox), m_verdict(new QLabel), m_times(new QLabel), m_hint(new QLabel), m_linkNote(new QLabel),
-      m_grid(new QGridLayout), m_body(new QWidget)
+      m_toleranceName(new QLabel), m_grid(new QGridLayout), m_body(new QWidget)
 {
     m_b->insertItem(0, QString(), -1);
     m_wipe->setRange(0, kWipeSteps);
@@ -112,9 +113,8 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
 
     auto* tolerance = new QHBoxLayout;
     tolerance->setSpacing(kStep);
-    auto* toleranceName = new QLabel;
-    toleranceName->setObjectName("soft");
-    tolerance->addWidget(toleranceName);
+    m_toleranceName->setObjectName("soft");
+    tolerance->addWidget(m_toleranceName);
     tolerance->addWidget(m_tolerance, 1);
     auto* times = new QHBoxLayout;  // in two rows, that they fit into a narrow panel
     times->setSpacing(kStep);
@@ -178,7 +178,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
     connect(m_link, &QComboBox::activated, this,
             [this](int index) { this->session().linkBy(static_cast<Link>(index)); });
     connect(m_linked, &QCheckBox::clicked, this, [this](bool on) { this->session().linkSteps(on); });
-    spoken(*this, [this, toleranceName] {
+    spoken(*this, [this] {
         m_a->setAccessibleName(tr("Algorithm A"));
         m_b->setAccessibleName(tr("Algorithm B"));
         m_swap->setText(tr("Swap"));
@@ -203,7 +203,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
         }
         m_verdict->setAccessibleName(tr("Result of the comparison"));
         m_hint->setText(tr("Choose B, or press Shift and a digit, to hold one algorithm against another."));
-        toleranceName->setText(tr("tolerance, float32 steps"));
+        m_toleranceName->setText(tr("tolerance, float32 steps"));
         m_b->setItemText(0, tr("nothing"));
         sayTitles(*m_a, 0);
         sayTitles(*m_b, 1);
@@ -228,12 +228,16 @@ void ComparePanel::present(const Snapshot& shown, Changes what)
 void ComparePanel::showChoices(const Snapshot& shown)
 {
     const CompareState& compare = shown.compare;
-    choose(*m_a, shown.pipeline, 0);
-    choose(*m_b, compare.other, 1);
+    choose(*m_a, shown.pipeline, wordOf(shown.pipeline), 0);
+    choose(*m_b, compare.other, nameOfOther(compare), 1);
     m_swap->setEnabled(compare.other.has_value());
-    m_swap->setToolTip(compare.other ? tr("B becomes A, and A becomes B") : tr("There is no B: choose one below"));
-    m_body->setVisible(compare.other.has_value());
-    m_hint->setVisible(!compare.other);
+    m_swap->setToolTip(compare.other    ? tr("B becomes A, and A becomes B")
+                       : compare.theirs ? tr("What another program drew cannot be drawn again as A")
+                                        : tr("There is no B: choose one below"));
+    m_body->setVisible(compare.isOn());
+    m_hint->setVisible(!compare.isOn());
+    for (QWidget* of : std::initializer_list<QWidget*>{m_toleranceName, m_tolerance, m_linked, m_link})
+        of->setVisible(compare.other.has_value());
     for (std::size_t i = 0; i < m_shows.size(); ++i)
         m_shows[i]->setChecked(i == static_cast<std::size_t>(compare.seen()));
     m_wipe->setVisible(compare.seen() == CompareShow::Wipe);
@@ -244,34 +248,38 @@ void ComparePanel::showChoices(const Snapshot& shown)
     m_link->setCurrentIndex(static_cast<int>(compare.link));
     m_link->setEnabled(compare.isLinked);
     m_linkNote->setText(textOf(compare.linkNote));
-    m_linkNote->setVisible(shown.showsStep && compare.isLinked && !m_linkNote->text().isEmpty());
+    m_linkNote->setVisible(compare.other && shown.showsStep && compare.isLinked && !m_linkNote->text().isEmpty());
 }
 
 void ComparePanel::showResult(const Snapshot& shown)
 {
     const CompareState& compare = shown.compare;
-    const Comparison*   result  = compare.other ? compare.result.get() : nullptr;
+    const Comparison*   result  = compare.isOn() ? compare.result.get() : nullptr;
     m_worst->setEnabled(result && result->difference.worst);
-    if (!compare.other) {
+    m_times->setVisible(compare.other.has_value());
+    if (!compare.isOn()) {
         emit summaryChanged({});
         return;
     }
     if (!result) {
-        m_verdict->setText(tr("B is being drawn."));
+        m_verdict->setText(isStale(shown)   ? tr("B is of another scene or camera.")
+                           : compare.theirs ? tr("B is being compared.")
+                                            : tr("B is being drawn."));
         for (QLabel* label : m_names) label->hide();
         for (QLabel* label : m_values) label->hide();
         m_times->clear();
         return;
     }
-    const Theme&       theme = themeOf(palette());
-    const CompareWords words = wordsOf(*result);
+    const Theme&       theme   = themeOf(palette());
+    const CompareWords words   = wordsOf(*result);
+    const bool         isEqual = result->theirs ? result->difference.differing() == 0 : result->figures.isExact();
     m_verdict->setText(QStringLiteral("<span style='color:%1'>%2 <b>%3</b></span>")
-                           .arg(words.isWrong               ? theme.error.name()
-                                : result->figures.isExact() ? theme.entered.name()
-                                                            : theme.text.name(),
-                                words.isWrong               ? QStringLiteral("\u2716")
-                                : result->figures.isExact() ? QStringLiteral("\u2713")
-                                                            : QStringLiteral("\u2248"),
+                           .arg(words.isWrong ? theme.error.name()
+                                : isEqual     ? theme.entered.name()
+                                              : theme.text.name(),
+                                words.isWrong ? QStringLiteral("\u2716")
+                                : isEqual     ? QStringLiteral("\u2713")
+                                              : QStringLiteral("\u2248"),
                                 words.verdict.toHtmlEscaped()));
     while (m_names.size() < words.figures.size()) {
         const int row = static_cast<int>(m_names.size());
@@ -282,6 +290,7 @@ void ComparePanel::showResult(const Snapshot& shown)
         m_grid->addWidget(m_names.back(), row, 0);
         m_grid->addWidget(m_values.back(), row, 1);
     }
+    for (std::size_t i = words.figures.size(); i < m_names.size(); ++i) m_names[i]->hide(), m_values[i]->hide();
     for (std::size_t i = 0; i < words.figures.size(); ++i) {
         m_names[i]->setText(words.figures[i].name);
         m_values[i]->setText(words.figures[i].isWrong ? QStringLiteral("<span style='color:%1'><b>%2</b></span>")
@@ -294,9 +303,8 @@ void ComparePanel::showResult(const Snapshot& shown)
         m_times->setText(
             tr("A %1 · B %2, this frame")
                 .arg(milliseconds(shown.frame->report.frameMs), milliseconds(compare.frame->report.frameMs)));
-    emit summaryChanged(result->figures.isExact()
-                            ? tr("equal")
-                            : counted(result->difference.differing(), tr("1 pixel"), tr("%1 pixels")));
+    emit summaryChanged(isEqual ? tr("equal")
+                                : counted(result->difference.differing(), tr("1 pixel"), tr("%1 pixels")));
 }
 
 void ComparePanel::changeEvent(QEvent* event)

@@ -40,7 +40,7 @@ private:
     QSlider*                    m_wipe;
     QSpinBox*                   m_tolerance;
     QCheckBox*                  m_linked;
-    QLabel *                    m_verdict, *m_times, *m_hint, *m_linkNote;
+    QLabel *                    m_verdict, *m_times, *m_hint, *m_linkNote, *m_toleranceName;
     QGridLayout*                m_grid;
     std::vector<QLabel*>        m_names, m_values;
     QWidget*                    m_body;

@@ -14,8 +14,42 @@ struct CompareText {
 
 }  // namespace
 
+namespace {
+
+/// Of what another program drew.
+CompareWords wordsOfTheirs(const Comparison& result)
+{
+    const Difference&   difference = result.difference;
+    const std::uint64_t differing = difference.differing(), pixels = difference.kinds.values().size();
+    const auto          count = [&](PixelDifference kind) { return difference.counts[static_cast<std::size_t>(kind)]; };
+    CompareWords        words;
+    words.isWrong = differing > 0;
+    words.verdict =
+        differing == 0 ? Words::tr("B shows what A shows, but for rounding.")
+                       : counted(differing, Words::tr("1 pixel differs."), Words::tr("%1 pixels differ.")) + ' '
+                             + Words::tr("Of all: %1.")
+                                   .arg(decimal(100.0 * static_cast<double>(differing) / static_cast<double>(pixels), 3)
+                                        + QStringLiteral("\u00A0%"));
+    const QString right = QStringLiteral("A"), judged = QStringLiteral("B");
+    const auto    figure = [&](const QString& name, PixelDifference kind) {
+        words.figures.push_back({name, grouped(count(kind)), count(kind) > 0});
+    };
+    figure(Words::tr("holes: %1 shows something, %2 does not").arg(right, judged), PixelDifference::Hole);
+    figure(Words::tr("spills: %1 shows something, %2 does not").arg(judged, right), PixelDifference::Spill);
+    if (result.theirs->hasIds()) figure(Words::tr("another surface"), PixelDifference::Surface);
+    if (result.theirs->hasDepth()) {
+        figure(Words::tr("another depth, B nearer"), PixelDifference::DepthNearer);
+        figure(Words::tr("another depth, B farther"), PixelDifference::DepthFarther);
+    }
+    words.figures.push_back({Words::tr("equal but for rounding"), grouped(result.rounding)});
+    return words;
+}
+
+}  // namespace
+
 CompareWords wordsOf(const Comparison& result)
 {
+    if (result.theirs) return wordsOfTheirs(result);
     const ErrorFigures& figures    = result.figures;
     const Difference&   difference = result.difference;
     const auto          count = [&](PixelDifference kind) { return difference.counts[static_cast<std::size_t>(kind)]; };

@@ -29,8 +29,6 @@ bool speaksChinese()
 {
     return LessonsPanel::tr("en", "the language of this translation: zh in Chinese") == QLatin1String("zh");
 }
-QString inLanguage(const LessonText& text) { return QString::fromStdString(text.in(speaksChinese())); }
-
 QLabel* wrapped(Qt::TextFormat format = Qt::PlainText)
 {
     auto* label = new QLabel;
@@ -43,6 +41,8 @@ QLabel* wrapped(Qt::TextFormat format = Qt::PlainText)
 }
 
 }  // namespace
+
+QString inLanguage(const LessonText& text) { return QString::fromStdString(text.in(speaksChinese())); }
 
 LessonsPanel::LessonsPanel(Session& session, QWidget* parent) : Panel(session, parent)
 {

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "core/lesson/lesson.h"
 #include "ui/panels/panel.h"
 
 class QButtonGroup;
@@ -19,6 +20,9 @@ class QStackedLayout;
 class QVBoxLayout;
 
 namespace zscope::ui {
+
+/// In the language of the window.
+QString inLanguage(const LessonText& text);
 
 class LessonsPanel final : public Panel {
     Q_OBJECT

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "core/lesson/explain.h"
+#include "ui/panels/diagnosis/diagnosis_words.h"
 #include "ui/panels/why/why_model.h"
 #include "ui/parts/row_delegate.h"
 #include "ui/parts/scrolling.h"
@@ -50,8 +51,8 @@ QString takenBy(const TriangleExplanation& explanation)
 }  // namespace
 
 WhyPanel::WhyPanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_model(new WhyModel(this)), m_tree(new QTreeView), m_sentence(new QLabel),
-      m_detail(new QLabel), m_hint(new QLabel), m_trouble(new QLabel), m_jump(new QPushButton),
+    : Panel(session, parent), m_model(new WhyModel(this)), m_tree(new QTreeView), m_theirs(new QLabel),
+      m_sentence(new QLabel), m_detail(new QLabel), m_hint(new QLabel), m_trouble(new QLabel), m_jump(new QPushButton),
       m_triangle(new QLineEdit), m_worker(std::make_unique<Worker>())
 {
     m_tree->setModel(m_model);
@@ -72,13 +73,14 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionsMovable(false);
     m_tree->header()->setSectionResizeMode(QHeaderView::Fixed);
-    for (QLabel* label : {m_sentence, m_detail, m_trouble}) {
+    for (QLabel* label : {m_theirs, m_sentence, m_detail, m_trouble}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
     }
+    m_theirs->setTextFormat(Qt::RichText);
     m_hint->setObjectName("hint");
     m_hint->setWordWrap(true);
     m_hint->setAlignment(Qt::AlignCenter);
@@ -97,6 +99,7 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
     auto* inside = new QVBoxLayout(answer);
     inside->setContentsMargins(kStep + 4, 0, kStep + 4, kStep);
     inside->setSpacing(6);
+    inside->addWidget(m_theirs);
     inside->addWidget(m_hint, 1);
     inside->addWidget(m_sentence);
     inside->addWidget(m_tree, 1);
@@ -125,6 +128,7 @@ WhyPanel::WhyPanel(Session& session, QWidget* parent)
     spoken(*this, [this] {
         m_jump->setText(tr("Go there"));
         m_tree->setAccessibleName(tr("Triangles that cover the pixel"));
+        m_theirs->setAccessibleName(tr("What B has at the pixel"));
         m_sentence->setAccessibleName(tr("Why"));
         m_detail->setAccessibleName(tr("What happened to the chosen triangle"));
         showRow({});  // says what the button does, or why it does nothing
@@ -144,6 +148,7 @@ void WhyPanel::askAbout(TriangleId triangle)
 
 void WhyPanel::present(const Snapshot& shown, Changes what)
 {
+    if (what & (Change::Picture | Change::Selection | Change::Scene | Change::Compare)) showTheirs(shown);
     if (!(what & (Change::Picture | Change::Selection | Change::Scene))) return;
     if (shown.picked != m_lastPick || (what & Change::Scene)) {
         m_about.reset();
@@ -152,6 +157,15 @@ void WhyPanel::present(const Snapshot& shown, Changes what)
     m_lastPick = shown.picked;
     ask();
     saySentence();
+}
+
+void WhyPanel::showTheirs(const Snapshot& shown)
+{
+    const auto theirs  = shown.compare.theirs;
+    const bool isThere = theirs && shown.picked && shown.picked->x() < theirs->camera().width
+                         && shown.picked->y() < theirs->camera().height && !isStale(shown);
+    m_theirs->setVisible(isThere);
+    if (isThere) m_theirs->setText(pixelText(*theirs, *shown.picked, themeOf(palette())));
 }
 
 void WhyPanel::saySentence()
@@ -311,7 +325,10 @@ void WhyPanel::showEvent(QShowEvent* event)
 
 void WhyPanel::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::PaletteChange && m_model) m_model->setPalette(palette());
+    if (event->type() == QEvent::PaletteChange && m_model) {
+        m_model->setPalette(palette());
+        showTheirs(session().now());
+    }
     // asked again with the next snapshot, or when it is seen
     if (event->type() == QEvent::LanguageChange && m_triangle) {
         m_asked.reset();

@@ -50,6 +50,8 @@ private:
 
     void ask();
     void saySentence();
+    /// What another program has at the pixel, above the answer.
+    void showTheirs(const Snapshot& shown);
     /// In place of an answer.
     void tell(const QString& sentence);
     void showAnswer();
@@ -63,7 +65,7 @@ private:
     WhyModel*                               m_model;
     QTreeView*                              m_tree;
     QString                                 m_said;  // of the answer, whatever step is on show
-    QLabel *                                m_sentence, *m_detail, *m_hint, *m_trouble;
+    QLabel *                                m_theirs, *m_sentence, *m_detail, *m_hint, *m_trouble;
     QPushButton*                            m_jump;
     QLineEdit*                              m_triangle;
     std::optional<Question>                 m_asked;     // of the answer on show or on its way
