@@ -17,7 +17,7 @@ namespace zscope::ui {
 
 namespace {
 
-constexpr std::chrono::milliseconds kProgressEvery{60};
+constexpr std::chrono::milliseconds kNewsEvery{60};
 
 QString titleOf(const QStringList& files)
 {
@@ -192,7 +192,7 @@ void Examiner::ask(const QStringList& files, bool isNew)
         request.progress.cancel = &cancel;
         request.progress.report = [&](double fraction, std::string_view) {
             const auto time = std::chrono::steady_clock::now();
-            if (time - told < kProgressEvery) return;
+            if (time - told < kNewsEvery) return;
             told = time;
             mine([this, fraction] { show(m_phase, fraction); });
         };

@@ -21,6 +21,7 @@
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/spoken.h"
+#include "ui/text/utf8_text.h"
 #include "ui/theme/theme.h"
 
 namespace zscope::ui {
@@ -37,8 +38,6 @@ QLabel* wrapped(const char* name = nullptr)
     if (name) label->setObjectName(name);
     return label;
 }
-
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 
 /// Core writes a pair's title as one's beside the other's, with quotation marks between them.
 QString titleOf(const check::Cause& cause)
@@ -272,11 +271,11 @@ void DiagnosisPanel::showCauses(const Snapshot& shown)
         if (cause.adds > 0)
             tip += ' ' + counted(cause.adds, tr("It would spoil 1 more pixel."), tr("It would spoil %1 more pixels."));
         m_causes[i]->setToolTip(tip + '\n' + m_causesTitle->toolTip());
-        const auto lesson = session().course().find(text(cause.lesson));
+        const auto lesson = session().course().find(utf8Text(cause.lesson));
         if (cause.lesson.empty() || !lesson) continue;
         m_lessons[i]->setText(
             QStringLiteral("<a style='color:%1' href='%2'>%3</a>")
-                .arg(themeOf(palette()).picked.name(), text(cause.lesson),
+                .arg(themeOf(palette()).picked.name(), utf8Text(cause.lesson),
                      tr("Lesson: %1").arg(inLanguage(session().course().lessons()[*lesson].title)).toHtmlEscaped()));
         m_lessons[i]->setVisible(true);
     }

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "ui/text/numbers.h"
+#include "ui/text/utf8_text.h"
 
 namespace zscope::ui {
 namespace {
@@ -13,8 +14,6 @@ using check::Mistake;
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(Diagnosis)
 };
-
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 
 /// One of a kind, where nameOf() names many.
 QString kindOf(Mistake mistake)
@@ -38,7 +37,7 @@ QString conventionsText(const check::Conventions& c)
 {
     if (!c.rows) return Words::tr("The files hold background alone: there are no conventions.");
     QStringList parts;
-    if (c.depth) parts << Words::tr("depth is %1").arg(text(check::wordOf(*c.depth)));
+    if (c.depth) parts << Words::tr("depth is %1").arg(utf8Text(check::wordOf(*c.depth)));
     parts << (*c.rows == check::Rows::TopDown ? Words::tr("the top row comes first")
                                               : Words::tr("the bottom row comes first"));
     if (c.ids)
@@ -97,7 +96,7 @@ QString pixelText(const TheirPicture& theirs, const QPoint& pixel, const Theme& 
                     .arg(c.ids == check::IdKind::Faces ? Words::tr("face") : Words::tr("triangle"));
     if (theirs.hasDepth())
         head += QStringLiteral("<td align=right>%1</td>")
-                    .arg(c.depth ? text(check::wordOf(*c.depth)).toHtmlEscaped() : Words::tr("depth"));
+                    .arg(c.depth ? utf8Text(check::wordOf(*c.depth)).toHtmlEscaped() : Words::tr("depth"));
     return QStringLiteral("<table cellspacing=0><tr style='color:%1'>%2</tr>").arg(theme.softText.name(), head)
            + row(Words::tr("right"), at.isExpected, at.expectedId, at.expectedDepth)
            + row(Words::tr("B"), at.isCovered, at.id, at.depth)
