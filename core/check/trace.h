@@ -35,7 +35,7 @@
 
 namespace zscope::check {
 
-inline constexpr std::uint64_t kMaxTraceFile = std::uint64_t{256} << 20;
+inline constexpr std::uint64_t kMaxTraceFile = std::uint64_t{1} << 30;
 
 enum class MomentKind { Step, Pixel, Query, Update, Interval, Triangle, Line, End };
 /// What a row says of its moment. a, b, c: grain and step; x, y and triangle; triangle; level, x and y; line and x0;
