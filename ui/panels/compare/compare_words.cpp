@@ -12,10 +12,6 @@ struct CompareText {
     Q_DECLARE_TR_FUNCTIONS(Compare)
 };
 
-}  // namespace
-
-namespace {
-
 /// Of what another program drew.
 CompareWords wordsOfTheirs(const Comparison& result)
 {
@@ -25,23 +21,24 @@ CompareWords wordsOfTheirs(const Comparison& result)
     CompareWords        words;
     words.isWrong = differing > 0;
     words.verdict =
-        differing == 0 ? Words::tr("B shows what A shows, but for rounding.")
-                       : counted(differing, Words::tr("1 pixel differs."), Words::tr("%1 pixels differ.")) + ' '
-                             + Words::tr("Of all: %1.")
-                                   .arg(decimal(100.0 * static_cast<double>(differing) / static_cast<double>(pixels), 3)
-                                        + QStringLiteral("\u00A0%"));
+        differing == 0
+            ? CompareText::tr("B shows what A shows, but for rounding.")
+            : counted(differing, CompareText::tr("1 pixel differs."), CompareText::tr("%1 pixels differ.")) + ' '
+                  + CompareText::tr("Of all: %1.")
+                        .arg(decimal(100.0 * static_cast<double>(differing) / static_cast<double>(pixels), 3)
+                             + QStringLiteral("\u00A0%"));
     const QString right = QStringLiteral("A"), judged = QStringLiteral("B");
     const auto    figure = [&](const QString& name, PixelDifference kind) {
         words.figures.push_back({name, grouped(count(kind)), count(kind) > 0});
     };
-    figure(Words::tr("holes: %1 shows something, %2 does not").arg(right, judged), PixelDifference::Hole);
-    figure(Words::tr("spills: %1 shows something, %2 does not").arg(judged, right), PixelDifference::Spill);
-    if (result.theirs->hasIds()) figure(Words::tr("another surface"), PixelDifference::Surface);
+    figure(CompareText::tr("holes: %1 shows something, %2 does not").arg(right, judged), PixelDifference::Hole);
+    figure(CompareText::tr("spills: %1 shows something, %2 does not").arg(judged, right), PixelDifference::Spill);
+    if (result.theirs->hasIds()) figure(CompareText::tr("another surface"), PixelDifference::Surface);
     if (result.theirs->hasDepth()) {
-        figure(Words::tr("another depth, B nearer"), PixelDifference::DepthNearer);
-        figure(Words::tr("another depth, B farther"), PixelDifference::DepthFarther);
+        figure(CompareText::tr("another depth, B nearer"), PixelDifference::DepthNearer);
+        figure(CompareText::tr("another depth, B farther"), PixelDifference::DepthFarther);
     }
-    words.figures.push_back({Words::tr("equal but for rounding"), grouped(result.rounding)});
+    words.figures.push_back({CompareText::tr("equal but for rounding"), grouped(result.rounding)});
     return words;
 }
 
