@@ -278,11 +278,11 @@ Result<TraceAnswer> Checker::checkTrace(const CheckRequest& request, const Trace
     std::optional<TraceAnswer> best;
     for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
         if (request.given.cull && *request.given.cull != culling) continue;
-        const DrawRequest drawn{.scene       = m_kept->scene,
-                                .camera      = cameras->front(),
-                                .faceCulling = culling,
-                                .pipeline    = pipeline,
-                                .cancel      = request.progress.cancel};
+        const DrawRequest   drawn{.scene       = m_kept->scene,
+                                  .camera      = cameras->front(),
+                                  .faceCulling = culling,
+                                  .pipeline    = pipeline,
+                                  .cancel      = request.progress.cancel};
         Result<TraceAnswer> answer = judgeTrace(trace, drawn, halfStepOf(request.subpixelBits));
         if (!answer) return answer.error();
         if (!best || (answer->firstWrong && *answer->firstWrong > *best->firstWrong) || answer->isRight())
