@@ -2159,7 +2159,7 @@
     </message>
     <message>
         <source>Picks the first wrong pixel in reading order: the panel Why says what is wrong there</source>
-        <translation>按从左到右、从上到下的次序选取第一个错误像素，“原因”面板说明那里错在何处</translation>
+        <translation>按从左到右、从上到下的次序选取第一个错误像素，“为什么”面板说明那里错在何处</translation>
     </message>
     <message>
         <source>Save report…</source>

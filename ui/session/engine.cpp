@@ -332,7 +332,6 @@ std::shared_ptr<const TheirPicture> repainted(const TheirPicture& theirs, const 
     Look used  = look;
     if (a) used.range = fixedRange(look.range, a->frame.visible);
     paint(*other, used);
-    other->look = look;
     return other;
 }
 

@@ -17,6 +17,14 @@ namespace {
 constexpr std::chrono::milliseconds kRest{120};
 constexpr std::chrono::milliseconds kProgressEvery{40};
 
+/// In the layer on show; depths in the range that A's have.
+bool isPaintedFor(const TheirPicture& theirs, const Look& look, const DrawnFrame* a)
+{
+    if (theirs.look.layer != look.layer) return false;
+    const bool hasRange = a && a->look == look && !a->spread.histogram.empty();
+    return !hasRange || theirs.look.range == a->spread.used;
+}
+
 bool has(const std::vector<Grain>& grains, Grain grain) { return std::ranges::find(grains, grain) != grains.end(); }
 
 }  // namespace
@@ -270,33 +278,35 @@ void Session::repaint()
 {
     const auto looks = [this](const auto& shown) { return !shown || shown->look == m_now.look; };
     if (looks(m_now.frame) && looks(m_now.step) && looks(m_now.compare.frame) && looks(m_now.compare.step)
-        && looks(m_now.compare.theirs))
+        && (!m_now.compare.theirs || isPaintedFor(*m_now.compare.theirs, m_now.look, m_now.frame.get())))
         return;
-    m_worker->post(Worker::Slot::Repaint, [this, look = m_now.look, frame = m_now.frame, step = m_now.step,
-                                           other = m_now.compare.frame, otherStep = m_now.compare.step,
-                                           theirs = m_now.compare.theirs](const std::atomic<bool>&) {
-        const auto ofFrame = [&](const auto& from) {
-            return from && from->look != look ? repainted(*from, look) : from;
-        };
-        const auto ofStep = [&](const auto& from, const auto& finished) {
-            return from && from->look != look ? repainted(*from, finished.get(), look) : from;
-        };
-        auto newFrame = ofFrame(frame), newOther = ofFrame(other);
-        auto newStep = ofStep(step, newFrame), newOtherStep = ofStep(otherStep, newOther);
-        auto newTheirs = theirs && theirs->look != look ? repainted(*theirs, look, newFrame.get()) : theirs;
-        deliver([=, this] {
-            // Whatever has been made anew since then is painted on its own account.
-            if (m_now.frame == frame) m_now.frame = newFrame;
-            if (m_now.step == step) m_now.step = newStep;
-            if (m_now.compare.frame == other) m_now.compare.frame = newOther;
-            if (m_now.compare.step == otherStep) m_now.compare.step = newOtherStep;
-            if (m_now.compare.theirs == theirs) m_now.compare.theirs = newTheirs;
-            emit changed(Change::Picture);
-            compareAgain();
-            compareTheirs();
-            repaint();
-        });
-    });
+    m_worker->post(Worker::Slot::Repaint,
+                   [this, look = m_now.look, frame = m_now.frame, step = m_now.step, other = m_now.compare.frame,
+                    otherStep = m_now.compare.step, theirs = m_now.compare.theirs](const std::atomic<bool>&) {
+                       const auto ofFrame = [&](const auto& from) {
+                           return from && from->look != look ? repainted(*from, look) : from;
+                       };
+                       const auto ofStep = [&](const auto& from, const auto& finished) {
+                           return from && from->look != look ? repainted(*from, finished.get(), look) : from;
+                       };
+                       auto newFrame = ofFrame(frame), newOther = ofFrame(other);
+                       auto newStep = ofStep(step, newFrame), newOtherStep = ofStep(otherStep, newOther);
+                       auto newTheirs = theirs;
+                       if (theirs && !isPaintedFor(*theirs, look, newFrame.get()))
+                           newTheirs = repainted(*theirs, look, newFrame.get());
+                       deliver([=, this] {
+                           // Whatever has been made anew since then is painted on its own account.
+                           if (m_now.frame == frame) m_now.frame = newFrame;
+                           if (m_now.step == step) m_now.step = newStep;
+                           if (m_now.compare.frame == other) m_now.compare.frame = newOther;
+                           if (m_now.compare.step == otherStep) m_now.compare.step = newOtherStep;
+                           if (m_now.compare.theirs == theirs) m_now.compare.theirs = newTheirs;
+                           emit changed(Change::Picture);
+                           compareAgain();
+                           compareTheirs();
+                           repaint();
+                       });
+                   });
 }
 
 void Session::adoptGrain()
