@@ -68,7 +68,8 @@ struct Examiner::Desk {
 
 namespace {
 
-/// Without causes. Of numbers that may be depth or ids it is found out here what they are: what leaves fewer pixels wrong.
+/// Without causes. Of numbers that may be depth or ids it is found out here what they are: what leaves fewer pixels
+/// wrong.
 Result<check::CheckAnswer> firstAnswer(check::Checker& checker, check::CheckRequest& request, const TheirFiles& files)
 {
     request.diagnoses = false;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Judges what another program drew, as `zscope-cli check` does, and makes it the session's B. No widgets.
 //
-// First      what is wrong: B appears and is shown; A gets the layer, the size and the culling by which it can be compared
+// First      what is wrong: B appears and is shown; A gets the layer, the size and the culling by which they can be
+//            compared
 // Then       the mistakes that explain it, which may take seconds. Cancelled, B stays as it was judged
 // Camera     the one on show, in the size of the files; a dump with matrices brings its own
 // Errors     Session::failed() with one sentence; what was B before stays B

@@ -3,8 +3,8 @@
 //
 // Painted    as the layer on show, if the files hold what that shows; else as what they hold: the picture itself, ids,
 //            depth. Depths have A's range, so that equal depths have equal colours
-// Judged     against the reference, whatever A is. What differs from A is found apart (core/lesson/difference.h): where A
-//            is right the verdict decides, rounding counts as equal; where A is wrong, too, what both show is compared
+// Judged     against the reference, whatever A is. What differs from A is found apart (core/lesson/difference.h): where
+//            A is right the verdict decides, rounding counts as equal; where A is wrong, what both show is compared
 // Rows       of the reference; numbers are the file's own
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with the picture that another program drew, and which mistakes explain it. A click on a mistake switches
-// it on in A, so that A shows it as well; another click brings the algorithm back that A was before.
+// What is wrong with the picture that another program drew, and which mistakes explain it. A click on a mistake
+// switches it on in A, so that A shows it as well; another click brings the algorithm back that A was before.
 #pragma once
 
 #include <array>
