@@ -45,7 +45,7 @@ TEST(HardD, D1ASheetBehindOneCellIsHiddenAndOneAPixelWiderShowsThatPixel)
         const Picture  picture = agreedPicture(exact);
         for (const std::int64_t id : picture.ids.values()) EXPECT_TRUE(id < 0 || isWall(exact, id));
         for (const char* preset : kComplete) {
-            const Counters counters = countersOf(exact, preset);
+            const Counters counters = countersOfCase(exact, preset);
             EXPECT_EQ(counters.at("triangles_drawn"), 2u) << preset << ", level " << level;
         }
         expectTwins(exact, picture);

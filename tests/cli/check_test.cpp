@@ -98,15 +98,15 @@ TEST_F(Check, WritesReportsForCourses)
 
 TEST_F(Check, WritesAPageThatSaysHowToJudgeAgain)
 {
-    draw(kScene, {"--algorithm", "scanline", "--fault", "x-truncated"});
-    const Answer answer = check(kScene, {"--ids", path("i.npy"), "--report", path("deep/report")});
+    draw(kCity, {"--algorithm", "scanline", "--fault", "x-truncated"});
+    const Answer answer = check(kCity, {"--ids", path("i.npy"), "--report", path("deep/report")});
     EXPECT_EQ(answer.status, 1) << answer.err;
     const std::string page = contentsOf(path("deep/report/report.html"));
     EXPECT_NE(page.find("--ids " + path("i.npy") + "</pre>"), std::string::npos) << "without the option of the report";
     EXPECT_NE(page.find("13-holes-and-fill-rules"), std::string::npos);
-    EXPECT_EQ(check(kScene, {"--ids", path("i.npy"), "--report", path("i.npy")}).status, 4);
+    EXPECT_EQ(check(kCity, {"--ids", path("i.npy"), "--report", path("i.npy")}).status, 4);
     const auto files = filesInFolder();
-    EXPECT_EQ(check(kScene, {"--ids", path("absent.npy"), "--report", path("deep/report")}).status, 3);
+    EXPECT_EQ(check(kCity, {"--ids", path("absent.npy"), "--report", path("deep/report")}).status, 3);
     EXPECT_EQ(filesInFolder(), files);
     EXPECT_EQ(contentsOf(path("deep/report/report.html")), page) << "a check that fails changes nothing";
 }

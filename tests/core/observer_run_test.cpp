@@ -106,11 +106,11 @@ TEST(Observer, TheSentenceIsMadeOnceWhenTheRunStops)
     EXPECT_THROW(run(Listening(lines)), RunStopped);
     EXPECT_EQ(lines.sentence(), "line 3 of 12");
     EXPECT_EQ(telling.asked, 1);
-    EXPECT_TRUE(lines.lastWas<Coarse>());
+    EXPECT_TRUE(lines.last() == &kEventKind<Coarse>);
     EXPECT_THROW(run(Listening(pixels)), RunStopped);
     EXPECT_EQ(pixels.sentence(), "pixel 11");
-    EXPECT_TRUE(pixels.lastWas<Fine>());
-    EXPECT_FALSE(pixels.lastWas<Coarse>());
+    EXPECT_TRUE(pixels.last() == &kEventKind<Fine>);
+    EXPECT_FALSE(pixels.last() == &kEventKind<Coarse>);
 }
 
 TEST(Observer, StopAtCountsItsGrainAndAllCoarserOnes)
