@@ -25,7 +25,7 @@ std::vector<Divisor> divisorsOf(const BenchRow& row, Stage stage)
 {
     const auto tallied = [&row](Unit unit) { return talliedOf(row, unit); };
     // What a pre-pass transforms, sets up and draws is counted with the rest, and its time is not.
-    const bool hasPrepass = row.stageQuartiles[static_cast<std::size_t>(Stage::Prepass)].median > 0;
+    const bool hasPrepass = row.stageMs[static_cast<std::size_t>(Stage::Prepass)] > 0;
     switch (stage) {
         case Stage::Transform:
             if (hasPrepass) return {};
