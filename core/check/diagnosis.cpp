@@ -150,9 +150,14 @@ Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgeme
             const auto picture = spoilt(entry.pipelines[which]);
             if (!picture) return picture.error();
             const auto [explained, adds, addsDepth] = comparison.of(**picture);
-            const Cause tried{entry.name,  entry.title, static_cast<double>(explained) / static_cast<double>(wrong),
-                              explained,   adds,        addsDepth,
-                              entry.lesson, entry.pipelines[which]};
+            const Cause tried{entry.name,
+                              entry.title,
+                              static_cast<double>(explained) / static_cast<double>(wrong),
+                              explained,
+                              adds,
+                              addsDepth,
+                              entry.lesson,
+                              entry.pipelines[which]};
             if (!found || ratioOf(tried, wrong) > ratioOf(*found, wrong)) found = tried;
         }
         return found;
