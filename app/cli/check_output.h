@@ -1,7 +1,7 @@
 // A judgement (core/check/check.h) in the forms that people, scripts and courses read.
 //
-// JUnit       one test suite of three cases: coverage, surface, depth; what the files do not show is skipped. A trace is
-//             a fourth case
+// JUnit       one test suite of three cases: coverage, surface, depth; what the files do not show is skipped. A trace
+//             is a fourth case
 // Gradescope  results.json: the same cases, one point each for what is shown, none for a case with wrong pixels or rows
 #pragma once
 

@@ -19,8 +19,8 @@ struct Placeholder {
 };
 std::string withPaths(std::string command, const std::vector<Placeholder>& placeholders);
 
-/// What the command needs beside the system's own programs: folders that it names by absolute paths, the folders of such
-/// files, and those of programs that PATH has elsewhere. Of a whole home only the file.
+/// What the command needs beside the system's own programs: folders that it names by absolute paths, the folders of
+/// such files, and those of programs that PATH has elsewhere. Of a whole home only the file.
 std::vector<std::string> pathsNamedBy(const std::string& command);
 
 /// The regular files that words of the command name, absolute or from the current folder.

@@ -1,5 +1,5 @@
-// What may have gone wrong in another renderer: the mistakes of the fault gallery and the approximations of numbers, and
-// which wrong pixels each of them makes in this view.
+// What may have gone wrong in another renderer: the mistakes of the fault gallery and the approximations of numbers,
+// and which wrong pixels each of them makes in this view.
 //
 // Name       a fault by its word ("x-truncated"), an approximation as axis=choice ("depth-format=fixed-16")
 // Pairs      two of them at once: "x-truncated + box-short"

@@ -146,8 +146,8 @@ struct IdFit {
     int                         from = 0;
 };
 
-/// What it is worth that the triangles of a file's ids may cover the pixels in which they stand, seen or not: a file whose
-/// surfaces are all wrong still shows by this what its numbers mean. Judged at about kMostSamples pixels.
+/// What it is worth that the triangles of a file's ids may cover the pixels in which they stand, seen or not: a file
+/// whose surfaces are all wrong still shows by this what its numbers mean. Judged at about kMostSamples pixels.
 std::int64_t coverScore(const ForeignIds& file, const Truth& truth, Rows rows,
                         const std::optional<std::int64_t>& background, IdKind kind, int from)
 {

@@ -1,7 +1,7 @@
 // The conventions of foreign files: what depths mean, which row comes first, what ids number, which faces are drawn.
-// What is not given is found by trying all combinations. The best one agrees with the reference at most pixels; of equal
-// ones the plainest is taken, which comes first in every list. Readings that agree nearly as well are given back too:
-// judging them (core/check/judge.h) tells which one leaves the fewest pixels wrong.
+// What is not given is found by trying all combinations. The best one agrees with the reference at most pixels; of
+// equal ones the plainest is taken, which comes first in every list. Readings that agree nearly as well are given back
+// too: judging them (core/check/judge.h) tells which one leaves the fewest pixels wrong.
 //
 // Background  the value that stands on most pixels that the reference leaves empty; if it also stands on more than half
 //             of the covered ones, or nothing is empty, 0, 1, -1, infinity, NaN and the file's largest value are tried

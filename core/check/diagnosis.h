@@ -38,9 +38,9 @@ struct Cluster {
 /// The picture of a pipeline with mistakes. Kept by the caller.
 using SpoiltSource = std::function<Result<const SpoiltPicture*>(const Pipeline& pipeline)>;
 
-/// Those of which explained / (wrong + adds) is a fifth or more: a mistake that would spoil far more than is wrong is no
-/// cause. For this, depths that a mistake adds count only if the files have wrong depths: a program may err in coverage
-/// and find its depths rightly. Errors: those of the source.
+/// Those of which explained / (wrong + adds) is a fifth or more: a mistake that would spoil far more than is wrong is
+/// no cause. For this, depths that a mistake adds count only if the files have wrong depths: a program may err in
+/// coverage and find its depths rightly. Errors: those of the source.
 Result<std::vector<Cause>> causesOf(const Shown& shown, const Judgement& judgement, const Truth& truth,
                                     const SpoiltSource& spoilt);
 

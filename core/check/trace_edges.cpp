@@ -47,8 +47,8 @@ struct FieldDifference {
     bool             isRounding = false;
 };
 
-/// The first field in which an edge differs from one of ours of the same polygon; first of all those that more than
-/// rounding explains.
+/// A field in which an edge differs from one of ours of the same polygon: the first that rounding does not explain, or
+/// else the last that it does.
 std::optional<FieldDifference> differenceOf(const TheirEdge& theirs, const EdgeRow& ours, const PolygonLimits& limits)
 {
     std::optional<FieldDifference> rounding;

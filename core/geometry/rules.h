@@ -88,8 +88,7 @@ public:
                : m_approximation.snap == SnapBits::Twelve ? 4096
                                                           : kSubpixels;
     }
-    /// Which side of a triangle is drawn. A fault: the y axis of the screen runs down, so every triangle turns the other
-    /// way, and the test for the inside takes those that show their backs.
+    /// Which side of a triangle is drawn. With a fault, that of the screen's y axis pointing down, the other side.
     Facing facing(const Facing& of) const
     {
         return takesFrontsForBacks() ? Facing{FaceCulling::Back, !of.isMirrored} : of;

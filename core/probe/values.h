@@ -1,4 +1,4 @@
-// Named values of an event, for whoever writes them down: numbers, words, rectangles, groups of values.
+// Named values of an event, as JSON and the window show them: numbers, words, rectangles, groups of values.
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,7 @@ std::string testOf(const PixelTested& p, const Telling& telling)
     if (p.discarded) return who + " lies in a hole of its material: the fragment does not exist";
     if (p.keep == Keep::DepthOnly)
         return who
-               + (p.won ? " is the nearest so far: the pre-pass keeps its depth and asks nobody's name"
+               + (p.won ? " is the nearest so far: the pre-pass keeps its depth and no id"
                         : " is not nearer than what the pre-pass has kept");
     if (p.keep == Keep::Equal && p.won)
         return who + " has exactly the depth that the pre-pass kept, so it is the one that is seen";
@@ -65,9 +65,8 @@ std::string_view tieRule(const PixelTested& e)
 std::string wonBy(const PixelTested& e, const std::string& who, const Telling& telling)
 {
     if (e.keep == Keep::DepthOnly)
-        return fmt::format(
-            "{}, near/z {:.9g}, is the nearest so far: the pre-pass keeps its depth and asks nobody's name.", who,
-            e.depth);
+        return fmt::format("{}, near/z {:.9g}, is the nearest so far: the pre-pass keeps its depth and no id.", who,
+                           e.depth);
     if (e.keep == Keep::Equal && e.rivalRank == 0)
         return fmt::format("{} has exactly the depth that the pre-pass kept, {:.9g}, so the pixel is its own.", who,
                            e.depth);

@@ -82,8 +82,8 @@ std::string verdictFor(const NodeJudged& e, const std::string& who)
     }
     if (e.query) return named + " is entered: " + questionOf(*e.query) + ".";
     return named + " is entered: it may be in view, and "
-           + (e.asksAboutNodes ? "it reaches before the near plane, so nobody can say that it is hidden."
-                               : "nobody asks whether it is hidden.");
+           + (e.asksAboutNodes ? "it reaches before the near plane, so it cannot be called hidden."
+                               : "this method does not ask whether it is hidden.");
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::string NodeJudged::sentence(const Telling&) const
     if (verdict == Verdict::Small)
         return name + " has fewer pixels on the screen than this approximation keeps: it is left out.";
     if (!query)
-        return name + " is entered: it may be in view, and nobody can say that it is hidden."
+        return name + " is entered: it may be in view, and it cannot be called hidden."
                + (isDrawnAhead ? fate + "stays remembered." : "");
     const PyramidQuery& q    = *query;
     const std::string   size = fmt::format(

@@ -643,7 +643,7 @@
         <translation>被遮住：已画的内容在其整个矩形内都更近。</translation>
     </message>
     <message>
-        <source>Entered: nobody can say that it is hidden.</source>
+        <source>Entered: it cannot be called hidden.</source>
         <translation>进入：无法断定它被遮住。</translation>
     </message>
 </context>

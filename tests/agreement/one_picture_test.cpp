@@ -280,8 +280,8 @@ TEST(OnePictureOf, BigCoordinates)
     }
 }
 
-/// A mesh far from its own origin that its matrix brings back: in the world nothing is large. Narrow strips stand behind
-/// the edges of near ones, so that float32 moves some of them into view.
+/// A mesh far from its own origin that its matrix brings back: in the world nothing is large. Narrow strips stand
+/// behind the edges of near ones, so that float32 moves some of them into view.
 TEST(OnePictureOf, InstancesThatBringAFarMeshBack)
 {
     for (const double away : {1e4, 1e5, 1e6}) {

@@ -1,5 +1,5 @@
-// Traces: our own steps are right, each kind of change is found at its row, an unsnapped sweep differs by rounding alone,
-// and a file that is no trace is refused in one sentence.
+// Traces: our own steps are right, each kind of change is found at its row, an unsnapped sweep differs by rounding
+// alone, and a file that is no trace is refused in one sentence.
 #include <algorithm>
 #include <functional>
 #include <map>

@@ -1,5 +1,5 @@
-// The homework kit: with its gaps it builds and draws nothing; with them filled it draws ZScope's picture to the bit; and
-// each variant of the solution errs as variants.json says.
+// The homework kit: with its gaps it builds and draws nothing; with them filled it draws ZScope's picture to the bit;
+// and each variant of the solution errs as variants.json says.
 #include <algorithm>
 #include <fstream>
 #include <map>

@@ -238,7 +238,7 @@ QString truthText(const Riddle& riddle)
             return riddle.answer == 0 ? PredictWords::tr("Outside: the box does not reach the view.")
                    : riddle.answer == 1
                        ? PredictWords::tr("Hidden: what is drawn already is nearer all over its rectangle.")
-                       : PredictWords::tr("Entered: nobody can say that it is hidden.");
+                       : PredictWords::tr("Entered: it cannot be called hidden.");
     }
     return {};
 }
