@@ -12,6 +12,7 @@
 #include "app/cli/peers/peer_rows.h"
 #include "app/cli/peers/peer_tables.h"
 #include "app/cli/words.h"
+#include "core/frame/shortcuts.h"
 #include "core/io/file_writer.h"
 #include "core/measure/bench.h"
 #include "core/measure/suites.h"
@@ -24,10 +25,11 @@ struct BenchOptions {
     ViewOptions                view;
     std::optional<std::string> suite, experiment, shard, algorithms, threads, simd, shortcuts, frames, seconds, rounds,
         memoryLimit, path, sample, json, csv;
-    bool noVerify = false, noShade = false, noCount = false, peers = false;
+    bool noVerify = false, noShade = false, noCount = false, peers = false, ladder = false;
 };
 
 constexpr double       kMaxSeconds       = 3'600;
+constexpr int          kLadderRounds     = 15;  // if nothing else is said
 constexpr std::int64_t kMaxSampledPixels = 100'000'000;
 constexpr std::size_t  kWarningsInTables = 0;  // 'info' is the place for them; here they would part the table
 
@@ -83,9 +85,23 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
         }
     }
     if (options.shortcuts) {
-        const Result<Shortcuts> shortcuts = shortcutsOf(*options.shortcuts);
+        const Result<ShortcutSet> shortcuts = shortcutsOf(*options.shortcuts);
         if (!shortcuts) return shortcuts.error();
         request.shortcuts = *shortcuts;
+    }
+    if (options.ladder) {
+        if (options.shortcuts)
+            return Error{Trouble::Usage, "--ladder draws with many sets of shortcuts: --shortcuts does not go with it"};
+        if (options.path) return Error{Trouble::Usage, "--ladder is climbed on one view, not along a path"};
+        if (options.peers) return Error{Trouble::Usage, "--peers have no shortcuts: they do not go with --ladder"};
+        std::vector<BenchAlgorithm> rungs;
+        for (const BenchAlgorithm& algorithm : request.algorithms) {
+            if (algorithm.pipeline.chooser == Chooser::Measured) continue;  // it is one of the others
+            const std::vector<BenchAlgorithm> own = ladderOf(algorithm);
+            rungs.insert(rungs.end(), own.begin(), own.end());
+        }
+        if (rungs.empty()) return Error{Trouble::Usage, "--ladder needs an algorithm that is composed, not chosen"};
+        request.algorithms = std::move(rungs);
     }
     if (options.frames) {
         const auto frames = wholeNumber(*options.frames, "--frames", 1, kMaxFrames);
@@ -104,6 +120,8 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
         const auto rounds = wholeNumber(*options.rounds, "--rounds", 1, request.frames);
         if (!rounds) return rounds.error();
         request.rounds = static_cast<int>(*rounds);
+    } else if (options.ladder) {
+        request.rounds = std::min(request.frames, kLadderRounds);
     }
     if (options.memoryLimit) {
         const auto limit = memoryLimitOf(*options.memoryLimit);
@@ -118,8 +136,8 @@ Result<Exit> benchExperiment(const BenchOptions& options, const ViewWords& words
 {
     const bool saysMore = !options.scenes.empty() || !words.given.empty() || words.faceCulling || options.suite
                           || options.algorithms || options.threads || options.simd || options.shortcuts
-                          || options.frames || options.seconds || options.rounds || options.path || options.sample
-                          || options.peers || options.noVerify || options.noShade || options.noCount;
+                          || options.ladder || options.frames || options.seconds || options.rounds || options.path
+                          || options.sample || options.peers || options.noVerify || options.noShade || options.noCount;
     if (saysMore)
         return Error{
             Trouble::Usage,
@@ -236,7 +254,10 @@ Result<Exit> benchScenes(const BenchOptions& options, Session& session)
         if (const auto done = writeFile(*options.csv, benchToCsv(rows)); !done) return done.error();
     if (options.json)
         if (const auto done = writeFile(*options.json, benchToJson(rows)); !done) return done.error();
-    session.print(options.peers ? peerTablesOf(rows) : *suite ? suiteTableOf(rows) : benchTableOf(rows));
+    session.print(options.peers    ? peerTablesOf(rows)
+                  : options.ladder ? ladderTableOf(rows)
+                  : *suite         ? suiteTableOf(rows)
+                                   : benchTableOf(rows));
     if (*path) session.print("\n" + seriesTableOf(rows));
     const auto isWrong = [](const BenchRow& row) { return !isPeer(row) && row.wrongPixels.value_or(0) != 0; };
     return std::ranges::any_of(rows, isWrong) ? Exit::CheckFailed : Exit::Done;
@@ -261,8 +282,8 @@ Command addBench(CLI::App& parent)
     option("--algorithms", options->algorithms, "NAME[,NAME...]|all", "Which algorithms (default all, or the suite's)");
     option("--threads", options->threads, "N[,N...]", "Thread counts; 0: one per core (default 0, or the suite's)");
     option("--simd", options->simd, "WORD[,WORD...]", "Vector instructions, see 'list simd' (default auto)");
-    option("--shortcuts", options->shortcuts, "all|none",
-           "all: the fast text; none: the plain text; same bits (default all)");
+    option("--shortcuts", options->shortcuts, "all|none|NAME,...|all-NAME",
+           "Which shortcuts draw: see 'list shortcuts'; none: the plain text; same bits (default all)");
     option("--frames", options->frames, "N", "Timed frames of every run (default 30)");
     option("--seconds", options->seconds, "S",
            "Timed frames go on, beyond --frames, until those of a run took S seconds (default 0)");
@@ -273,6 +294,8 @@ Command addBench(CLI::App& parent)
     option("--sample", options->sample, "N", "Check N random pixels of each picture instead of all");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
     parser->add_flag("--peers", options->peers, "Time Embree and llvmpipe too, on the same triangles and camera");
+    parser->add_flag("--ladder", options->ladder,
+                     "Each algorithm with no shortcut, with each alone, with each left out, and with all, in turn");
     parser->add_flag("--no-shade", options->noShade, "Time ids and depth alone, without shading");
     parser->add_flag("--no-count", options->noCount, "Do not count the work behind the times");
     parser->add_flag("--no-verify", options->noVerify, "Do not compare the pictures with the reference first");

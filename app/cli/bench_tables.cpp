@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/table.h"
+#include "core/frame/shortcuts.h"
 #include "core/measure/suites.h"
 
 namespace zscope::cli {
@@ -31,10 +32,7 @@ std::string againstBaseline(const BenchRow& row, std::span<const BenchRow> rows)
 }
 
 /// Plain text has one lane, whatever the machine has.
-std::string lanesOf(const BenchRow& row)
-{
-    return row.shortcuts == Shortcuts::None ? "plain" : std::string(wordOf(row.simd));
-}
+std::string lanesOf(const BenchRow& row) { return row.shortcuts.isEmpty() ? "plain" : std::string(wordOf(row.simd)); }
 
 std::string shareOf(std::uint64_t part, std::uint64_t whole)
 {
@@ -73,6 +71,32 @@ std::string benchTableOf(std::span<const BenchRow> rows)
                    ms(row.bestMs), ms(row.medianMs), ms(row.q1Ms), ms(row.q3Ms), ms(msOf(row, Stage::Transform)),
                    ms(msOf(row, Stage::Setup)), ms(msOf(row, Stage::Build)), ms(msOf(row, Stage::Raster)),
                    ms(msOf(row, Stage::Shade))});
+    return table.text();
+}
+
+std::string ladderTableOf(std::span<const BenchRow> rows)
+{
+    Table table({{"scene", Table::Align::Left},
+                 {"algorithm", Table::Align::Left},
+                 {"threads"},
+                 {"drawn", Table::Align::Left},
+                 {"shortcuts", Table::Align::Left},
+                 {"picture", Table::Align::Left},
+                 {"median ms"},
+                 {"/ all"},
+                 {"interval"}});
+    for (const BenchRow& row : rows) {
+        const auto whole = std::ranges::find_if(rows, [&](const BenchRow& other) {
+            return other.shortcuts.isAll() && other.scene == row.scene && other.algorithm == row.algorithm
+                   && other.threads == row.threads && other.simd == row.simd && other.shaded == row.shaded;
+        });
+        const bool isPaired =
+            whole != rows.end() && row.roundMs.size() == whole->roundMs.size() && !row.roundMs.empty();
+        const auto ratio = isPaired ? pairedRatio(row.roundMs, whole->roundMs) : PairedRatio{};
+        table.row({row.scene, row.algorithm, std::to_string(row.threads), drawnOf(row), wordsOf(row.shortcuts),
+                   pictureOf(row), ms(row.medianMs), isPaired ? fmt::format("{:.2f}", ratio.median) : "",
+                   isPaired ? fmt::format("{:.2f} to {:.2f}", ratio.low, ratio.high) : ""});
+    }
     return table.text();
 }
 

@@ -20,6 +20,8 @@ std::string benchTableOf(std::span<const BenchRow> rows);
 /// One line per run: the median against that of the z-buffer in the same scene, with the same threads and target; every
 /// stage that took time in any run; what was culled, and of how much: triangles in batches and nodes in view.
 std::string suiteTableOf(std::span<const BenchRow> rows);
+/// Of `bench --ladder`: each rung against all shortcuts, in the same rounds.
+std::string ladderTableOf(std::span<const BenchRow> rows);
 
 /// One line per run: the median against that of the baseline in the same scene with the same threads, timed in turn,
 /// with the interval that the noise leaves; every stage that took time. A run whose picture is wrong although its

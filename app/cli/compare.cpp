@@ -9,6 +9,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/table.h"
 #include "app/cli/words.h"
+#include "core/frame/shortcuts.h"
 #include "core/io/png.h"
 #include "core/measure/compare.h"
 
@@ -51,7 +52,7 @@ Result<CompareRequest> requestOf(const CompareOptions& options, Session& session
         request.simd = *simd;
     }
     if (options.shortcuts) {
-        const Result<Shortcuts> shortcuts = shortcutsOf(*options.shortcuts);
+        const Result<ShortcutSet> shortcuts = shortcutsOf(*options.shortcuts);
         if (!shortcuts) return shortcuts.error();
         request.shortcuts = *shortcuts;
     }
@@ -159,8 +160,8 @@ Command addCompare(CLI::App& parent)
            "Which algorithms; the others are held against the first");
     option("--threads", options->threads, "N", "How many threads; 0: one per core (default 0)");
     option("--simd", options->simd, "WORD", "Vector instructions, see 'list simd' (default auto)");
-    option("--shortcuts", options->shortcuts, "all|none",
-           "all: the fast text; none: the plain text; same bits (default all)");
+    option("--shortcuts", options->shortcuts, "all|none|NAME,...|all-NAME",
+           "Which shortcuts draw: see 'list shortcuts'; none: the plain text; same bits (default all)");
     option("--frames", options->frames, "N", "Timed frames of each (default 9)");
     option("--memory-limit", options->memoryLimit, "MIB", "Most memory that may be taken");
     parser->add_flag("--require-equal", options->requireEqual,

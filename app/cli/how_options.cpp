@@ -8,6 +8,7 @@
 #include "core/base/quotable.h"
 #include "core/base/thread_count.h"
 #include "core/frame/faults.h"
+#include "core/frame/shortcuts.h"
 
 namespace zscope::cli {
 namespace {
@@ -133,9 +134,11 @@ void HowOptions::add(CLI::App& parser, Algorithms algorithms)
         ->type_name("WORD")
         ->group("How");
     parser
-        .add_option("--shortcuts", m_shortcuts,
-                    "all: the fast text; none: the plain text of the methods; same bits (default all)")
-        ->type_name("WORD")
+        .add_option(
+            "--shortcuts", m_shortcuts,
+            "Which shortcuts draw: all, none (the plain text), names with commas between them, or all-NAME; the "
+            "picture has the same bits (default all)")
+        ->type_name("WORDS")
         ->group("How");
     parser
         .add_option("--memory-limit", m_memoryLimit,
@@ -179,13 +182,6 @@ Result<int> threadsOf(std::string_view word)
     const auto threads = wholeNumber(word, "--threads", 0, kMaxThreads);
     if (!threads) return threads.error();
     return static_cast<int>(*threads);
-}
-
-Result<Shortcuts> shortcutsOf(std::string_view word)
-{
-    if (word == "all") return Shortcuts::All;
-    if (word == "none") return Shortcuts::None;
-    return Error{Trouble::Usage, fmt::format("--shortcuts takes 'all' or 'none', not '{}'", quotable(word))};
 }
 
 Result<Simd> simdOf(std::string_view word)
@@ -255,7 +251,7 @@ Result<How> HowOptions::read() const
         how.simd = *simd;
     }
     if (m_shortcuts) {
-        const Result<Shortcuts> shortcuts = shortcutsOf(*m_shortcuts);
+        const Result<ShortcutSet> shortcuts = shortcutsOf(*m_shortcuts);
         if (!shortcuts) return shortcuts.error();
         how.shortcuts = *shortcuts;
     }

@@ -9,6 +9,7 @@
 #include "core/frame/faults.h"
 #include "core/frame/pipeline.h"
 #include "core/frame/renderer.h"
+#include "core/frame/shortcuts.h"
 #include "core/lesson/layers.h"
 #include "core/measure/suites.h"
 #include "core/scene/load.h"
@@ -115,13 +116,38 @@ Json suiteList()
     return list;
 }
 
+Json shortcutList()
+{
+    Json list = Json::array();
+    for (const ShortcutEntry& entry : shortcutEntries()) {
+        Json needs = Json::array(), can = Json::array(), whyNot = Json::object();
+        for (const Shortcut needed : entry.needs) needs.push_back(entryOf(needed).name);
+        for (const Preset& preset : presets()) {
+            const std::string_view plain = whyPlain(preset.pipeline);
+            const std::string_view why   = plain.empty() ? entry.whyNot(preset.pipeline) : plain;
+            if (!why.empty())
+                whyNot[std::string(preset.name)] = why;
+            else
+                can.push_back(preset.name);
+        }
+        list.push_back({{"name", entry.name},
+                        {"title", entry.title},
+                        {"kind", wordOf(entry.kind)},
+                        {"replaces", entry.replaces},
+                        {"needs", std::move(needs)},
+                        {"presets", std::move(can)},
+                        {"why_not", std::move(whyNot)}});
+    }
+    return list;
+}
+
 struct Kind {
     std::string_view word;
     Json (*list)();
 };
-constexpr std::array kKinds{Kind{"algorithms", algorithms}, Kind{"choices", choices}, Kind{"scenes", scenes},
-                            Kind{"layers", layerList},      Kind{"grains", grains},   Kind{"simd", simd},
-                            Kind{"suites", suiteList},      Kind{"faults", faultList}};
+constexpr std::array kKinds{Kind{"algorithms", algorithms}, Kind{"choices", choices},  Kind{"scenes", scenes},
+                            Kind{"layers", layerList},      Kind{"grains", grains},    Kind{"simd", simd},
+                            Kind{"suites", suiteList},      Kind{"faults", faultList}, Kind{"shortcuts", shortcutList}};
 
 std::string cellOf(const Json& value)
 {
@@ -137,9 +163,11 @@ std::string tableOf(const Json& list)
 {
     if (list.empty()) return "";
     const auto               isSentence = [](const std::string& key) { return key == "cause" || key == "cure"; };
+    const auto               isOfJson   = [](const std::string& key) { return key == "presets" || key == "why_not"; };
     std::vector<std::string> keys;
     for (const auto& member : list.front().items())
-        if (member.key() != "title" && !isSentence(member.key())) keys.push_back(member.key());
+        if (member.key() != "title" && !isSentence(member.key()) && !isOfJson(member.key()))
+            keys.push_back(member.key());
     keys.emplace_back("title");
     std::vector<Table::Column> columns;
     for (const std::string& key : keys) columns.push_back({key, Table::Align::Left});

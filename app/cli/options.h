@@ -88,7 +88,7 @@ struct How {
     std::vector<NamedPipeline> algorithms;       // one, unless the subcommand takes several
     int                        threads     = 0;  // 0: one per core
     Simd                       simd        = Simd::Auto;
-    Shortcuts                  shortcuts   = Shortcuts::All;
+    ShortcutSet                shortcuts   = ShortcutSet::all();
     std::uint64_t              memoryLimit = 0;  // bytes; 0: the default
 
     const NamedPipeline& algorithm() const { return algorithms.front(); }
@@ -113,7 +113,6 @@ Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words);
 /// 0: one per core.
 Result<int>           threadsOf(std::string_view word);
 Result<Simd>          simdOf(std::string_view word);
-Result<Shortcuts>     shortcutsOf(std::string_view word);
 Result<std::uint64_t> memoryLimitOf(std::string_view word);
 
 }  // namespace zscope::cli

@@ -10,6 +10,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/table.h"
 #include "app/cli/words.h"
+#include "core/frame/shortcuts.h"
 #include "core/io/file_writer.h"
 #include "core/io/npy.h"
 #include "core/io/png.h"
@@ -113,14 +114,18 @@ Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& draw
     Json stages = Json::array();
     for (const StageTime& stage : drawn.report.stages)
         stages.push_back({{"name", wordOf(stage.stage)}, {"ms", stage.ms}, {"ran", stage.ran}, {"why", stage.why}});
-    const VisibilityBuffer& visible = drawn.frame.visible;
-    const FrameReport&      report  = drawn.report;
+    const VisibilityBuffer& visible   = drawn.frame.visible;
+    const FrameReport&      report    = drawn.report;
+    Json                    shortcuts = Json::array();
+    for (const ShortcutUse& use : usesOf(report.shortcuts, report.pipeline))
+        shortcuts.push_back({{"name", use.name}, {"applies", use.applies}, {"why", use.why}});
     return {
         {"algorithm", algorithm},
         {"chosen", report.chosen.empty() ? Json(nullptr) : Json(report.chosen)},
         {"why", report.why.empty() ? Json(nullptr) : Json(report.why)},
         {"threads", drawn.report.threads},
         {"simd", wordOf(drawn.report.simd)},
+        {"shortcuts", std::move(shortcuts)},
         {"scene",
          {{"name", scene.name},
           {"triangles", scene.triangleCount()},

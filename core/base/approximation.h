@@ -27,6 +27,12 @@ enum class CellDescent { Descend, OneLevel };
 /// What becomes of a node whose whole rectangle on the screen has fewer pixels.
 enum class SmallNodes { Keep, DropBelow4, DropBelow16 };
 
+/// Pixels: what smaller nodes are dropped.
+constexpr double smallestNodeOf(SmallNodes which)
+{
+    return which == SmallNodes::DropBelow4 ? 4 : which == SmallNodes::DropBelow16 ? 16 : 0;
+}
+
 struct Approximation {
     SnapBits      snap   = SnapBits::Eight;
     VertexNumbers vertex = VertexNumbers::Float64;
@@ -37,6 +43,13 @@ struct Approximation {
     CellDescent   cells  = CellDescent::Descend;
     SmallNodes    small  = SmallNodes::Keep;
 
+    /// True if each lane can find its own numbers (LaneRules in core/geometry/rules.h): nothing is carried from pixel to
+    /// pixel, from line to line or from question to question, and corners lie on whole subpixels.
+    bool suitsLanes() const
+    {
+        return snap != SnapBits::Twelve && cells == CellDescent::Descend && depth != DepthNumbers::Accumulated
+               && edges == EdgeSteps::Exact;
+    }
     bool        isAny() const { return *this != Approximation{}; }
     friend bool operator==(const Approximation&, const Approximation&) = default;
 };

@@ -13,13 +13,11 @@ HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
 /// Of a wide pyramid the answer says nothing but whether the box, or the shape inside it, is hidden.
-template <class Shape, class Rules>
-PyramidQuery askPyramid(Pyramid& pyramid, const PixelBox& box, double nearest, const Shape& shape, const Rules& rules)
+template <class Shape>
+PyramidQuery askPyramid(Pyramid& pyramid, const PixelBox& box, double nearest, const Shape& shape,
+                        const LaneRules& rules)
 {
-    if constexpr (Rules::kExact)
-        if (pyramid.isWide())
-            return {.box = box, .hidden = WidePyramid(pyramid).hides(box, rules.stored(nearest), shape)};
-    if (rules.asksOneLevel()) return pyramid.askOneLevel(box, rules.stored(nearest), Untold{});
+    if (pyramid.isWide()) return {.box = box, .hidden = WidePyramid(pyramid).hides(box, rules.stored(nearest), shape)};
     return pyramid.ask(box, rules.stored(nearest), shape, Untold{});
 }
 

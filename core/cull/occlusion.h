@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/base/shortcut.h"
 #include "core/cull/after_drawing.h"
 #include "core/cull/cull_events.h"
 #include "core/depth/pyramid_told.h"
@@ -51,10 +52,11 @@ float farthestOver(const DepthPlane& plane, const PixelBox& pixels, const Rules&
 struct TileUpkeep {
     Pyramid* pyramid;  // or nullptr
     // nobody reads the visibility buffer's pixels while it is drawn to, unless they know of planes
-    bool takesPlanes;
+    bool        takesPlanes;
+    ShortcutSet shortcuts;
 
     /// True if tiles are asked about, and drawnTile() wants to hear of them.
-    bool isKept() const { return pyramid && pyramid->takesTiles(); }
+    bool isKept() const { return pyramid && shortcuts.has(Shortcut::StoredTiles) && pyramid->takesTiles(); }
     /// Of the tile that holds (x, y), if isKept().
     bool hides(int x, int y, float nearest) const { return pyramid->hidesTile(x, y, nearest); }
     void drawnTile(int x, int y, float farthest) const { pyramid->drawnTile(x, y, farthest, Untold{}); }

@@ -53,11 +53,13 @@ private:
 /// Blends the stripe's transparent surfaces over `colour`. `rules` without a fault: faults belong to the opaque
 /// picture.
 void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order,
-                 const ChosenRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                 const LaneRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
                  GridView<std::uint32_t> colour)
 {
     BlendScratch& blend = scratch.blend;
-    blend.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), EdgeTable::Sides::OfWide, stripe.memory);
+    blend.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(),
+                      stripe.shortcuts.has(Shortcut::SharedSides) ? EdgeTable::Sides::OfWide : EdgeTable::Sides::All,
+                      stripe.memory);
     blend.paints.clear();
     clock.countAllAs(Stage::Shade);
     Tally       ofSweep;  // what is counted is the blending, not the sweep beneath it

@@ -8,7 +8,7 @@
 namespace zscope {
 
 void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order,
-                 const ChosenRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                 const LaneRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
                  GridView<std::uint32_t> colour)
 {
     HWY_STATIC_DISPATCH(blendStripe)(surfaces, colours, order, rules, stripe, scratch, clock, colour);

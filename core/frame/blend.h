@@ -10,7 +10,7 @@ namespace zscope {
 
 /// Blends the stripe's transparent surfaces over `colour`, which holds the opaque colours and has the picture's size.
 void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order,
-                 const ChosenRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                 const LaneRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
                  GridView<std::uint32_t> colour);
 
 }  // namespace zscope

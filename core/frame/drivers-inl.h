@@ -36,38 +36,20 @@ struct Pass {
 };
 
 /// Turns each triangle of a batch into pixels as soon as it is set up, unless the pyramid says it is hidden.
-template <class Scan, class Rules>
+template <class Scan>
 struct ScanConvert {
     const Pass&      pass;
     const Stripe&    stripe;
-    WindowList&      windows;
-    SampleList&      samples;
-    Tally&           tally;
+    StripeScratch&   scratch;
     const Occlusion& occlusion;
     StageClock&      clock;
-    const Rules&     rules;
+    const LaneRules& rules;
 
     DrawnTriangles operator()(TriangleList& triangles) const
     {
         if (triangles.isEmpty()) return {};
-        const auto unshaded = [](const ScreenTriangle&) { return UnshadedFragments(); };
-        const auto early    = [this](const ScreenTriangle& triangle) {
-            return ShadedFragments<ShadingMoment::AfterTest>(*stripe.painter, triangle.rank());
-        };
-        const auto late = [this](const ScreenTriangle& triangle) {
-            return ShadedFragments<ShadingMoment::BeforeTest>(*stripe.painter, triangle.rank());
-        };
-        DrawnTriangles all;
-        const bool     shades = pass.shading != ShadingMoment::Never;
-        if (pass.keep == Keep::DepthOnly)
-            all = convert<Keep::DepthOnly>(triangles, unshaded);
-        else if (pass.keep == Keep::Equal)
-            all = shades ? convert<Keep::Equal>(triangles, early) : convert<Keep::Equal>(triangles, unshaded);
-        else if (pass.shading == ShadingMoment::BeforeTest)
-            all = convert<Keep::Nearest>(triangles, late);
-        else
-            all = shades ? convert<Keep::Nearest>(triangles, early) : convert<Keep::Nearest>(triangles, unshaded);
-        tally.add(Unit::TrianglesDrawn, all.drawn);
+        const DrawnTriangles all = rules.hasExactDepths() ? drawBy(ExactRules(), triangles) : drawBy(rules, triangles);
+        scratch.tally.add(Unit::TrianglesDrawn, all.drawn);
         clock.lap(Stage::Raster);
         return all;
     }
@@ -77,10 +59,31 @@ private:
     /// average over a batch, and of one that is compact (measured, docs/performance.md).
     static constexpr std::uint64_t kWorthAsking = 32, kWorthAskingOne = 128;
 
-    template <Keep kKeep, class FragmentsOf>
-    DrawnTriangles convert(TriangleList& triangles, const FragmentsOf& fragmentsOf) const
+    /// `depths`: the rules by which pixels are tested. By what a pass keeps and when it shades.
+    template <class Rules>
+    DrawnTriangles drawBy(const Rules& depths, TriangleList& triangles) const
     {
-        using Fragments = decltype(fragmentsOf(ScreenTriangle{}));
+        const auto unshaded = [](std::uint32_t) { return UnshadedFragments(); };
+        if (pass.keep == Keep::DepthOnly) return convert<Keep::DepthOnly>(triangles, unshaded, depths);
+        if (pass.shading == ShadingMoment::Never)
+            return pass.keep == Keep::Equal ? convert<Keep::Equal>(triangles, unshaded, depths)
+                                            : convert<Keep::Nearest>(triangles, unshaded, depths);
+
+        const Shading shading{*stripe.painter, stripe.visible, scratch.fragments, scratch.tally};
+        const auto early = [&](std::uint32_t rank) { return ShadedFragments<ShadingMoment::AfterTest>(shading, rank); };
+        const auto late = [&](std::uint32_t rank) { return ShadedFragments<ShadingMoment::BeforeTest>(shading, rank); };
+        const DrawnTriangles all = pass.keep == Keep::Equal ? convert<Keep::Equal>(triangles, early, depths)
+                                   : pass.shading == ShadingMoment::BeforeTest
+                                       ? convert<Keep::Nearest>(triangles, late, depths)
+                                       : convert<Keep::Nearest>(triangles, early, depths);
+        shading.flush();
+        return all;
+    }
+
+    /// fragmentsOf(rank): what becomes of a triangle's fragments besides their test (core/scan/fragments.h).
+    template <Keep kKeep, class FragmentsOf, class Rules>
+    DrawnTriangles convert(TriangleList& triangles, const FragmentsOf& fragmentsOf, const Rules& depths) const
+    {
         // A large triangle may hide the next one; of small ones all are asked first, so that they can be drawn
         // together.
         const bool     asks       = asksTriangles(triangles);
@@ -90,12 +93,10 @@ private:
             for (std::size_t i = 0; i < triangles.count; ++i)
                 if (isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
 
-        if constexpr (drawsWindows<Fragments>()) {
-            if (!needsEachAtOnce() && (!asksInTurn || asksOfAskedNodes())) {
-                drawTogether<kKeep>(triangles, asksInTurn, fragmentsOf, all);
-                all.drawn = static_cast<std::uint32_t>(triangles.count) - all.hidden;
-                return all;
-            }
+        if (drawsWindows() && !needsEachAtOnce() && (!asksInTurn || asksOfAskedNodes())) {
+            drawTogether<kKeep>(triangles, asksInTurn, fragmentsOf, depths, all);
+            all.drawn = static_cast<std::uint32_t>(triangles.count) - all.hidden;
+            return all;
         }
         for (const std::uint32_t i : triangles.inTurn(true)) {
             // each may take long then
@@ -103,43 +104,66 @@ private:
             if (triangles.isHidden(i)) continue;
             ++all.drawn;
             const ScreenTriangle triangle = triangles[i];
-            if (!drawByWindows<kKeep, Fragments>(triangles, i)) draw<kKeep>(triangle, fragmentsOf);
+            if (!drawByWindows<kKeep>(triangles, i, fragmentsOf, depths)) draw<kKeep>(triangle, fragmentsOf, depths);
             if (!pass.tiles && occlusion.afterDrawing != AfterDrawing::MarkStale) keepTrue(occlusion, triangle, rules);
         }
         return all;
     }
 
-    /// True if such fragments may be drawn by windows.
-    template <class Fragments>
-    static constexpr bool drawsWindows()
-    {
-        return std::is_same_v<Scan, HalfSpace> && Rules::kExact && Fragments::kMoment == ShadingMoment::Never;
-    }
+    bool drawsWindows() const { return std::is_same_v<Scan, HalfSpace> && stripe.shortcuts.has(Shortcut::Windows); }
 
-    /// What keeps a pyramid true wants to know of each triangle when it has been drawn; tiles are asked before.
+    /// What keeps a pyramid true wants to know of each triangle when it has been drawn.
     bool needsEachAtOnce() const
     {
-        return pass.tiles
-               || (occlusion.afterDrawing != AfterDrawing::Nothing
-                   && occlusion.afterDrawing != AfterDrawing::MarkStale);
+        return occlusion.afterDrawing != AfterDrawing::Nothing && occlusion.afterDrawing != AfterDrawing::MarkStale;
     }
 
     /// First those that stand alone: they may hide each other and the others, which are drawn together.
-    template <Keep kKeep, class FragmentsOf>
-    void drawTogether(TriangleList& triangles, bool asks, const FragmentsOf& fragmentsOf, DrawnTriangles& all) const
+    template <Keep kKeep, class FragmentsOf, class Rules>
+    void drawTogether(TriangleList& triangles, bool asks, const FragmentsOf& fragmentsOf, const Rules& depths,
+                      DrawnTriangles& all) const
     {
         for (const std::uint32_t i : triangles.inTurn(false)) {
             if (asks && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
-            if (!triangles.isHidden(i)) draw<kKeep>(triangles[i], fragmentsOf);
+            if (!triangles.isHidden(i)) draw<kKeep>(triangles[i], fragmentsOf, depths);
         }
         if (triangles.compactReach.isEmpty()) return;
+        if (pass.tiles) dropHiddenInTiles(triangles, depths);
         for (std::size_t i = 0; asks && i < triangles.count; ++i)
             if (!triangles.isAlone(i) && isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
         openCompact(triangles);
-        WindowFinder(triangles, windows).add(0, triangles.count);
-        tally.add(Unit::Windows, windows.windows());
-        testTiny<kKeep>(triangles, 0, triangles.count, samples, stripe.visible);
-        testWindows<kKeep>(triangles, windows, stripe.visible);
+        testCompact<kKeep>(triangles, 0, triangles.count, fragmentsOf, depths);
+    }
+
+    /// The compact triangles among [first, end), to which tiles are open.
+    template <Keep kKeep, class FragmentsOf, class Rules>
+    void testCompact(TriangleList& triangles, std::size_t first, std::size_t end, const FragmentsOf& fragmentsOf,
+                     const Rules& depths) const
+    {
+        WindowFinder(triangles, scratch.windows).add(first, end);
+        scratch.tally.add(Unit::Windows, scratch.windows.windows());
+        testTiny<kKeep>(triangles, first, end, scratch.samples, stripe.visible, depths, fragmentsOf);
+        testWindows<kKeep>(triangles, scratch.windows, stripe.visible, depths, fragmentsOf);
+    }
+
+    /// Of the compact triangles those are dropped that all the tiles under their boxes hide. Of a batch all are asked
+    /// about before any is drawn, so that a stale tile is brought up to date once.
+    template <class Rules>
+    void dropHiddenInTiles(TriangleList& triangles, const Rules& depths) const
+    {
+        for (std::size_t i = 0; i < triangles.count; ++i)
+            if (!triangles.isAlone(i) && areTilesHiding(triangles.box(i), depths.stored(triangles.nearest[i])))
+                triangles.kind[i] |= TriangleList::kHidden;
+    }
+
+    bool areTilesHiding(const PixelBox& box, float nearest) const
+    {
+        constexpr int kSide = 1 << Pyramid::kTileLevel;
+        const int     left = box.x0 / kSide * kSide, top = stripe.firstRow + (box.y0 - stripe.firstRow) / kSide * kSide;
+        for (int y = top; y < box.y1; y += kSide)
+            for (int x = left; x < box.x1; x += kSide)
+                if (!pass.tiles->askTile(x, y, nearest, Untold{}).hidden) return false;
+        return true;
     }
 
     /// Opens what compact triangles may be drawn to, and lets the pyramid know: all of their reach where it has no more
@@ -147,62 +171,72 @@ private:
     void openCompact(const TriangleList& triangles) const
     {
         const PixelBox& reach     = triangles.compactReach;
-        const bool      marks     = occlusion.afterDrawing == AfterDrawing::MarkStale;
+        Pyramid* const  marked    = markedStale();
+        const bool      marks     = marked != nullptr;
         const bool      opensAll  = VisibilityBuffer::tilesIn(reach) <= triangles.count;
         const bool      marksAll  = marks && Pyramid::tilesIn(reach) <= triangles.count;
         const bool      marksEach = marks && !marksAll;
         if (opensAll) openTiles(stripe.visible, reach);
-        if (marksAll) occlusion.pyramid->touched(reach);
+        if (marksAll) marked->touched(reach);
         if (opensAll && !marksEach) return;
         for (std::size_t i = 0; i < triangles.count; ++i) {
             if (triangles.isAlone(i) || triangles.isHidden(i)) continue;
             if (!opensAll) openTiles(stripe.visible, triangles.box(i));
-            if (marksEach) occlusion.pyramid->touched(triangles.box(i));
+            if (marksEach) marked->touched(triangles.box(i));
         }
     }
 
-    /// False if the triangle is none of those that are drawn by windows.
-    template <Keep kKeep, class Fragments>
-    bool drawByWindows(const TriangleList& triangles, std::size_t i) const
+    /// The pyramid whose cells wait for a question once something has been drawn over them; or nullptr.
+    Pyramid* markedStale() const
     {
-        if constexpr (!drawsWindows<Fragments>()) return false;
-        if (pass.tiles || triangles.isAlone(i)) return false;
-        WindowFinder(triangles, windows).add(i, i + 1);
-        tally.add(Unit::Windows, windows.windows());
+        if (pass.tiles) return pass.tiles;
+        return occlusion.afterDrawing == AfterDrawing::MarkStale ? occlusion.pyramid : nullptr;
+    }
+
+    /// False if the triangle is none of those that are drawn by windows.
+    template <Keep kKeep, class FragmentsOf, class Rules>
+    bool drawByWindows(TriangleList& triangles, std::size_t i, const FragmentsOf& fragmentsOf,
+                       const Rules& depths) const
+    {
+        if (!drawsWindows() || triangles.isAlone(i)) return false;
+        if (pass.tiles && areTilesHiding(triangles.box(i), depths.stored(triangles.nearest[i]))) return true;
         openTiles(stripe.visible, triangles.box(i));
-        testTiny<kKeep>(triangles, i, i + 1, samples, stripe.visible);
-        testWindows<kKeep>(triangles, windows, stripe.visible);
-        if (occlusion.afterDrawing == AfterDrawing::MarkStale) occlusion.pyramid->touched(triangles.box(i));
+        testCompact<kKeep>(triangles, i, i + 1, fragmentsOf, depths);
+        if (Pyramid* marked = markedStale()) marked->touched(triangles.box(i));
         return true;
     }
 
-    template <Keep kKeep, class FragmentsOf>
-    void draw(const ScreenTriangle& triangle, const FragmentsOf& fragmentsOf) const
+    template <Keep kKeep, class FragmentsOf, class Rules>
+    void draw(const ScreenTriangle& triangle, const FragmentsOf& fragmentsOf, const Rules& depths) const
     {
+        const auto fragments = fragmentsOf(triangle.rank());
         if (triangle.patterned)
-            fill<kKeep>(triangle,
-                        PatternedFragments(fragmentsOf(triangle),
-                                           patternPlaneOf(stripe.scene.scene(), stripe.projection, triangle.id)));
+            fill<kKeep>(
+                triangle,
+                PatternedFragments(fragments, patternPlaneOf(stripe.scene.scene(), stripe.projection, triangle.id)),
+                depths);
         else
-            fill<kKeep>(triangle, fragmentsOf(triangle));
+            fill<kKeep>(triangle, fragments, depths);
     }
 
-    template <Keep kKeep, class Fragments>
-    void fill(const ScreenTriangle& triangle, const Fragments& fragments) const
+    template <Keep kKeep, class Fragments, class Rules>
+    void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Rules& depths) const
     {
         const bool       waits = occlusion.afterDrawing == AfterDrawing::MarkStale && !pass.tiles;
-        const TileUpkeep upkeep{waits ? occlusion.pyramid : nullptr,
-                                waits || occlusion.afterDrawing == AfterDrawing::Nothing};
+        const TileUpkeep upkeep{
+            waits ? occlusion.pyramid : nullptr,
+            stripe.shortcuts.has(Shortcut::TilePlanes) && (waits || occlusion.afterDrawing == AfterDrawing::Nothing),
+            stripe.shortcuts};
         if constexpr (std::is_same_v<Scan, HalfSpace>) {
             if constexpr (kKeep == Keep::Nearest) {
                 if (pass.tiles)
                     return HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, Untold{}, fragments, stripe.visible,
-                                                         rules);
+                                                         depths);
             }
-            HalfSpace::fill<kKeep>(triangle, fragments, upkeep, stripe.visible, rules);
+            HalfSpace::fill<kKeep>(triangle, fragments, upkeep, stripe.visible, depths);
         } else {
             stripe.visible.open(triangle.box);
-            Scan::template fill<kKeep>(triangle, fragments, stripe.visible, rules);
+            Scan::template fill<kKeep>(triangle, fragments, stripe.visible, depths);
             upkeep.touched(triangle.box);
         }
     }
@@ -211,10 +245,12 @@ private:
     /// more than the pixels that it could save.
     bool asksOfAskedNodes() const { return occlusion.asksNodes && occlusion.afterDrawing == AfterDrawing::MarkStale; }
 
+    bool skipsQuestions() const { return asksOfAskedNodes() && stripe.shortcuts.has(Shortcut::SkippedQuestions); }
+
     /// Whether any of a batch is asked about; if so, isWorthAsking() says which.
     bool asksTriangles(const TriangleList& triangles) const
     {
-        if (!occlusion.asksTriangles || !asksOfAskedNodes()) return occlusion.asksTriangles;
+        if (!occlusion.asksTriangles || !skipsQuestions()) return occlusion.asksTriangles;
         std::uint64_t pixels = 0;
         for (std::size_t i = 0; i < triangles.count; ++i) pixels += triangles.box(i).area();
         return pixels >= kWorthAsking * triangles.count;
@@ -222,7 +258,7 @@ private:
 
     bool isWorthAsking(const TriangleList& triangles, std::size_t i) const
     {
-        return !asksOfAskedNodes() || !triangles.is(TriangleList::kCompact, i)
+        return !skipsQuestions() || !triangles.is(TriangleList::kCompact, i)
                || triangles.box(i).area() >= kWorthAskingOne;
     }
 
@@ -239,7 +275,7 @@ private:
         const auto ask = [&](const auto& shape) {
             return askPyramid(*occlusion.pyramid, triangles.box(i), triangles.nearest[i], shape, rules);
         };
-        tally.add(Unit::Questions);
+        scratch.tally.add(Unit::Questions);
         const PyramidQuery query =
             occlusion.asksByShape ? ask(TriangleCover(triangles[i], rules.notOwned())) : ask(WholeBox{});
         return query.hidden;
@@ -247,28 +283,27 @@ private:
 };
 
 /// First what the last frame saw, unasked; then everything else, against the pyramid over the first.
-template <class Scan, class Rules>
+template <class Scan>
 void drawTwoPasses(const Pass& pass, const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees,
-                   const Occlusion& occlusion, StageClock& clock, const Rules& rules)
+                   const Occlusion& occlusion, StageClock& clock, const LaneRules& rules)
 {
-    using Convert = ScanConvert<Scan, Rules>;
-    scratch.memory.begin(trees, Rules::kExact && occlusion.asksPixels);
+    using Convert = ScanConvert<Scan>;
+    scratch.memory.begin(trees, occlusion.asksPixels && stripe.shortcuts.has(Shortcut::WholeNodes));
     const Occlusion blind{
         .pyramid = occlusion.pyramid, .asksPixels = occlusion.asksPixels, .afterDrawing = occlusion.afterDrawing};
-    const Convert drawAll{pass, stripe, scratch.windows, scratch.samples, scratch.tally, blind, clock, rules};
+    const Convert drawAll{pass, stripe, scratch, blind, clock, rules};
     FrontToBack(stripe, scratch, trees, blind, clock, drawAll, rules, &scratch.memory).drawRemembered();
-    const Convert drawUnhidden{pass, stripe, scratch.windows, scratch.samples, scratch.tally, occlusion, clock, rules};
+    const Convert drawUnhidden{pass, stripe, scratch, occlusion, clock, rules};
     FrontToBack(stripe, scratch, trees, occlusion, clock, drawUnhidden, rules, &scratch.memory).visitScene();
     scratch.memory.finish();
 }
 
 /// The scene in the pipeline's order.
-template <class Scan, class Rules>
+template <class Scan>
 void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, StripeScratch& scratch,
-              const Occlusion& occlusion, StageClock& clock, const Rules& rules)
+              const Occlusion& occlusion, StageClock& clock, const LaneRules& rules)
 {
-    const ScanConvert<Scan, Rules> convert{pass,          stripe,    scratch.windows, scratch.samples,
-                                           scratch.tally, occlusion, clock,           rules};
+    const ScanConvert<Scan> convert{pass, stripe, scratch, occlusion, clock, rules};
     if (pipeline.order == Order::Submitted) {
         visitAsSubmitted(stripe, scratch, clock, convert, rules);
         return;
@@ -281,14 +316,6 @@ void drawPass(const Pipeline& pipeline, const Pass& pass, const Stripe& stripe, 
         return;
     }
     drawTwoPasses<Scan>(pass, stripe, scratch, trees, occlusion, clock, rules);
-}
-
-/// Forgets the last picture. Approximate edges may leave the boxes of their triangles.
-template <class Rules>
-void beginPicture(const Stripe& stripe)
-{
-    stripe.visible.emptyRows(stripe.firstRow, stripe.endRow);
-    if constexpr (!Rules::kExact) stripe.visible.open(stripe.region());
 }
 
 inline AfterDrawing afterDrawing(const Pipeline& pipeline)
@@ -309,26 +336,27 @@ inline AfterDrawing afterDrawing(const Pipeline& pipeline)
     return AfterDrawing::Nothing;
 }
 
-/// Whether the visibility buffer's own pixels are asked, before set-up, where nodes and triangles are asked about: only
-/// where each frame's pyramid is its own and whatever is hidden costs nothing.
-inline bool asksPixels(const Pipeline& pipeline, ShadingMoment shading)
+/// Whether the visibility buffer's own pixels may be asked, before set-up, where nodes and triangles are asked about: only
+/// where each frame's pyramid is its own, whatever is hidden costs nothing, and what a batch may reach is known by the
+/// definition's numbers.
+inline bool mayAskPixels(const Pipeline& pipeline, ShadingMoment shading, const LaneRules& rules)
 {
-    return pipeline.cull == Cull::NodesAndTriangles && pipeline.upkeep == Upkeep::OnQuery
+    return rules.hasExactDepths() && !rules.movesCorners() && !rules.dependsOnVisit()
+           && pipeline.cull == Cull::NodesAndTriangles && pipeline.upkeep == Upkeep::OnQuery
            && pipeline.depth == DepthMoment::Deferred && pipeline.coherence != Coherence::LastPyramid
            && shading == ShadingMoment::Never;
 }
 
-/// Lanes read many tiles at once. A method that asks pixels asks no other levels.
-template <class Rules>
-PyramidKind pyramidKind(const Pipeline& pipeline, bool asksPixels)
+/// Lanes read many tiles at once. A method that may ask pixels asks no other levels.
+inline PyramidKind pyramidKind(const Pipeline& pipeline, bool mayAskPixels, ShortcutSet shortcuts)
 {
     if (pipeline.upkeep == Upkeep::Masked) return PyramidKind::Masked;
-    return Rules::kExact && asksPixels ? PyramidKind::Wide : PyramidKind::Deep;
+    return mayAskPixels && shortcuts.has(Shortcut::TwoLevelPyramid) ? PyramidKind::Wide : PyramidKind::Deep;
 }
 
-template <class Scan, class Rules>
+template <class Scan>
 void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                const Rules& rules)
+                const LaneRules& rules)
 {
     const bool hasPrepass = pipeline.depth == DepthMoment::Prepass;
     const bool hasPyramid = pipeline.upkeep != Upkeep::None;
@@ -338,14 +366,14 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                                                                   : ShadingMoment::AfterTest;
 
     scratch.pyramid.readTilesBy(leastKeyOfTile);
-    beginPicture<Rules>(stripe);
+    stripe.visible.emptyRows(stripe.firstRow, stripe.endRow);  // the last picture is forgotten
     if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
-    const bool asksLast    = pipeline.coherence == Coherence::LastPyramid;
-    const bool looksItself = asksPixels(pipeline, shading) && std::is_same_v<Scan, HalfSpace>;
-    const bool continues   = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
+    const bool asksLast  = pipeline.coherence == Coherence::LastPyramid;
+    const bool mayLook   = mayAskPixels(pipeline, shading, rules) && std::is_same_v<Scan, HalfSpace>;
+    const bool continues = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
     if ((hasPyramid || hasTiles) && !continues)
         scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow, FaultSet{},
-                              pyramidKind<Rules>(pipeline, looksItself));
+                              pyramidKind(pipeline, mayLook, stripe.shortcuts));
     clock.lap(Stage::Clear);
 
     if (hasPrepass) {
@@ -363,7 +391,7 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                               .asksNodes     = asksNodes(pipeline.cull),
                               .asksTriangles = asksTriangles(pipeline.cull),
                               .asksByShape   = pipeline.query == TriangleQuery::Triangle,
-                              .asksPixels    = looksItself,
+                              .asksPixels    = mayLook && stripe.shortcuts.has(Shortcut::HiddenSquares),
                               .afterDrawing  = asksLast ? AfterDrawing::Nothing : afterDrawing(pipeline)};
     const Pass      pass{.keep    = hasPrepass ? Keep::Equal : Keep::Nearest,
                          .shading = shading,
@@ -422,12 +450,12 @@ private:
     }
 };
 
-template <class Rules>
-void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                   const Rules& rules)
+inline void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                          const LaneRules& rules)
 {
-    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), EdgeTable::Sides::OfWide,
-                        stripe.memory);
+    const EdgeTable::Sides sides =
+        stripe.shortcuts.has(Shortcut::SharedSides) ? EdgeTable::Sides::OfWide : EdgeTable::Sides::All;
+    scratch.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(), sides, stripe.memory);
     const EnterEdges enter{stripe, scratch.edges, scratch.faces.waiting, clock};
     scratch.faces.waiting.clear();
     if (drawsFaces(pipeline)) {
@@ -439,11 +467,11 @@ void fillEdgeTable(const Pipeline& pipeline, const Stripe& stripe, StripeScratch
     if (!stripe.progress.cancelled()) scratch.edges.fillBuckets();
 }
 
-template <class Resolve, class Rules>
+template <class Resolve>
 void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, Resolve resolve,
-               StageClock& clock, const Rules& rules)
+               StageClock& clock, const LaneRules& rules)
 {
-    beginPicture<Rules>(stripe);
+    stripe.visible.emptyRows(stripe.firstRow, stripe.endRow);  // the last picture is forgotten
     clock.lap(Stage::Clear);
     fillEdgeTable(pipeline, stripe, scratch, clock, rules);
     if (stripe.progress.cancelled()) return;  // to sort the edges of millions of triangles takes seconds
@@ -454,12 +482,22 @@ void drawSweep(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& sc
     clock.lap(Stage::Raster);
 }
 
-/// The one place where a pipeline's words become the types that draw.
+/// `depths`: the rules by which pixels are tested.
 template <class Rules>
-void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                const Rules& rules)
+void drawSweepBy(const Rules& depths, const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch,
+                 StageClock& clock, const LaneRules& rules)
 {
     const PatternFinder patterns{stripe.scene.scene(), stripe.projection};
+    if (pipeline.scan == Scan::SweepZLine)
+        drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, patterns, depths), clock, rules);
+    else
+        drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, depths), clock, rules);
+}
+
+/// The one place where a pipeline's words become the types that draw.
+inline void drawStripe(const Pipeline& pipeline, const LaneRules& rules, const Stripe& stripe, StripeScratch& scratch,
+                       StageClock& clock)
+{
     switch (pipeline.scan) {
         case Scan::HalfSpace:
             drawStream<HalfSpace>(pipeline, stripe, scratch, clock, rules);
@@ -468,11 +506,12 @@ void drawStripe(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
             drawStream<EdgeWalk>(pipeline, stripe, scratch, clock, rules);
             break;
         case Scan::SweepZLine:
-            drawSweep(pipeline, stripe, scratch, LineZBuffer(stripe.visible, patterns, rules), clock, rules);
-            break;
         case Scan::SweepIntervals:
         case Scan::SweepPolygons:
-            drawSweep(pipeline, stripe, scratch, Intervals(stripe.visible, patterns, rules), clock, rules);
+            if (rules.hasExactDepths())
+                drawSweepBy(ExactRules(), pipeline, stripe, scratch, clock, rules);
+            else
+                drawSweepBy(rules, pipeline, stripe, scratch, clock, rules);
             break;
     }
     stripe.visible.finishRows(stripe.firstRow, stripe.endRow);

@@ -9,6 +9,7 @@
 #include "core/base/memory.h"
 #include "core/base/thread_count.h"
 #include "core/frame/auto_choice.h"
+#include "core/frame/shortcuts.h"
 #include "core/geometry/face_batches.h"
 
 namespace zscope {
@@ -228,29 +229,30 @@ StageReason reasonFor(Stage stage, const DrawRequest& request)
 bool drawsPatchedBatches(const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
-    if (isPlain(request) || pipeline.order != Order::Submitted || !pipeline.usesExactRules()
-        || request.faceCulling != FaceCulling::Back)
+    if (isPlain(request) || !request.shortcuts.has(Shortcut::PatchedBatches) || pipeline.order != Order::Submitted
+        || request.faceCulling != FaceCulling::Back || LaneRules(pipeline.approximation, request.camera).movesCorners())
         return false;
     return !drawsFaces(pipeline) || facesOf(*request.scene).someAreTriangles();
 }
 
 bool isPlain(const DrawRequest& request)
 {
-    return request.shortcuts == Shortcuts::None || !request.pipeline.fault.isEmpty();
+    return !request.shortcuts.has(Shortcut::Lanes) || !whyPlain(request.pipeline).empty();
 }
 
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible)
 {
     const Camera&       camera = request.camera;
     const DepthEncoding plain(request.pipeline.approximation.format, camera.near, camera.far);
-    if (isPlain(request)) return plain;
+    if (isPlain(request) || !request.shortcuts.has(Shortcut::StackedDepths)) return plain;
     // Faces and reliefs know depths of one scale only, a pyramid that is kept for the next frame holds those of this
     // one, what is blended is compared with what memory holds, and a fragment that is shaded where it wins must not win
     // over less than the background.
     const bool isOne = drawsFaces(request.pipeline) || patternedTrianglesOf(*request.scene).any()
                        || request.pipeline.coherence == Coherence::LastPyramid || toBeBlended(request)
                        || (request.shade && shadesFragments(request.pipeline.depth));
-    if (isOne || !request.pipeline.usesExactRules()) return plain;
+    const LaneRules rules(request.pipeline.approximation, camera);
+    if (isOne || !rules.hasExactDepths() || rules.usesFloat32Vertices()) return plain;
     return plain.empty >= std::numeric_limits<float>::min() && isFarFromLimits(camera, request.scene->scene().bounds)
                ? visible.encodingAbove(plain)
                : plain;

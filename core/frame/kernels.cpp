@@ -10,14 +10,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-void drawStripeAtFullSpeed(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& scratch, StageClock& clock)
-{
-    drawStripe(pipeline, stripe, scratch, clock, ExactRules{});
-}
-
 const Kernels& kernels()
 {
-    static constexpr Kernels kKernels{drawStripeAtFullSpeed, storePlanes, shadeRows};
+    static constexpr Kernels kKernels{drawStripe, storePlanes, shadeRows};
     return kKernels;
 }
 

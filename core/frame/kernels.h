@@ -13,16 +13,12 @@
 namespace zscope {
 
 struct Kernels {
-    void (*drawStripe)(const Pipeline&, const Stripe&, StripeScratch&, StageClock&);
+    void (*drawStripe)(const Pipeline&, const LaneRules&, const Stripe&, StripeScratch&, StageClock&);
     void (*storePlanes)(VisibilityBuffer&, int firstRow, int endRow);
     void (*shadeRows)(const Painter&, const VisibilityBuffer&, int firstRow, int endRow);
 };
 
 /// The kernels of an available target (not Simd::Auto).
 const Kernels& kernelsOf(Simd target);
-
-/// The same drivers where the rules are not the exact ones.
-using DrawStripeByRules = void (*)(const Pipeline&, const ChosenRules&, const Stripe&, StripeScratch&, StageClock&);
-DrawStripeByRules drawStripeByRulesOf(Simd target);
 
 }  // namespace zscope

@@ -189,9 +189,9 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     const Clock::time_point    start   = Clock::now();
     const Camera&              camera  = request.camera;
     const Kernels&             kernels = kernelsOf(plan->simd);
-    const bool                 exact   = request.pipeline.usesExactRules();
     const bool                 isPlain = zscope::isPlain(request);
     const ChosenRules          rules(request.pipeline.approximation, request.pipeline.fault, camera);
+    const LaneRules            laneRules(request.pipeline.approximation, camera);  // of what is not plain
     std::vector<StageMs>       stageMs(static_cast<std::size_t>(plan->threads));
     std::vector<double>        stripeMs(static_cast<std::size_t>(plan->threads));
     std::vector<Tally>         tallies(static_cast<std::size_t>(plan->threads));
@@ -260,16 +260,16 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
                             end,
                             {.cancel = request.cancel},
                             shadesFragments(request.pipeline.depth) && painter ? &*painter : nullptr,
-                            effectiveMemoryLimit(request.memoryLimit) / static_cast<std::uint64_t>(plan->threads)};
+                            effectiveMemoryLimit(request.memoryLimit) / static_cast<std::uint64_t>(plan->threads),
+                            request.shortcuts};
         try {
             m_workspace->scratch[index].tally = {};
             if (isPlain) {
                 plain::Work work{stripe, rules, m_workspace->plain[index], clock, tally};
                 drawPlainly(request.pipeline, work);
-            } else if (exact)
-                kernels.drawStripe(request.pipeline, stripe, m_workspace->scratch[index], clock);
-            else
-                drawStripeByRulesOf(plan->simd)(request.pipeline, rules, stripe, m_workspace->scratch[index], clock);
+            } else {
+                kernels.drawStripe(request.pipeline, laneRules, stripe, m_workspace->scratch[index], clock);
+            }
             if (needsPixels && !isPlain) kernels.storePlanes(frame.visible, first, end);
             clock.lap(Stage::Raster);
             if (defers && isPlain)
@@ -285,7 +285,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
                 blendPlainly(*transparent, *colours, request.pipeline.transparency, work, frame.colour.view());
             } else if (transparent) {
                 clock.lap(defers ? Stage::Shade : Stage::Other);
-                blendStripe(*transparent, *colours, request.pipeline.transparency, blendRules, stripe,
+                blendStripe(*transparent, *colours, request.pipeline.transparency, laneRules, stripe,
                             m_workspace->scratch[index], clock, frame.colour.view());
             }
         } catch (const std::bad_alloc&) {
@@ -306,10 +306,12 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     m_workspace->borders.rebalance(stripeMs);
 
     FrameReport report;
-    report.frameMs = msSince(start);
-    report.stages  = stageTimes(request, stageMs, builtMs, report.frameMs);
-    report.threads = plan->threads;
-    report.simd    = plan->simd;
+    report.frameMs   = msSince(start);
+    report.stages    = stageTimes(request, stageMs, builtMs, report.frameMs);
+    report.threads   = plan->threads;
+    report.simd      = plan->simd;
+    report.shortcuts = request.shortcuts;
+    report.pipeline  = request.pipeline;
     for (const Tally& each : tallies) report.tally.add(each);
     std::uint64_t scratchBytes = 0;
     for (const StripeScratch& scratch : m_workspace->scratch) scratchBytes += scratch.bytes();

@@ -18,6 +18,7 @@
 #include "core/base/grid.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/shortcut.h"
 #include "core/base/stages.h"
 #include "core/base/tally.h"
 #include "core/depth/visibility_buffer.h"
@@ -42,12 +43,6 @@ std::span<const SimdEntry> simdTargets();
 Simd             resolved(Simd simd);
 std::string_view wordOf(Simd simd);
 
-/// Which text draws: the fast one (All), or the plain one of core/method and core/plain (None). The picture has the
-/// same bits.
-enum class Shortcuts { All, None };
-
-constexpr std::string_view wordOf(Shortcuts shortcuts) { return shortcuts == Shortcuts::All ? "all" : "none"; }
-
 /// What to draw and how. A value: it may be copied to another thread; the scene is shared.
 struct DrawRequest {
     std::shared_ptr<const PreparedScene> scene;
@@ -56,7 +51,7 @@ struct DrawRequest {
     Pipeline                             pipeline;
     int                                  threads     = 0;  // 0: one per core
     Simd                                 simd        = Simd::Auto;
-    Shortcuts                            shortcuts   = Shortcuts::All;
+    ShortcutSet                          shortcuts   = ShortcutSet::all();  // none: the plain text draws
     bool                                 shade       = true;
     std::uint64_t                        memoryLimit = 0;  // bytes; 0: three quarters of the machine's memory
     const std::atomic<bool>*             cancel      = nullptr;
@@ -71,6 +66,8 @@ struct Frame {
 };
 
 struct FrameReport {
+    Pipeline                pipeline;   // that drew: of a measured one, the one that was chosen
+    ShortcutSet             shortcuts;  // that were chosen
     double                  frameMs = 0;
     std::vector<StageTime>  stages;  // all of kStages, in order; their ms add up to frameMs
     std::vector<NamedCount> bytes;   // of every structure of the frame

@@ -70,7 +70,7 @@ public:
     /// All vertices of the batch are in front of the near plane and inside the guard band.
     void plainly(const ScreenVertices& vertices)
     {
-        const auto at = [&vertices](std::uint32_t place) { return vertices.corner<Rules>(place); };
+        const auto at = [&vertices](std::uint32_t place) { return vertices.corner(place); };
         forEachFace([&](std::uint32_t f) { whole(f, at, false); });
     }
 

@@ -1,8 +1,8 @@
-// The rules of the definition that a renderer can relax or get wrong, one small function each. The algorithms take them
-// as a template parameter, so that there is one text, and the exact one pays for nothing.
+// The rules of the definition that a renderer can relax or get wrong, one small function each.
 //
 // ExactRules    the definition: every answer is known when the text is compiled
-// ChosenRules   the same with approximations and faults, chosen at run time
+// LaneRules     what the fast text can follow: the definition, or approximations of numbers and of questions
+// ChosenRules   all approximations and faults, chosen at run time: what the plain text follows
 // Source        docs/correctness.md; the faults are described in core/frame/faults.h
 #pragma once
 
@@ -27,8 +27,11 @@ namespace zscope {
     return static_cast<int>(std::clamp<std::int64_t>(pixel, -(std::int64_t{1} << 30), std::int64_t{1} << 30));
 }
 
+/// The coarse grid of snapped corners, where an approximation asks for it: steps to a pixel.
+inline constexpr double kCoarseSnaps = 16;
+
 struct ExactRules {
-    static constexpr bool kExact = true;
+    static constexpr bool kExactDepths = true;
 
     // Vertices
     static constexpr bool   usesFloat32Vertices() { return false; }
@@ -70,12 +73,45 @@ struct ExactRules {
     static constexpr bool truncatesNodeBoxes() { return false; }
 };
 
+/// Corners lie on whole subpixels, and nothing is carried from pixel to pixel or from line to line: each lane can find
+/// its own numbers. Coverage is the definition's. There are no faults.
+class LaneRules : public ExactRules {
+public:
+    static constexpr bool kExactDepths = false;  // known at run time only: hasExactDepths()
+
+    /// Of an approximation that lanes can follow.
+    LaneRules(const Approximation& approximation, const Camera& camera)
+        : m_approximation(approximation), m_encoding(approximation.format, camera.near, camera.far)
+    {}
+
+    /// True if depths are found and stored as the definition says, so that ExactRules can stand for these rules where
+    /// pixels are tested.
+    bool hasExactDepths() const { return m_approximation.depth == DepthNumbers::Float64 && m_encoding.isReversed(); }
+    /// True if a corner may stand farther from its exact place than the definition's snapping moves it.
+    bool movesCorners() const { return usesFloat32Vertices() || m_approximation.snap != SnapBits::Eight; }
+    /// True if the picture depends on which nodes are visited.
+    bool dependsOnVisit() const { return smallestNode() > 0; }
+
+    bool   usesFloat32Vertices() const { return m_approximation.vertex == VertexNumbers::Float32; }
+    double snapsPerPixel() const { return m_approximation.snap == SnapBits::Four ? kCoarseSnaps : kSubpixels; }
+    bool   dropsAtNear() const { return m_approximation.near == NearPlane::Drop; }
+
+    DepthNumbers                 depthNumbers() const { return m_approximation.depth; }
+    const DepthEncoding&         encoding() const { return m_encoding; }
+    [[gnu::always_inline]] float stored(double depth) const { return m_encoding.stored(depth); }
+    bool                         comparesByEnds() const { return hasExactDepths(); }
+
+    double smallestNode() const { return smallestNodeOf(m_approximation.small); }
+
+private:
+    Approximation m_approximation;
+    DepthEncoding m_encoding;
+};
+
 /// What is called for every triangle or pixel is always inlined, so that each instruction set gets it in its own
 /// instructions.
 class ChosenRules {
 public:
-    static constexpr bool kExact = false;
-
     ChosenRules(const Approximation& approximation, const FaultSet& faults, const Camera& camera)
         : m_approximation(approximation), m_faults(faults), m_encoding(approximation.format, camera.near, camera.far),
           m_width(camera.width * kSubpixels), m_height(camera.height * kSubpixels)
@@ -84,7 +120,7 @@ public:
     bool   usesFloat32Vertices() const { return m_approximation.vertex == VertexNumbers::Float32; }
     double snapsPerPixel() const
     {
-        return m_approximation.snap == SnapBits::Four     ? 16
+        return m_approximation.snap == SnapBits::Four     ? kCoarseSnaps
                : m_approximation.snap == SnapBits::Twelve ? 4096
                                                           : kSubpixels;
     }
@@ -165,15 +201,10 @@ public:
     bool comparesByEnds() const { return m_encoding.isReversed() && m_approximation.depth == DepthNumbers::Float64; }
 
     bool   asksOneLevel() const { return m_approximation.cells == CellDescent::OneLevel; }
-    double smallestNode() const
-    {
-        return m_approximation.small == SmallNodes::DropBelow4    ? 4
-               : m_approximation.small == SmallNodes::DropBelow16 ? 16
-                                                                  : 0;
-    }
-    bool visitsFarFirst() const { return m_faults.has(Fault::FarFirst); }
-    bool firstComerKeepsTie() const { return m_faults.has(Fault::FarFirst); }
-    bool truncatesNodeBoxes() const { return m_faults.has(Fault::EmptyIsHidden); }
+    double smallestNode() const { return smallestNodeOf(m_approximation.small); }
+    bool   visitsFarFirst() const { return m_faults.has(Fault::FarFirst); }
+    bool   firstComerKeepsTie() const { return m_faults.has(Fault::FarFirst); }
+    bool   truncatesNodeBoxes() const { return m_faults.has(Fault::EmptyIsHidden); }
 
 private:
     Approximation m_approximation;

@@ -21,20 +21,18 @@ struct ScreenVertices {
     static constexpr std::size_t kCapacity = kBatchVertices + kBatchPadding;
     static constexpr std::size_t kRow      = 4;  // numbers per vertex in `rows`
 
-    // Per vertex x, y (unsnapped, pixels), d (n / z), and by exact rules the bits of its snapped position
-    // (snappedBits()).
+    // Per vertex x, y (unsnapped, pixels), d (n / z), and the bits of its snapped position (snappedBits()).
     alignas(64) std::array<double, kRow * kCapacity> rows;
-    alignas(64) std::array<double, kCapacity> xs, ys;  // snapped, 1/256 pixel, by other rules
 
-    /// By exact rules, and if all are plain: from the least to the most of their snapped positions.
+    /// If all are plain: from the least to the most of their snapped positions.
     struct Reach {
         std::int32_t left, above, right, below;
     };
     Reach reach;
 
     /// No vertex lies behind the near plane and none beyond the guard band. If false, those that do hold numbers
-    /// without meaning (by exact rules all but the snapped position, kNowhere), and triangles are set up carefully from
-    /// their positions instead: those that have one, or all.
+    /// without meaning (all but the snapped position, kNowhere), and triangles that have one are set up carefully from
+    /// their positions instead.
     bool plain = false;
 
     /// x, and y, of what has no snapped position: beyond the guard band by so much that it shows in lanes of int32,
@@ -61,23 +59,16 @@ struct ScreenVertices {
         return static_cast<std::int32_t>((bits >> 32 & 0xFFFF'0000) | (bits >> 16 & 0xFFFF));
     }
 
-    /// The bits of vertex i by exact rules.
+    /// The bits of vertex i.
     std::uint64_t snapped(std::size_t i) const { return std::bit_cast<std::uint64_t>(rows[kRow * i + kRow - 1]); }
 
-    /// By exact rules.
     bool isPlain(std::size_t i) const { return xOf(snapped(i)) != kNowhere; }
 
-    /// `Rules` are those that it was transformed by.
-    template <class Rules>
     ScreenCorner corner(std::size_t i) const
     {
-        const double* row = rows.data() + kRow * i;
-        if constexpr (Rules::kExact) {
-            const std::uint64_t both = snapped(i);
-            return {row[0], row[1], row[2], static_cast<double>(xOf(both)), static_cast<double>(yOf(both))};
-        } else {
-            return {row[0], row[1], row[2], xs[i], ys[i]};
-        }
+        const double*       row  = rows.data() + kRow * i;
+        const std::uint64_t both = snapped(i);
+        return {row[0], row[1], row[2], static_cast<double>(xOf(both)), static_cast<double>(yOf(both))};
     }
 };
 

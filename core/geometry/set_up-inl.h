@@ -7,8 +7,7 @@
 // Edges      of compact triangles, by corners in halves of lanes: products of 16 bits, sums of 32, exact because the
 //            sides are short
 // Planes     in float64 lanes, in the order of depthPlane() (core/geometry/screen_triangle.h), nothing fused
-// One by one triangles with a long side, those with a corner that is not plain, and all of them where rules are chosen
-//            at run time (corners need not be whole then)
+// One by one triangles with a long side, and those with a corner that is not plain
 // Hidden     if somebody knows which boxes of pixels can show nothing of the batch any more, the sieve drops what lies
 //            in one
 // Promise    the list holds what setUpTriangle() would have
@@ -51,11 +50,11 @@ struct LeftOut {
 
 /// `Hidden`: hidden(asked, left, above, width, height) says which of those boxes can show nothing of the batch any
 /// more.
-template <class Rules, class Hidden = NoHiddenBoxes>
+template <class Hidden = NoHiddenBoxes>
 class BatchSetUp {
 public:
     BatchSetUp(const BatchPlace& place, const ScreenVertices& vertices, const Projection& projection,
-               FaceCulling culling, const PixelBox& region, const Rules& rules, TriangleList& out,
+               FaceCulling culling, const PixelBox& region, const LaneRules& rules, TriangleList& out,
                const Hidden& hidden = {})
         : m_place(place), m_vertices(vertices), m_projection(projection), m_facing{culling, place.isMirrored()},
           m_region(region), m_rules(rules), m_out(out), m_hidden(hidden)
@@ -64,25 +63,20 @@ public:
     LeftOut run()
     {
         const std::uint32_t first = m_place.batch.firstTriangle, end = first + m_place.batch.triangleCount;
-        if constexpr (Rules::kExact) {
-            m_finished         = m_out.count;
-            const bool areNear = lieTogether();
-            for (PatchBits left = m_place.patches & m_place.batch.patches(); left != 0;) {
-                const BitRun        run  = takeRun(left);
-                const std::uint32_t t0   = first + kPatchTriangles * run.first,
-                                    stop = std::min(end, t0 + kPatchTriangles * run.count);
-                for (std::uint32_t t = t0; t < stop; t += static_cast<std::uint32_t>(hn::Lanes(D())))
-                    areNear ? sieveNear(t, stop) : sieve(t, stop);
-            }
-            finish();
-            m_out.mesh = &m_place.mesh, m_out.batch = &m_place.batch;
-            m_out.compactReach = {hn::GetLane(hn::MinOfLanes(D(), lowerHalf(m_start))),
-                                  hn::GetLane(hn::MinOfLanes(D(), upperHalf(m_start))),
-                                  hn::GetLane(hn::MaxOfLanes(D(), lowerHalf(m_end))),
-                                  hn::GetLane(hn::MaxOfLanes(D(), upperHalf(m_end)))};
-        } else {
-            for (std::uint32_t t = first; t < end; ++t) setUpAlone(t, m_vertices.plain);
+        m_finished         = m_out.count;
+        const bool areNear = lieTogether();
+        for (PatchBits left = m_place.patches & m_place.batch.patches(); left != 0;) {
+            const BitRun        run  = takeRun(left);
+            const std::uint32_t t0   = first + kPatchTriangles * run.first,
+                                stop = std::min(end, t0 + kPatchTriangles * run.count);
+            for (std::uint32_t t = t0; t < stop; t += static_cast<std::uint32_t>(hn::Lanes(D())))
+                areNear ? sieveNear(t, stop) : sieve(t, stop);
         }
+        finish();
+        m_out.mesh = &m_place.mesh, m_out.batch = &m_place.batch;
+        m_out.compactReach = {
+            hn::GetLane(hn::MinOfLanes(D(), lowerHalf(m_start))), hn::GetLane(hn::MinOfLanes(D(), upperHalf(m_start))),
+            hn::GetLane(hn::MaxOfLanes(D(), lowerHalf(m_end))), hn::GetLane(hn::MaxOfLanes(D(), upperHalf(m_end)))};
         return {static_cast<std::uint32_t>(hn::GetLane(hn::SumOfLanes(D(), m_leftOut))),
                 static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(D(), m_leftOutPixels)))};
     }
@@ -397,7 +391,7 @@ private:
     const Projection&            m_projection;
     Facing                       m_facing;
     const PixelBox&              m_region;
-    const Rules&                 m_rules;
+    const LaneRules&             m_rules;
     TriangleList&                m_out;
     [[no_unique_address]] Hidden m_hidden;
     std::size_t                  m_finished = 0;  // entries of the list whose edges and planes are there

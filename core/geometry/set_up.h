@@ -41,9 +41,8 @@ template <class Rules>
 {
     const auto&    corners = place.mesh.corners;
     ScreenTriangle made;
-    const SetUp    fate =
-        setUpTriangle(vertices.corner<Rules>(corners[0][t]), vertices.corner<Rules>(corners[1][t]),
-                      vertices.corner<Rules>(corners[2][t]), place.idOf(t), false, facing, region, rules, made);
+    const SetUp    fate = setUpTriangle(vertices.corner(corners[0][t]), vertices.corner(corners[1][t]),
+                                        vertices.corner(corners[2][t]), place.idOf(t), false, facing, region, rules, made);
     if (fate == SetUp::Drawn) {
         made.patterned = place.mesh.isPatterned(t);
         out.add(made);

@@ -89,8 +89,8 @@ struct KnownReach {
 };
 
 /// The vertex stage in the arithmetic of `Real`: double by definition, float as an approximation. The lanes are as many
-/// as float64 has in either case.
-template <class Real>
+/// as float64 has in either case. `kCoarse`: snapped to the coarse grid.
+template <class Real, bool kCoarse>
 struct VertexStage {
     using F64 = hn::ScalableTag<double>;
     using Tag = hn::Rebind<Real, F64>;
@@ -112,11 +112,20 @@ struct VertexStage {
             return hn::PromoteTo(F64(), value);
     }
 
+    /// Pixels to subpixels, rounded to the grid, plus kWhole.
+    static hn::Vec<F64> snapped(hn::Vec<F64> pixels)
+    {
+        const auto whole = [](double least) HWY_ATTR { return hn::Set(F64(), ScreenVertices::kWhole * least); };
+        const auto fine  = hn::Set(F64(), kSubpixels);  // a power of two: nothing is rounded but the sum
+        if constexpr (!kCoarse) return hn::MulAdd(pixels, fine, whole(1));
+        constexpr double kStep = kSubpixels / kCoarseSnaps;
+        return hn::MulAdd(pixels, fine, whole(kStep)) - whole(kStep) + whole(1);
+    }
+
     /// Of the vertices [first, end); whether all of them are plain.
-    template <class Rules, class Reach>
+    template <class Reach>
     static bool run(const MeshBatches& mesh, const Batch& batch, std::size_t first, std::size_t end,
-                    const Affine* toWorld, const Projection& p, const Rules& rules, ScreenVertices& out,
-                    [[maybe_unused]] Reach& reach)
+                    const Affine* toWorld, const Projection& p, ScreenVertices& out, [[maybe_unused]] Reach& reach)
     {
         const F64  d64;
         const auto depthAtOne = all(p.depthAtOne);
@@ -143,33 +152,20 @@ struct VertexStage {
             const auto sy = wide(all(p.centreY) - (vy * d) * all(p.scale));
             // NaN compares false, so a vertex without a place is not plain either.
             auto       plain = hn::RebindMask(d64, wide(vz) >= hn::Set(d64, p.near));
-            const auto keep  = [&](auto fourth) HWY_ATTR {
-                hn::StoreInterleaved4(sx, sy, wide(d), fourth, d64, out.rows.data() + ScreenVertices::kRow * i);
+            const auto xs = snapped(sx), ys = snapped(sy);
+            const auto isWithin = [&](hn::Vec<F64> whole) HWY_ATTR {
+                return hn::And(whole >= hn::Set(d64, ScreenVertices::kWhole - kGuardBand),
+                               whole <= hn::Set(d64, ScreenVertices::kWhole + kGuardBand));
             };
-            if constexpr (Rules::kExact) {
-                const auto xs       = hn::MulAdd(sx, hn::Set(d64, kSubpixels), hn::Set(d64, ScreenVertices::kWhole));
-                const auto ys       = hn::MulAdd(sy, hn::Set(d64, kSubpixels), hn::Set(d64, ScreenVertices::kWhole));
-                const auto isWithin = [&](hn::Vec<F64> whole) HWY_ATTR {
-                    return hn::And(whole >= hn::Set(d64, ScreenVertices::kWhole - kGuardBand),
-                                   whole <= hn::Set(d64, ScreenVertices::kWhole + kGuardBand));
-                };
-                plain = hn::And(plain, hn::And(isWithin(xs), isWithin(ys)));
-                const hn::Rebind<std::uint64_t, F64> u64;
-                const auto                           bits = snappedBits(hn::BitCast(u64, xs), hn::BitCast(u64, ys));
-                const auto                           nowhere =
-                    hn::Set(u64, ScreenVertices::snappedBits(ScreenVertices::kNowhere, ScreenVertices::kNowhere));
-                keep(hn::IfThenElse(plain, hn::BitCast(d64, bits), hn::BitCast(d64, nowhere)));
-                reach.add(xs, ys, end - i);
-            } else {
-                const auto snaps     = hn::Set(d64, rules.snapsPerPixel()),
-                           subpixels = hn::Set(d64, kSubpixels / rules.snapsPerPixel());
-                const auto xs = hn::Round(sx * snaps) * subpixels, ys = hn::Round(sy * snaps) * subpixels;
-                plain = hn::And(
-                    plain, hn::And(hn::Abs(xs) <= hn::Set(d64, kGuardBand), hn::Abs(ys) <= hn::Set(d64, kGuardBand)));
-                keep(wide(d));
-                hn::StoreU(xs, d64, out.xs.data() + i);
-                hn::StoreU(ys, d64, out.ys.data() + i);
-            }
+            plain = hn::And(plain, hn::And(isWithin(xs), isWithin(ys)));
+            const hn::Rebind<std::uint64_t, F64> u64;
+            const auto                           bits = snappedBits(hn::BitCast(u64, xs), hn::BitCast(u64, ys));
+            const auto                           nowhere =
+                hn::Set(u64, ScreenVertices::snappedBits(ScreenVertices::kNowhere, ScreenVertices::kNowhere));
+            hn::StoreInterleaved4(sx, sy, wide(d),
+                                  hn::IfThenElse(plain, hn::BitCast(d64, bits), hn::BitCast(d64, nowhere)), d64,
+                                  out.rows.data() + ScreenVertices::kRow * i);
+            reach.add(xs, ys, end - i);
             worst = hn::Or(worst, hn::AndNot(plain, hn::FirstN(d64, end - i)));
         }
         return hn::AllFalse(d64, worst);
@@ -178,20 +174,23 @@ struct VertexStage {
 
 /// The batch's vertices [first, end). `toWorld` is nullptr for the identity, which leaves a vertex as it is. Whether
 /// all of them are plain.
-template <class Rules, class Reach>
+template <class Reach>
 bool transformVertices(const MeshBatches& mesh, const Batch& batch, std::size_t first, std::size_t end,
-                       const Affine* toWorld, const Projection& p, const Rules& rules, ScreenVertices& out,
+                       const Affine* toWorld, const Projection& p, const LaneRules& rules, ScreenVertices& out,
                        Reach& reach)
 {
-    return rules.usesFloat32Vertices()
-               ? VertexStage<float>::run(mesh, batch, first, end, toWorld, p, rules, out, reach)
-               : VertexStage<double>::run(mesh, batch, first, end, toWorld, p, rules, out, reach);
+    const auto run = [&]<class Real, bool kCoarse>() {
+        return VertexStage<Real, kCoarse>::run(mesh, batch, first, end, toWorld, p, out, reach);
+    };
+    if (!rules.movesCorners()) return run.template operator()<double, false>();
+    const bool isCoarse = rules.snapsPerPixel() != kSubpixels;
+    if (!rules.usesFloat32Vertices()) return run.template operator()<double, true>();
+    return isCoarse ? run.template operator()<float, true>() : run.template operator()<float, false>();
 }
 
 /// All of them.
-template <class Rules>
-void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p,
-                    const Rules& rules, ScreenVertices& out)
+inline void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* toWorld, const Projection& p,
+                           const LaneRules& rules, ScreenVertices& out)
 {
     VertexReach reach;
     out.plain = transformVertices(mesh, batch, 0, batch.vertexCount, toWorld, p, rules, out, reach);
@@ -199,9 +198,9 @@ void transformBatch(const MeshBatches& mesh, const Batch& batch, const Affine* t
 }
 
 /// Those in `groups` (PatchBlock::vertexGroups).
-template <class Reach = VertexReach, class Rules>
+template <class Reach = VertexReach>
 void transformGroups(const MeshBatches& mesh, const Batch& batch, std::uint64_t groups, const Affine* toWorld,
-                     const Projection& p, const Rules& rules, ScreenVertices& out, Reach reach = {})
+                     const Projection& p, const LaneRules& rules, ScreenVertices& out, Reach reach = {})
 {
     static_assert(kVertexGroup % hn::MaxLanes(hn::ScalableTag<double>()) == 0);
     out.plain = true;

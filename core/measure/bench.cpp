@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/stopwatch.h"
+#include "core/frame/shortcuts.h"
 #include "core/measure/bench_summary.h"
 #include "core/measure/frame_quota.h"
 #include "core/measure/series_json.h"
@@ -100,7 +101,7 @@ private:
         if (!first) return first.error();
         row.threads   = first->threads;
         row.simd      = first->simd;
-        row.shortcuts = m_request.shortcuts;
+        row.shortcuts = run.draw.shortcuts;
         if (const auto done = judge(algorithm, row); !done) return done.error();
         bool isTrial = first->isTrial;
         for (int frame = 0; frame < m_request.warmUp || isTrial; ++frame) {
@@ -311,7 +312,7 @@ std::string benchToJson(std::span<const BenchRow> rows)
                         {"chosen", row.chosen.empty() ? Json(nullptr) : Json(row.chosen)},
                         {"threads", row.threads},
                         {"simd", wordOf(row.simd)},
-                        {"shortcuts", wordOf(row.shortcuts)},
+                        {"shortcuts", wordsOf(row.shortcuts)},
                         {"shaded", row.shaded},
                         {"verified", row.wrongPixels ? Json(*row.wrongPixels == 0) : Json(nullptr)},
                         {"wrong_pixels", row.wrongPixels ? Json(*row.wrongPixels) : Json(nullptr)},

@@ -38,10 +38,15 @@
 namespace zscope {
 
 struct BenchAlgorithm {
-    std::string name;
-    Pipeline    pipeline;
-    Claim       claim = Claim::Exact;
+    std::string                name;
+    Pipeline                   pipeline;
+    Claim                      claim     = Claim::Exact;
+    std::optional<ShortcutSet> shortcuts = {};  // in place of the request's
 };
+
+/// The algorithm once for each rung of the ladder of shortcuts: none; each that it can have added alone, with what that
+/// needs; each left out, with what needs it; all.
+std::vector<BenchAlgorithm> ladderOf(const BenchAlgorithm& algorithm);
 
 struct BenchRow;
 
@@ -52,7 +57,7 @@ struct BenchRequest {
     std::vector<BenchAlgorithm>  algorithms;
     std::vector<int>             threads   = {0};  // 0: one per core
     std::vector<Simd>            simd      = {Simd::Auto};
-    Shortcuts                    shortcuts = Shortcuts::All;
+    ShortcutSet                  shortcuts = ShortcutSet::all();
     int                          warmUp    = 3;   // frames before the timed ones
     int                          frames    = 30;  // timed, at least 1
     // that the timed frames of a run take together: more frames, if need be
@@ -85,7 +90,7 @@ struct BenchRow {
     std::string chosen;         // `auto`: by which preset the last timed frame was drawn
     int         threads   = 1;  // as used
     Simd        simd      = Simd::Scalar;
-    Shortcuts   shortcuts = Shortcuts::All;
+    ShortcutSet shortcuts = ShortcutSet::all();
     bool        shaded    = true;  // false: ids and depth only
 
     /// Pixels whose id or depth bits differ from the reference, or, of a method that is exact by face, its holes and

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/frame/shortcuts.h"
 #include "core/measure/series_json.h"
 #include "core/measure/strict_json.h"
 
@@ -59,6 +60,12 @@ Value valueOf(const Json& word, const std::array<Value, kCount>& values)
     return found == values.end() ? throw Json::other_error::create(501, "unknown word", &word) : *found;
 }
 
+ShortcutSet shortcutsIn(const Json& words)
+{
+    const Result<ShortcutSet> set = shortcutsOf(words.get<std::string>());
+    return set ? *set : throw Json::other_error::create(501, "unknown shortcut", &words);
+}
+
 BenchRow rowOf(const Json& json)
 {
     BenchRow row;
@@ -69,7 +76,7 @@ BenchRow rowOf(const Json& json)
     row.threads = wholeOf<int>(json.at("threads"));
     row.simd    = valueOf(json.at("simd"), std::array{Simd::Auto, Simd::Scalar, Simd::Sse4, Simd::Avx2, Simd::Avx512});
     if (json.contains("shortcuts"))  // older records have none
-        row.shortcuts = valueOf(json.at("shortcuts"), std::array{Shortcuts::All, Shortcuts::None});
+        row.shortcuts = shortcutsIn(json.at("shortcuts"));
     json.at("shaded").get_to(row.shaded);
     row.pixels = wholeOf<std::uint64_t>(json.at("pixels"));
     if (const Json& wrong = json.at("wrong_pixels"); !wrong.is_null()) row.wrongPixels = wholeOf<std::uint64_t>(wrong);

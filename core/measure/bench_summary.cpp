@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/frame/shortcuts.h"
 #include "core/measure/face_figures.h"
 #include "core/measure/verify.h"
 
@@ -56,6 +57,24 @@ void summarise(std::vector<FrameReport> reports, BenchRow& row)
     }
 }
 
+std::vector<BenchAlgorithm> ladderOf(const BenchAlgorithm& algorithm)
+{
+    std::vector<ShortcutSet> rungs{ShortcutSet()};
+    const auto               climb = [&](ShortcutSet set) {
+        if (std::ranges::find(rungs, set) == rungs.end()) rungs.push_back(set);
+    };
+    const ShortcutSet can = applicable(ShortcutSet::all(), algorithm.pipeline);
+    for (const bool isAlone : {true, false})
+        for (int i = 0; i < kShortcutCount; ++i) {
+            const auto shortcut = static_cast<Shortcut>(i);
+            if (can.has(shortcut)) climb(isAlone ? with({}, shortcut) : without(ShortcutSet::all(), shortcut));
+        }
+    climb(ShortcutSet::all());
+    std::vector<BenchAlgorithm> all;
+    for (const ShortcutSet set : rungs) all.push_back({algorithm.name, algorithm.pipeline, algorithm.claim, set});
+    return all;
+}
+
 DrawRequest drawRequestOf(const BenchRequest& request, std::shared_ptr<const PreparedScene> scene,
                           const BenchAlgorithm& algorithm, int threads, Simd simd, bool shade)
 {
@@ -65,7 +84,7 @@ DrawRequest drawRequestOf(const BenchRequest& request, std::shared_ptr<const Pre
             .pipeline    = algorithm.pipeline,
             .threads     = threads,
             .simd        = simd,
-            .shortcuts   = request.shortcuts,
+            .shortcuts   = algorithm.shortcuts.value_or(request.shortcuts),
             .shade       = shade,
             .memoryLimit = request.memoryLimit,
             .cancel      = request.progress.cancel};

@@ -29,7 +29,7 @@ struct CompareRequest {
     std::vector<BenchAlgorithm>          algorithms;        // [0] is what the others are held against
     int                                  threads      = 0;  // 0: one per core
     Simd                                 simd         = Simd::Auto;
-    Shortcuts                            shortcuts    = Shortcuts::All;
+    ShortcutSet                          shortcuts    = ShortcutSet::all();
     int                                  frames       = 9;     // timed, at least 1
     bool                                 useReference = true;  // also compare each with the brute-force picture
     std::uint64_t                        memoryLimit  = 0;     // bytes; as DrawRequest

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/thread_count.h"
+#include "core/frame/shortcuts.h"
 #include "core/io/json_document.h"
 
 namespace zscope {
@@ -46,7 +47,7 @@ private:
                                part.hasSize, part.faceCulling ? static_cast<int>(*part.faceCulling) : -1, part.frames,
                                part.rounds, part.shade.value_or(true));
             if (!part.path.empty()) all += fmt::format("path {}|", part.path);
-            if (part.shortcuts == Shortcuts::None) all += "shortcuts none|";
+            if (!part.shortcuts.isAll()) all += "shortcuts " + wordsOf(part.shortcuts) + "|";
             if (part.samples) all += fmt::format("sample {}|", *part.samples);
             if (part.peers) all += fmt::format("peers {}|", part.shade.has_value());
             for (const int threads : part.threads) all += fmt::format("{},", threads);
@@ -271,10 +272,11 @@ private:
     {
         std::string said;
         if (!word(value, "shortcuts", said)) return false;
-        if (said == "none") part.shortcuts = Shortcuts::None;
-        return said.empty() || said == wordOf(part.shortcuts)
-                   ? true
-                   : fail(*find(value, "shortcuts"), "'shortcuts' is all or none");
+        if (said.empty()) return true;
+        const Result<ShortcutSet> chosen = shortcutsOf(said);
+        if (!chosen) return fail(*find(value, "shortcuts"), chosen.error().sentence);
+        part.shortcuts = *chosen;
+        return true;
     }
 
     bool threads(const JsonValue& value, ExperimentPart& part)

@@ -55,7 +55,7 @@ struct ExperimentPart {
     int                          width = 1280, height = 720;  // where a camera file does not say
     bool                         hasSize     = false;
     std::optional<FaceCulling>   faceCulling = {};
-    Shortcuts                    shortcuts   = Shortcuts::All;
+    ShortcutSet                  shortcuts   = ShortcutSet::all();
     int                          frames      = 30;  // timed, of every run
     int                          rounds      = 5;   // that these frames are parted in, 1 to frames
     std::optional<bool>          shade       = {};  // absent: yes, and where there are peers ids and depth alone too

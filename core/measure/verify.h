@@ -36,7 +36,7 @@ struct VerifyRequest {
     std::vector<Preset>                  algorithms;         // drawn in this order
     std::vector<int>                     threads     = {0};  // each algorithm with each; 0: one per core
     std::vector<Simd>                    simd        = {Simd::Auto};
-    Shortcuts                            shortcuts   = Shortcuts::All;
+    ShortcutSet                          shortcuts   = ShortcutSet::all();
     std::optional<std::uint64_t>         samples     = {};  // random pixels instead of all
     std::uint64_t                        sampleSeed  = 1;
     std::uint64_t                        memoryLimit = 0;  // bytes a frame may take; 0: as DrawRequest

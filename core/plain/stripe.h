@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base/progress.h"
+#include "core/base/shortcut.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/prepared_scene.h"
 #include "core/geometry/projection.h"
@@ -20,9 +21,10 @@ struct Stripe {
     VisibilityBuffer&    visible;
     int                  firstRow;
     int                  endRow;
-    Progress             progress;                     // only its cancel flag is read
-    const Painter*       painter = nullptr;            // of fragments that are shaded as they come; nullptr: none are
-    std::uint64_t        memory  = ~std::uint64_t{0};  // bytes that its edge table may take
+    Progress             progress;                       // only its cancel flag is read
+    const Painter*       painter   = nullptr;            // of fragments that are shaded as they come; nullptr: none are
+    std::uint64_t        memory    = ~std::uint64_t{0};  // bytes that its edge table may take
+    ShortcutSet          shortcuts = {};                 // of the fast text
 
     PixelBox region() const { return {0, firstRow, visible.width(), endRow}; }
 };

@@ -44,15 +44,69 @@ inline int laneCount() { return static_cast<int>(hn::Lanes(F64())); }
 /// Rounded to float32 and back: the result of one float32 operation on float32 values, whichever way it was computed.
 inline Vec64 inFloat32(Vec64 value) { return hn::PromoteTo(F64(), hn::DemoteTo(F32(), value)); }
 
+/// The bits of float32 numbers, changed so that as integers they are in the order of the numbers.
+inline hn::Vec<I32> orderedBits(hn::Vec<I32> bits)
+{
+    return hn::Xor(bits, hn::And(hn::ShiftRight<31>(bits), hn::Set(I32(), 0x7FFFFFFF)));
+}
+
 /// The upper halves of the keys of stored depths, their lower halves 0. `kMayBeNegative`: if not, a float32's own bits
 /// are in order.
 template <bool kMayBeNegative>
 HWY_INLINE Keys upperHalves(hn::Vec<F32> depth)
 {
     auto bits = hn::BitCast(I32(), depth);
-    if constexpr (kMayBeNegative) bits = hn::Xor(bits, hn::And(hn::ShiftRight<31>(bits), hn::Set(I32(), 0x7FFFFFFF)));
+    if constexpr (kMayBeNegative) bits = orderedBits(bits);
     return hn::ShiftLeft<32>(hn::PromoteTo(I64(), bits));
 }
+
+/// Depths as the format stores them, before the last rounding to float32: as DepthEncoding::stored().
+inline Vec64 encoded(Vec64 z, const DepthEncoding& as)
+{
+    if (as.isReversed()) return z;
+    const auto standard = (hn::Set(F64(), 1.0) - z) * hn::Set(F64(), as.range);
+    if (!as.isFixed()) return hn::Neg(standard);
+    return hn::Round(standard * hn::Set(F64(), as.steps)) * hn::Set(F64(), -1 / (as.steps + 1));
+}
+
+/// The parts of a plane's depth, by the rules.
+template <class Rules>
+class DepthLanes {
+public:
+    explicit DepthLanes(const Rules& rules) : m_rules(rules) {}
+
+    /// a*(i + 0.5) at these centres of pixels.
+    Vec64 across(Vec64 a, Vec64 centres) const
+    {
+        if constexpr (!Rules::kExactDepths)
+            if (isFloat32()) return inFloat32(inFloat32(a) * centres);
+        return a * centres;
+    }
+    /// b*(j + 0.5) + c at these centres of lines.
+    Vec64 down(Vec64 b, Vec64 centres, Vec64 c) const
+    {
+        if constexpr (!Rules::kExactDepths)
+            if (isFloat32()) return inFloat32(inFloat32(inFloat32(b) * centres) + inFloat32(c));
+        return b * centres + c;
+    }
+    /// What is stored of the sum of both, if its float32 is known to lie between the limits afterwards (exact depths),
+    /// or is brought there; in the bits that are compared.
+    hn::Vec<F32> stored(Vec64 z, [[maybe_unused]] Vec64 farthest, [[maybe_unused]] Vec64 nearest) const
+    {
+        if constexpr (Rules::kExactDepths) {
+            return hn::DemoteTo(F32(), z);
+        } else {
+            const auto limited = hn::Min(hn::Max(z, farthest), nearest);
+            const auto bits    = hn::BitCast(I32(), hn::DemoteTo(F32(), encoded(limited, m_rules.encoding())));
+            return hn::BitCast(F32(), orderedBits(bits));
+        }
+    }
+
+private:
+    bool isFloat32() const { return m_rules.depthNumbers() == DepthNumbers::Float32; }
+
+    const Rules& m_rules;
+};
 
 /// The lower half of the keys of fragments: the triangle, or nobody if only depths are kept.
 template <Keep kKeep>
@@ -102,7 +156,7 @@ HWY_INLINE Keys keptOf(Keys offered, Keys held, [[maybe_unused]] float empty)
 /// `kNormal`: so are all keys that the buffer holds (core/depth/key_order-inl.h).
 template <Keep kKeep, class Rules, bool kNormal = false>
 class DepthTest {
-    static_assert(!kNormal || (Rules::kExact && kKeep != Keep::Equal));
+    static_assert(!kNormal || (Rules::kExactDepths && kKeep != Keep::Equal));
 
 public:
     /// `empty` is the depth of the background of the buffer that is tested against.
@@ -111,17 +165,11 @@ public:
           m_rank(rank), m_empty(empty), m_rules(rules)
     {}
 
-    /// a*(i + 0.5) for the pixels x, x + 1, ... of a span or box that begins at pixel `first`; those before it do not
-    /// count.
-    Vec64 column(int x, [[maybe_unused]] int first) const
+    /// a*(i + 0.5) for the pixels x, x + 1, ...
+    Vec64 column(int x) const
     {
         const auto centres = hn::Iota(F64(), 0.0) + hn::Set(F64(), x + 0.5);
-        if constexpr (!Rules::kExact) {
-            const float a = static_cast<float>(m_a);
-            if (m_rules.depthNumbers() == DepthNumbers::Float32) return inFloat32(hn::Set(F64(), a) * centres);
-            if (m_rules.depthNumbers() == DepthNumbers::Accumulated) return carried(a, x, first);
-        }
-        return hn::Set(F64(), m_a) * centres;
+        return DepthLanes(m_rules).across(hn::Set(F64(), m_a), centres);
     }
 
     /// Offers the covered lanes at row[0..]; they are the pixels x, x + 1, ... of line y. Returns what is held there
@@ -134,13 +182,8 @@ public:
             return offerPatterned(column, line, covered, row, x, y, fragments);
         } else {
             constexpr ShadingMoment kShading = Fragments::kMoment;
-            const U32               u32;
-            const auto              offered = keysOf(limited(column + line));
-
-            [[maybe_unused]] auto colours = hn::Undefined(u32);
-            if constexpr (kShading == ShadingMoment::BeforeTest) colours = fragments.colours(u32, x, y);
-
-            const auto held = hn::LoadU(I64(), row);
+            const auto              offered  = keysOf(limited(column + line));
+            const auto              held     = hn::LoadU(I64(), row);
             if constexpr (kNormal && kShading == ShadingMoment::Never) {
                 const auto kept = nearerOf<kNormal>(hn::IfThenElseZero(hn::RebindMask(I64(), covered), offered), held);
                 hn::StoreU(kept, I64(), row);
@@ -150,12 +193,10 @@ public:
             const auto kept = hn::IfThenElse(won, offered, held);
             hn::StoreU(kept, I64(), row);
 
-            if constexpr (kShading == ShadingMoment::BeforeTest) {
-                fragments.keep(u32, narrowed(won), colours, x, y);
-            } else if constexpr (kShading == ShadingMoment::AfterTest) {
-                if (!hn::AllFalse(I64(), won)) fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
-            }
-
+            if constexpr (kShading == ShadingMoment::BeforeTest)
+                fragments.shade(U32(), narrowed(hn::RebindMask(I64(), covered)), x, y);
+            else if constexpr (kShading == ShadingMoment::AfterTest)
+                if (!hn::AllFalse(I64(), won)) fragments.shade(U32(), narrowed(won), x, y);
             return kept;
         }
     }
@@ -179,7 +220,6 @@ private:
     {
         constexpr bool kShadesFirst = Fragments::kMoment == ShadingMoment::BeforeTest;
         const F64      d64;
-        const U32      u32;
         const auto     inside = hn::RebindMask(I64(), covered);
         const auto     flat   = limited(column + line);
         const auto     bound  = keysOf(flat);
@@ -197,8 +237,7 @@ private:
             kept = hn::IfThenElse(won, offered, held);
             hn::StoreU(kept, I64(), row);
             if constexpr (Fragments::kMoment != ShadingMoment::Never)
-                if (!hn::AllFalse(I64(), exists))
-                    fragments.keep(u32, narrowed(won), fragments.colours(u32, x, y), x, y);
+                if (!hn::AllFalse(I64(), exists)) fragments.shade(U32(), narrowed(exists), x, y);
         }
 
         return kept;
@@ -207,7 +246,7 @@ private:
     /// The keys of fragments of the triangle at these depths.
     Keys keysOf(Vec64 z) const
     {
-        return hn::Or(upperHalves<!Rules::kExact>(hn::DemoteTo(F32(), stored(z))), hn::Set(I64(), m_lower));
+        return hn::Or(upperHalves<!Rules::kExactDepths>(hn::DemoteTo(F32(), stored(z))), hn::Set(I64(), m_lower));
     }
 
     /// False only for a depth that no farther one wins from, either.
@@ -223,30 +262,10 @@ private:
 
     Vec64 limited(Vec64 z) const { return hn::Min(hn::Max(z, hn::Set(F64(), m_farthest)), hn::Set(F64(), m_nearest)); }
 
-    /// As DepthEncoding::stored(), before the last rounding to float32.
     Vec64 stored(Vec64 z) const
     {
-        if constexpr (!Rules::kExact) {
-            const DepthEncoding& as = m_rules.encoding();
-            if (as.isReversed()) return z;
-            const auto standard = (hn::Set(F64(), 1.0) - z) * hn::Set(F64(), as.range);
-            if (!as.isFixed()) return hn::Neg(standard);
-            return hn::Round(standard * hn::Set(F64(), as.steps)) * hn::Set(F64(), -1 / (as.steps + 1));
-        }
+        if constexpr (!Rules::kExactDepths) return encoded(z, m_rules.encoding());
         return z;
-    }
-
-    /// a*(first + 0.5), and from there a added once per pixel, in float32.
-    static Vec64 carried(float a, int x, int first)
-    {
-        HWY_ALIGN std::array<double, hn::MaxLanes(F64())> value;
-        float                                             carry = a * (static_cast<float>(first) + 0.5f);
-        for (int at = first; at < x; ++at) carry += a;
-        for (std::size_t lane = 0; lane < hn::Lanes(F64()); ++lane) {
-            value[lane] = carry;
-            if (x + static_cast<int>(lane) >= first) carry += a;
-        }
-        return hn::Load(F64(), value.data());
     }
 
     double        m_a, m_farthest, m_nearest;
@@ -275,7 +294,7 @@ public:
 
     Vec64 here() const
     {
-        if constexpr (Rules::kExact) return m_b * m_centre + m_c;
+        if constexpr (Rules::kExactDepths) return m_b * m_centre + m_c;
         return hn::Set(F64(), lineDepth(m_plane, m_y, m_rules));
     }
     void toNext()
@@ -301,7 +320,7 @@ void testSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0, 
     PixelKey*                     row  = visible.row(y);
     for (int x = x0; x < x1; x += laneCount()) {
         const auto covered = hn::Iota(F64(), 0.0) < hn::Set(F64(), x1 - x);
-        test.offer(test.column(x, x0), line, covered, row + x, x, y, fragments);
+        test.offer(test.column(x), line, covered, row + x, x, y, fragments);
     }
 }
 
@@ -322,7 +341,7 @@ void storeSpan(const DepthPlane& plane, std::uint32_t rankOfSpan, int y, int x0,
     const DepthTest<Keep::Nearest, Rules> test(plane, rankOfSpan, visible.empty(), rules);
     const auto                            line = LineDepths(plane, y, rules).here();
     PixelKey*                             row  = visible.row(y);
-    for (int x = x0; x < x1; x += laneCount()) test.store(test.column(x, x0), line, x1 - x, row + x);
+    for (int x = x0; x < x1; x += laneCount()) test.store(test.column(x), line, x1 - x, row + x);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -41,9 +41,7 @@ struct EdgeWalk {
             walk<kKeep, Stepper>(triangle, at, 0, 1, first, middle, fragments, visible, rules);
             walk<kKeep, Stepper>(triangle, at, 1, 2, std::max(first, middle), box.y1, fragments, visible, rules);
         };
-        if (rules.accumulatesEdges())
-            both.template operator()<AccumulatedEdge>();
-        else if (triangle.wide)
+        if (triangle.wide)
             both.template operator()<EdgeStepper<std::int64_t>>();
         else
             both.template operator()<EdgeStepper<std::int32_t>>();

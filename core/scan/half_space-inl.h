@@ -1,8 +1,7 @@
 // Scan conversion by half-spaces: a pixel is inside a triangle if it lies on the inner side of all three edges.
 //
 // Edges      values are integers below 2^53 (core/geometry/half_plane.h), so float64 lanes hold them exactly
-// Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h), unless their fragments
-//            are shaded
+// Compact    triangles, without a long side, are tested by windows, in float32 (windows-inl.h)
 // Tiles      the box of the others is cut along the tiles of the visibility buffer, each of which is opened when
 //            something is drawn to it, and those along the pyramid's, which are judged side by side. A tile wholly on
 //            the outer side of one edge is skipped, and one that is covered whole may be kept as a plane
@@ -13,8 +12,7 @@
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot
 //            win is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no
 //            pixel writes to it
-// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits (where rules are exact);
-//            those beyond kWidestByTiles are handed to EdgeWalk, which finds the same pixels
+// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits; those beyond kWidestByTiles are handed to EdgeWalk, which finds the same pixels
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #if defined(ZSCOPE_HALF_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_HALF_SPACE_INL_H
@@ -48,7 +46,7 @@ struct HalfSpace {
     static void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep,
                      VisibilityBuffer& visible, const Rules& rules)
     {
-        if constexpr (kComparesAsFloats && Rules::kExact && kKeep != Keep::Equal
+        if constexpr (kComparesAsFloats && Rules::kExactDepths && kKeep != Keep::Equal
                       && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned)
             if (areNormal(visible.empty())) return fillBox<kKeep, true>(triangle, fragments, upkeep, visible, rules);
         fillBox<kKeep, false>(triangle, fragments, upkeep, visible, rules);
@@ -79,8 +77,8 @@ struct HalfSpace {
                 const TileAnswer answer  = tiles.askTile(left, top, nearest, told);
                 if (answer.hidden) continue;
                 for (int x = left; x < here.x1; x += laneCount())
-                    fillTile(triangle, edges, test, test.column(x, box.x0), x, here.y0, here.y1, false, fragments,
-                             visible, rules);
+                    fillTile(triangle, edges, test, test.column(x), x, here.y0, here.y1, false, fragments, visible,
+                             rules);
                 tiles.touched(here);
             }
         }
@@ -118,7 +116,7 @@ private:
     template <class Rules>
     static Depths nearestOfParts(const DepthPlane& plane, const PixelBox& box, [[maybe_unused]] const Rules& rules)
     {
-        if constexpr (Rules::kExact) return depthsAlong<kTile, true>(plane, box);
+        if constexpr (Rules::kExactDepths) return depthsAlong<kTile, true>(plane, box);
         Depths all;
         all.fill(rules.stored(plane.nearest));
         return all;
@@ -130,7 +128,7 @@ private:
                         VisibilityBuffer& visible, const Rules& rules)
     {
         const PixelBox& box = triangle.box;
-        if (triangle.wide && !(Rules::kExact && fitsTiles(triangle))) {
+        if (triangle.wide && !(upkeep.shortcuts.has(Shortcut::WideTiles) && fitsTiles(triangle))) {
             visible.open(box);
             EdgeWalk::fill<kKeep>(triangle, fragments, visible, rules);
             upkeep.touched(box);
@@ -146,8 +144,8 @@ private:
                 fillStoredTile(here, triangle, edges, test, fragments, upkeep, visible, rules);
             });
         };
-        if constexpr (takesParts<Fragments, Rules>())
-            LargeTriangle<kKeep, kNormal, Upkeep>(triangle, fromBox, upkeep, visible).draw(fillTiles);
+        if (takesParts<Fragments>() && upkeep.shortcuts.has(Shortcut::LargeTriangles))
+            LargeTriangle<kKeep, kNormal, Upkeep, Rules>(triangle, fromBox, upkeep, visible, rules).draw(fillTiles);
         else
             fillTiles(box);
     }
@@ -187,8 +185,8 @@ private:
             const int  from = sees ? left : here.x0 & -laneCount(), end = sees ? left + kTile : here.x1;
             auto       least = hn::Set(I64(), kNearestKey);
             for (int x = from; x < end; x += laneCount())
-                least = fartherOf(least, fillTile(triangle, edges, test, test.column(x, triangle.box.x0), x, here.y0,
-                                                  here.y1, sees, fragments, visible, rules));
+                least = fartherOf(least, fillTile(triangle, edges, test, test.column(x), x, here.y0, here.y1, sees,
+                                                  fragments, visible, rules));
             if (sees)
                 upkeep.drawnTile(left, here.y0, farthestOf(least, visible));
             else
@@ -197,17 +195,17 @@ private:
     }
 
     /// True if such fragments are tested part by part, in passes: a key is all that they store.
-    template <class Fragments, class Rules>
+    template <class Fragments>
     static constexpr bool takesParts()
     {
-        return kLanes > 1 && Rules::kExact && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned;
+        return kLanes > 1 && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned;
     }
 
     /// True if planes say of such fragments all there is to say.
     template <Keep kKeep, class Fragments, class Rules>
     static constexpr bool keepsPlanes()
     {
-        return kKeep == Keep::Nearest && Rules::kExact && Fragments::kMoment == ShadingMoment::Never
+        return kKeep == Keep::Nearest && Rules::kExactDepths && Fragments::kMoment == ShadingMoment::Never
                && !Fragments::kPatterned;
     }
 
@@ -215,7 +213,7 @@ private:
     template <class Rules>
     static float nearestIn(const DepthPlane& plane, const PixelBox& box, [[maybe_unused]] const Rules& rules)
     {
-        if constexpr (!Rules::kExact) return rules.stored(plane.nearest);
+        if constexpr (!Rules::kExactDepths) return rules.stored(plane.nearest);
         return nearestOver(plane, box);
     }
 

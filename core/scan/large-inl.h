@@ -38,9 +38,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// A triangle whose fragments store nothing but keys, by exact rules. `kNormal` as in
-/// DepthTest; `Upkeep`: TileUpkeep.
-template <Keep kKeep, bool kNormal, class Upkeep>
+/// A triangle whose fragments store nothing but keys. `kNormal` as in DepthTest; `Upkeep`: TileUpkeep.
+template <Keep kKeep, bool kNormal, class Upkeep, class Rules>
 class LargeTriangle {
     static constexpr int         kSide  = PartPasses::kSide;  // of a part: what lies in one tile of the pyramid
     static constexpr int         kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
@@ -52,9 +51,9 @@ class LargeTriangle {
 public:
     /// `edges` of a wide triangle are rounded.
     LargeTriangle(const ScreenTriangle& triangle, const HalfPlanes& edges, const Upkeep& upkeep,
-                  VisibilityBuffer& visible)
+                  VisibilityBuffer& visible, const Rules& rules)
         : m_triangle(triangle), m_edges(edges), m_partEdges{partEdge(0), partEdge(1), partEdge(2)}, m_upkeep(upkeep),
-          m_visible(visible)
+          m_visible(visible), m_rules(rules)
     {}
 
     /// drawOther(pixels of the box) is left with what lies in tiles of the visibility buffer that reach beyond the
@@ -194,11 +193,23 @@ private:
         m_tileCount += found.reached != 0;
     }
 
+    /// No depth of the triangle that is stored in a part of `here` is nearer.
+    HWY_INLINE auto nearestOfParts(const PixelBox& here) const
+    {
+        if constexpr (Rules::kExactDepths) {
+            return depthsAlong<kSide, true>(m_triangle.depth, here);
+        } else {
+            HWY_ALIGN std::array<float, kParts> all;
+            all.fill(m_rules.stored(m_triangle.depth.nearest));
+            return all;
+        }
+    }
+
     /// The parts of the tile that `here` lies in where the triangle could win over what the pyramid holds, as it
     /// stands.
     std::uint32_t unhidden(const PixelBox& here) const
     {
-        const auto    nearest = depthsAlong<kSide, true>(m_triangle.depth, here);
+        const auto    nearest = nearestOfParts(here);
         const float*  stored  = m_upkeep.pyramid->storedTiles(VisibilityBuffer::leftOfTile(here.x0), here.y0);
         const F32     f32;
         std::uint32_t hidden = 0;
@@ -220,7 +231,7 @@ private:
             const PixelBox      here{std::max(left, box.x0), std::max(top, box.y0), std::min(tile.x1, box.x1),
                                 std::min(tile.y1, box.y1)};
             const std::uint32_t none = inside[0] & inside[1] & inside[2];
-            if constexpr (kKeep == Keep::Nearest) {
+            if constexpr (kKeep == Keep::Nearest && Rules::kExactDepths) {
                 if (m_upkeep.takesPlanes && (none == kAllParts || m_visible.planeAt(left, top))
                     && isKeptAsPlane(here, none == kAllParts, m_triangle, m_upkeep, m_visible))
                     continue;
@@ -297,12 +308,12 @@ private:
     HWY_INLINE Keys test(int x, int y) const
     {
         if constexpr (kKind == kNone)
-            return testPart<kKeep, kNormal, 0>(m_triangle, {}, x, y, m_visible);
+            return testPart<kKeep, kNormal, 0>(m_triangle, {}, x, y, m_visible, m_rules);
         else if constexpr (kKind == kMore)
             return testPart<kKeep, kNormal, 3>(m_triangle, {&m_partEdges[0], &m_partEdges[1], &m_partEdges[2]}, x, y,
-                                               m_visible);
+                                               m_visible, m_rules);
         else
-            return testPart<kKeep, kNormal, 1>(m_triangle, {&m_partEdges[kKind - 1]}, x, y, m_visible);
+            return testPart<kKeep, kNormal, 1>(m_triangle, {&m_partEdges[kKind - 1]}, x, y, m_visible, m_rules);
     }
 
     PartEdge partEdge(std::size_t k) const
@@ -315,6 +326,7 @@ private:
     std::array<PartEdge, 3> m_partEdges;  // not of a wide triangle
     const Upkeep&           m_upkeep;
     VisibilityBuffer&       m_visible;
+    const Rules&            m_rules;
 
     std::array<Vectors, 3>   m_most, m_least;
     std::array<Found, kRoom> m_tiles;

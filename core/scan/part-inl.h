@@ -103,24 +103,26 @@ private:
 /// Tests the tile that begins at (x, y), which lies in the picture, and stores what is won. `crossing` are the edges
 /// with pixels of the tile on their outer side; `kNormal` as in DepthTest. Returns keys with the farthest depths that
 /// the tile holds then, lane by lane.
-template <Keep kKeep, bool kNormal, std::size_t kCrossing>
+template <Keep kKeep, bool kNormal, std::size_t kCrossing, class Rules>
 Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, kCrossing>& crossing, int x, int y,
-              VisibilityBuffer& visible)
+              VisibilityBuffer& visible, const Rules& rules)
 {
     using Passes = PartPasses;
+    const DepthLanes  depths(rules);
     const F64         d64;
     const Pass32      f32;
     const DepthPlane& depth = triangle.depth;
 
     std::array<Vec64, Passes::kVectors> columns;  // a * (i + 0.5)
     for (std::size_t i = 0; i < Passes::kVectors; ++i)
-        columns[i] = hn::Set(d64, depth.a) * (Passes::right(i) + hn::Set(d64, x + 0.5));
+        columns[i] = depths.across(hn::Set(d64, depth.a), Passes::right(i) + hn::Set(d64, x + 0.5));
     std::array<PartEdge::Values, kCrossing> edges;
     std::array<PartEdge::V, kCrossing>      perPass;
     for (std::size_t k = 0; k < kCrossing; ++k) edges[k] = crossing[k]->at(x, y), perPass[k] = crossing[k]->perPass();
 
     const auto  farthest = hn::Set(f32, depth.farthest), nearest = hn::Set(f32, depth.nearest);
     const auto  b = hn::Set(d64, depth.b), c = hn::Set(d64, depth.c);
+    const auto  farthest64 = hn::Set(d64, double{depth.farthest}), nearest64 = hn::Set(d64, double{depth.nearest});
     const auto  lowers = lowerHalves<kKeep>(~triangle.rank());
     const float empty  = visible.empty();
 
@@ -129,12 +131,13 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, 
     auto                 centre = Passes::down() + hn::Set(d64, y + 0.5);
     auto                 least = hn::Set(I64(), kNearestKey), otherLeast = least;
     for (int line = 0; line < Passes::kSide; line += Passes::kLines, row += Passes::kLines * stride) {
-        const auto start = b * centre + c;
+        const auto start = depths.down(b, centre, c);
         centre           = centre + hn::Set(d64, Passes::kLines);
         for (std::size_t i = 0; i < Passes::kVectors; i += 2) {
-            const auto found =
-                together(hn::DemoteTo(F32(), columns[i + 1] + start), hn::DemoteTo(F32(), columns[i] + start));
-            auto uppers = hn::Min(hn::Max(found, farthest), nearest);
+            const auto stored = [&](std::size_t k)
+                                    HWY_ATTR { return depths.stored(columns[k] + start, farthest64, nearest64); };
+            auto uppers = together(stored(i + 1), stored(i));
+            if constexpr (Rules::kExactDepths) uppers = hn::Min(hn::Max(uppers, farthest), nearest);
             if constexpr (kCrossing > 0) {
                 const auto outside = [&edges](std::size_t pass) HWY_ATTR {
                     if constexpr (kCrossing == 1)
@@ -142,7 +145,11 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, 
                     else
                         return hn::Or3(edges[0][pass], edges[1][pass], edges[2][pass]);
                 };
-                uppers = hn::OrAnd(uppers, hn::BitCast(f32, outside(i / 2)), hn::Set(f32, -0.0f));
+                const auto none = hn::Set(f32, -0.0f);
+                if constexpr (Rules::kExactDepths)
+                    uppers = hn::OrAnd(uppers, hn::BitCast(f32, outside(i / 2)), none);
+                else
+                    uppers = hn::IfNegativeThenElse(hn::BitCast(f32, outside(i / 2)), none, uppers);
                 for (std::size_t k = 0; k < kCrossing; ++k) edges[k][i / 2] = edges[k][i / 2] + perPass[k];
             }
             PixelKey* const here      = row + static_cast<int>(i / 2) * Passes::kColumns;

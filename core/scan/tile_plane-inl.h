@@ -36,8 +36,7 @@ void storeTile(VisibilityBuffer& visible, const PixelBox& tile, const TilePlane&
     constexpr std::size_t                      kVectors = VisibilityBuffer::kTileWidth / hn::MaxLanes(F64());
     const std::size_t vectors = (static_cast<std::size_t>(tile.x1 - tile.x0) + hn::Lanes(F64()) - 1) / hn::Lanes(F64());
     std::array<Vec64, kVectors> columns;
-    for (std::size_t i = 0; i < kVectors; ++i)
-        columns[i] = test.column(tile.x0 + static_cast<int>(i) * laneCount(), tile.x0);
+    for (std::size_t i = 0; i < kVectors; ++i) columns[i] = test.column(tile.x0 + static_cast<int>(i) * laneCount());
     LineDepths lines(plane.depth, tile.y0, rules);
     for (int y = tile.y0; y < tile.y1; ++y, lines.toNext()) {
         const auto line = lines.here();

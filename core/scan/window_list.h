@@ -95,15 +95,17 @@ struct SampleList {
     // Entry i is sample i.
     AlignedVector<PixelKey>      keys;
     AlignedVector<std::uint32_t> places;  // its pixel's place among the picture's keys
+    AlignedVector<std::uint32_t> pixels;  // its pixel, x + 65536 y, if fragments are shaded as they come
 
     /// Room for so many samples, and for whole vectors behind them.
     void reserve(std::size_t samples)
     {
         if (keys.size() >= samples + kBatchPadding) return;
-        places.resize(samples + kBatchPadding), keys.resize(samples + kBatchPadding);  // in this order, likewise
+        places.resize(samples + kBatchPadding), pixels.resize(samples + kBatchPadding);
+        keys.resize(samples + kBatchPadding);  // last: its size says what all have
     }
 
-    std::size_t bytes() const { return keys.capacity() * (sizeof(PixelKey) + sizeof(std::uint32_t)); }
+    std::size_t bytes() const { return keys.capacity() * (sizeof(PixelKey) + 2 * sizeof(std::uint32_t)); }
 };
 
 }  // namespace zscope

@@ -121,8 +121,9 @@ inline Covered coveredOf(PassRises first, PassRises second, const TriangleList& 
         atMost(atMost(hn::Set(i32, triangles.leastRise[0][t]), first), hn::Set(i32, triangles.leastRise[1][t]), second);
     return atMost(both, first + second, hn::Set(i32, triangles.mostRise[t]));
 }
-/// The depths of pixels that are covered; in place of the others what wins nowhere. `kNormal` as in DepthTest.
-template <bool kNormal>
+/// The depths of pixels that are covered, in the bits that are compared; in place of the others what wins nowhere.
+/// `kNormal` as in DepthTest; `kMayBeNegative`: the bits of depths that are covered.
+template <bool kNormal, bool kMayBeNegative>
 inline hn::Vec<Pass32> onlyCovered(hn::Vec<Pass32> depth, Covered covered)
 {
     if constexpr (kNormal) return hn::IfThenElseZero(hn::RebindMask(Pass32(), covered), depth);
@@ -136,10 +137,13 @@ inline Covered coveredOf(PassRises first, PassRises second, const TriangleList& 
     return hn::Or3(first - hn::Set(i32, triangles.leastRise[0][t]), second - hn::Set(i32, triangles.leastRise[1][t]),
                    hn::Set(i32, triangles.mostRise[t]) - (first + second));
 }
-/// Likewise: the sign says so.
-template <bool kNormal>
+/// Likewise: the sign says so, where no depth has one.
+template <bool kNormal, bool kMayBeNegative>
 inline hn::Vec<Pass32> onlyCovered(hn::Vec<Pass32> depth, Covered covered)
 {
+    if constexpr (kMayBeNegative)
+        return hn::IfThenElse(hn::RebindMask(Pass32(), covered < hn::Zero(hn::RebindToSigned<Pass32>())),
+                              hn::Set(Pass32(), -0.0f), depth);
     return hn::OrAnd(depth, hn::BitCast(Pass32(), covered), hn::Set(Pass32(), -0.0f));
 }
 #endif
@@ -168,11 +172,42 @@ struct WindowTarget {
     }
 };
 
+/// How far as many neighbouring pixels of windows as there are keys in a vector lie from the first, x + 65536 y.
+HWY_ALIGN inline constexpr auto kPixelsOfKeys = [] {
+    std::array<std::uint32_t, kLanes> all{};
+    for (std::uint32_t lane = 0; lane < all.size(); ++lane) all[lane] = lane % kWindowSide + (lane / kWindowSide << 16);
+    return all;
+}();
+
+/// As offerKeys(), of fragments that are shaded. `first`: their first pixel, x + 65536 y. Lanes that are not covered
+/// hold a key that is smaller than any other; what lies right of the picture has no colour.
+template <Keep kKeep, bool kMayBeNegative, class Fragments>
+HWY_INLINE void offerShaded(Keys offered, const WindowTarget& to, PixelKey* row, std::uint32_t first,
+                            const Fragments& fragments)
+{
+    constexpr std::uint64_t kUncovered = kMayBeNegative ? 0x8000'0000'FFFF'FFFF : 0xFFFF'FFFF'FFFF'FFFF;
+    const U32               u32;
+    const auto              held = loadKeys(row, to.stride);
+    const auto              won  = winners<kKeep>(offered, held, to.empty);
+    storeKeys(hn::IfThenElse(won, offered, held), row, to.stride);
+    const auto wanted = Fragments::kMoment == ShadingMoment::AfterTest
+                            ? won
+                            : offered > hn::Set(I64(), static_cast<PixelKey>(kUncovered));
+    if (hn::AllFalse(I64(), wanted)) return;
+    const auto pixels = hn::Load(u32, kPixelsOfKeys.data()) + hn::Set(u32, first);
+    const auto exist  = hn::And(pixels, hn::Set(u32, 0xFFFF)) < hn::Set(u32, static_cast<std::uint32_t>(to.width));
+    fragments.shade(u32, hn::And(narrowed(wanted), exist), pixels);
+}
+
 /// Tests the window of triangle t that has its first pixel at `corner`, and stores what it wins. `kNormal` as in
 /// DepthTest.
-template <Keep kKeep, bool kNormal>
-HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::uint32_t corner, const WindowTarget& to)
+template <Keep kKeep, bool kNormal, class Rules, class FragmentsOf>
+HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::uint32_t corner, const WindowTarget& to,
+                           const Rules& rules, [[maybe_unused]] const FragmentsOf& fragmentsOf)
 {
+    constexpr bool kMayBeNegative = !Rules::kExactDepths;
+    constexpr bool kShades        = decltype(fragmentsOf(1u))::kMoment != ShadingMoment::Never;
+    static_assert(!kNormal || (!kMayBeNegative && !kShades));
     const F64                        d64;
     const Pass32                     f32;
     const hn::RebindToSigned<Pass32> i32;
@@ -182,6 +217,10 @@ HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::ui
     const auto a = hn::Set(d64, triangles.a[t]), b = hn::Set(d64, triangles.b[t]), c = hn::Set(d64, triangles.c[t]);
     const auto farthest = hn::Set(f32, triangles.farthest[t]), nearest = hn::Set(f32, triangles.nearest[t]);
     const auto above = hn::Set(d64, to.centres[y]);
+    const DepthLanes depths(rules);
+    // Not needed where all may be limited in float32 afterwards.
+    const auto farthest64 = hn::Set(d64, double{triangles.farthest[t]}),
+               nearest64  = hn::Set(d64, double{triangles.nearest[t]});
 
     // At the pixels of each pass. Those of the first are computed, the others reached from there.
     const auto                   steps = [&](std::size_t k) HWY_ATTR { return hn::Set(i32, triangles.steps[k][t]); };
@@ -199,7 +238,7 @@ HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::ui
     }
 
     for (int line = 0, pass = 0; line < kWindowSide; line += kPassLines) {
-        const auto start = b * (hn::Load(d64, kDownOfPairs.data()) + hn::Set(d64, line) + above) + c;
+        const auto start = depths.down(b, hn::Load(d64, kDownOfPairs.data()) + hn::Set(d64, line) + above, c);
         for (int column = 0; column < kWindowSide; column += kPassColumns, ++pass) {
             const auto covered = inside[static_cast<std::size_t>(pass)];
 #if HWY_TARGET == HWY_SCALAR
@@ -207,21 +246,34 @@ HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::ui
 #endif
 
             const auto depth = [&](int half) HWY_ATTR {
-                return hn::DemoteTo(F32(), a * pairOf(to.centres + x + column + 2 * half) + start);
+                return depths.stored(depths.across(a, pairOf(to.centres + x + column + 2 * half)) + start, farthest64,
+                                     nearest64);
             };
-            PixelKey* const row = first + line * to.stride + column;
+            const auto limited = [&](auto z) HWY_ATTR {
+                if constexpr (kMayBeNegative)
+                    return z;
+                else
+                    return hn::Min(hn::Max(z, farthest), nearest);
+            };
+            const auto offer = [&](Keys keys, [[maybe_unused]] int right, [[maybe_unused]] int down) HWY_ATTR {
+                PixelKey* const row = first + (line + down) * to.stride + column + right;
+                if constexpr (kShades)
+                    offerShaded<kKeep, kMayBeNegative>(
+                        keys, to, row, corner + static_cast<std::uint32_t>(pixelsAndLines(column + right, line + down)),
+                        fragmentsOf(~triangles.notRank[t]));
+                else
+                    offerKeys<kKeep, kNormal>(keys, to.empty, row, to.stride);
+            };
 #if HWY_TARGET == HWY_SCALAR
-            const auto z = hn::Min(hn::Max(depth(0), farthest), nearest);
-            const auto offered =
-                hn::Or(upperHalves<false>(z), hn::Set(I64(), lowerHalf<kKeep>(triangles.id(t).value + 1)));
-            offerKeys<kKeep, kNormal>(offered, to.empty, row, to.stride);
+            offer(hn::Or(upperHalves<false>(limited(depth(0))),
+                         hn::Set(I64(), lowerHalf<kKeep>(triangles.id(t).value + 1))),
+                  0, 0);
 #else
-            const auto z    = hn::Min(hn::Max(fromColumns(depth(0), depth(1)), farthest), nearest);
-            const auto keys = keysOf(onlyCovered < kNormal && kKeep != Keep::Equal > (z, covered),
+            const auto z    = limited(fromColumns(depth(0), depth(1)));
+            const auto keys = keysOf(onlyCovered<(kNormal && kKeep != Keep::Equal), kMayBeNegative>(z, covered),
                                      lowerHalves<kKeep>(triangles.notRank[t]));
-            offerKeys<kKeep, kNormal>(keys[0], to.empty, row, to.stride);
-            offerKeys<kKeep, kNormal>(keys[1], to.empty, row + kLanes / kWindowSide * to.stride + kLanes % kWindowSide,
-                                      to.stride);
+            offer(keys[0], 0, 0);
+            offer(keys[1], kLanes % kWindowSide, kLanes / kWindowSide);
 #endif
         }
     }
@@ -271,10 +323,12 @@ HWY_INLINE hn::Vec<I32> halfOf(V all, [[maybe_unused]] std::size_t from)
 }
 
 /// The tiny triangles among [first, end), from their edges to the picture.
-template <Keep kKeep>
+template <Keep kKeep, class Rules, class FragmentsOf>
 void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples,
-              VisibilityBuffer& visible)
+              VisibilityBuffer& visible, const Rules& rules, [[maybe_unused]] const FragmentsOf& fragmentsOf)
 {
+    constexpr ShadingMoment            kMoment = decltype(fragmentsOf(1u))::kMoment;
+    const DepthLanes                   depths(rules);
     const F64                          d64;
     const F32                          half;
     const Pass32                       f32;
@@ -285,6 +339,7 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
     const auto           stride  = static_cast<std::uint32_t>(visible.stride());
     PixelKey* const      keys    = samples.keys.data();
     std::uint32_t* const places  = samples.places.data();
+    std::uint32_t* const pixels  = samples.pixels.data();
     std::size_t          count   = 0;
     for (std::size_t i = first; i < end; i += hn::Lanes(f32)) {
         const auto load = [&, i](const TriangleList::Column<std::int32_t>& column)
@@ -310,19 +365,22 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         // In float64, of half of these triangles at a time.
         const auto numbers = [&, i](const auto& column, std::size_t from)
                                  HWY_ATTR { return hn::LoadU(d64, column.data() + i + from); };
-        const auto centres = [&](auto pixels, std::size_t from)
-                                 HWY_ATTR { return hn::PromoteTo(d64, halfOf(pixels, from)) + hn::Set(d64, 0.5); };
+        const auto centres = [&](auto at, std::size_t from)
+                                 HWY_ATTR { return hn::PromoteTo(d64, halfOf(at, from)) + hn::Set(d64, 0.5); };
         const auto lineOf = [&](int down, std::size_t from) HWY_ATTR {
-            return numbers(triangles.b, from) * (centres(y, from) + hn::Set(d64, down)) + numbers(triangles.c, from);
+            return depths.down(numbers(triangles.b, from), centres(y, from) + hn::Set(d64, down),
+                               numbers(triangles.c, from));
         };
+        const auto limit = [&, i](const auto& column, std::size_t from)
+                               HWY_ATTR { return hn::PromoteTo(d64, hn::LoadU(half, column.data() + i + from)); };
         // a * (i + 0.5), of both halves: found before the first store, which could change what it is found from for all
         // the compiler knows.
         std::array<std::array<Vec64, 2>, kTinySide> columns;
         for (std::size_t right = 0; right < kTinySide; ++right)
             for (const std::size_t other : {0, 1}) {
                 const std::size_t from = other * kOtherHalf;
-                columns[right][other] =
-                    numbers(triangles.a, from) * (centres(x, from) + hn::Set(d64, static_cast<double>(right)));
+                columns[right][other]  = depths.across(numbers(triangles.a, from),
+                                                       centres(x, from) + hn::Set(d64, static_cast<double>(right)));
             }
         for (int down = 0; down < kTinySide; ++down) {
             const auto line = lineOf(down, 0), otherLine = lineOf(down, kOtherHalf);
@@ -337,13 +395,21 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
                 const auto  exists  = hn::And(width > hn::Set(i32, right), height > hn::Set(i32, down));
                 const auto  covered = hn::And(hn::AndNot(outside, exists), isDrawn);
                 const auto& column  = columns[static_cast<std::size_t>(right)];
-                const auto  below   = hn::DemoteTo(half, column[1] + otherLine);
-                const auto  above   = hn::DemoteTo(half, column[0] + line);
-                const auto  z       = hn::Min(hn::Max(together(below, above), farthest), nearest);
-                const auto  there =
+                const auto  stored  = [&](Vec64 sum, std::size_t from) HWY_ATTR {
+                    if constexpr (Rules::kExactDepths)
+                        return depths.stored(sum, sum, sum);
+                    else
+                        return depths.stored(sum, limit(triangles.farthest, from), limit(triangles.nearest, from));
+                };
+                auto z = together(stored(column[1] + otherLine, kOtherHalf), stored(column[0] + line, 0));
+                if constexpr (Rules::kExactDepths) z = hn::Min(hn::Max(z, farthest), nearest);
+                const auto there =
                     place + hn::Set(u32, static_cast<std::uint32_t>(right) + static_cast<std::uint32_t>(down) * stride);
                 const auto kept = keptFirst(i32, covered);
                 hn::StoreU(hn::TableLookupLanes(there, hn::IndicesFromVec(u32, kept)), u32, places + count);
+                if constexpr (kMoment != ShadingMoment::Never)
+                    hn::StoreU(hn::TableLookupLanes(hn::BitCast(u32, here), hn::IndicesFromVec(u32, kept)), u32,
+                               pixels + count);
                 storeKeysOf(hn::BitCast(u32, z), lower, kept, keys + count);
                 count += hn::CountTrue(i32, covered);
             }
@@ -357,6 +423,8 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         PixelKey&      held    = picture[places[i]];
         const bool     won     = wins<kKeep>(offered, held, empty);
         held                   = won ? offered : held;
+        if constexpr (kMoment != ShadingMoment::Never)
+            if (won || kMoment == ShadingMoment::BeforeTest) fragmentsOf(rankOf(offered)).shade(pixels[i]);
     }
 }
 
@@ -370,8 +438,9 @@ HWY_INLINE void fetch(const PixelKey* first, std::ptrdiff_t stride)
 }
 
 /// Works the list off and empties it. `kNormal` as in DepthTest.
-template <Keep kKeep, bool kNormal>
-void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible)
+template <Keep kKeep, bool kNormal, class Rules, class FragmentsOf>
+void testAllWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Rules& rules,
+                    const FragmentsOf& fragmentsOf)
 {
     list.knowCentres(static_cast<std::size_t>(std::max(visible.width(), visible.height())));
     const WindowTarget to{visible.row(0), visible.stride(), list.centres.data(), visible.empty(), visible.width()};
@@ -383,18 +452,22 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
                     chunk.corners[count - 1]);
         for (std::size_t i = 0; i < count; ++i) {
             fetch(to.at(chunk.corners[i + WindowChunk::kAhead]), to.stride);
-            testWindow<kKeep, kNormal>(triangles, chunk.owners[i], chunk.corners[i], to);
+            testWindow<kKeep, kNormal>(triangles, chunk.owners[i], chunk.corners[i], to, rules, fragmentsOf);
         }
     }
     list.clear();
 }
 
-template <Keep kKeep>
-void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible)
+/// fragmentsOf(rank): what becomes of the fragments of a triangle besides their test (core/scan/fragments.h).
+template <Keep kKeep, class Rules, class FragmentsOf>
+void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Rules& rules,
+                 const FragmentsOf& fragmentsOf)
 {
-    if constexpr (kComparesAsFloats && kKeep != Keep::Equal)
-        if (areNormal(visible.empty())) return testWindows<kKeep, true>(triangles, list, visible);
-    testWindows<kKeep, false>(triangles, list, visible);
+    constexpr bool kShades = decltype(fragmentsOf(1u))::kMoment != ShadingMoment::Never;
+    if constexpr (kComparesAsFloats && kKeep != Keep::Equal && Rules::kExactDepths && !kShades)
+        if (areNormal(visible.empty()))
+            return testAllWindows<kKeep, true>(triangles, list, visible, rules, fragmentsOf);
+    testAllWindows<kKeep, false>(triangles, list, visible, rules, fragmentsOf);
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -1,5 +1,5 @@
-// The fragment shader, several neighbouring pixels of one line side by side. Whoever shades calls this text: once per
-// pixel of the finished picture, or with each fragment.
+// The fragment shader, several fragments side by side: neighbouring pixels of the finished picture, or whatever waits in
+// a queue.
 //
 // Chain      one round is five dependent operations on 32-bit integers (shift, add, shift, exclusive or, add); the
 //            lanes run side by side, so that a vector of fragments costs what one does
@@ -11,12 +11,18 @@
 #define ZSCOPE_FRAGMENT_INL_H
 #endif
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <utility>
 
 #include <hwy/highway.h>
 
+#include "core/base/tally.h"
+#include "core/depth/visibility_buffer.h"
 #include "core/geometry/lane_order-inl.h"
 #include "core/scan/fragments.h"
+#include "core/shade/fragment_queue.h"
 #include "core/shade/painter.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,13 +32,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 inline constexpr int kOperationsPerRound = 5;
 
-/// The colours of fragments of the triangles `rank` at the pixels x, x + 1, ... of line y; `base` are their triangles'.
+/// The colours of fragments of the triangles `rank` at these pixels, x + 65536 y each; `base` are their triangles'.
 template <class U32>
-hn::Vec<U32> shaded(U32 u32, hn::Vec<U32> base, hn::Vec<U32> rank, int x, int y, int operations)
+hn::Vec<U32> shaded(U32 u32, hn::Vec<U32> base, hn::Vec<U32> rank, hn::Vec<U32> pixel, int operations)
 {
-    if (operations == 0) return base;
-    const auto pixel =
-        countFrom(u32, static_cast<std::uint32_t>(x)) + hn::Set(u32, static_cast<std::uint32_t>(y) << 16);
     auto chain = pixel ^ (rank * hn::Set(u32, 0x9E3779B1u));
     for (int done = 0; done < operations; done += kOperationsPerRound) {
         chain = chain + hn::ShiftLeft<10>(chain);
@@ -42,6 +45,49 @@ hn::Vec<U32> shaded(U32 u32, hn::Vec<U32> base, hn::Vec<U32> rank, int x, int y,
     return base ^ hn::ShiftRight<31>(chain);
 }
 
+/// Shades all that wait, and stores the colours of those whose triangle holds its pixel. The queue is empty then.
+inline void shadeQueue(FragmentQueue& queue, const Painter& painter, const VisibilityBuffer& visible)
+{
+    const hn::ScalableTag<std::uint32_t> u32;
+    const std::size_t                    count = std::exchange(queue.count, 0);
+    HWY_ALIGN std::array<std::uint32_t, hn::MaxLanes(hn::ScalableTag<std::uint32_t>())> colours{};
+    for (std::size_t i = 0; i < count; i += hn::Lanes(u32)) {
+        const std::size_t here = std::min(hn::Lanes(u32), count - i);
+        for (std::size_t k = 0; k < here; ++k) colours[k] = painter.baseColour(queue.ranks[i + k]);
+        if (painter.operations != 0)
+            hn::Store(shaded(u32, hn::Load(u32, colours.data()), hn::Load(u32, queue.ranks.data() + i),
+                             hn::Load(u32, queue.pixels.data() + i), painter.operations),
+                      u32, colours.data());
+        for (std::size_t k = 0; k < here; ++k) {
+            const std::uint32_t pixel = queue.pixels[i + k];
+            const int           x = static_cast<int>(pixel & 0xFFFF), y = static_cast<int>(pixel >> 16);
+            if (visible.rankAt(x, y) == queue.ranks[i + k]) painter.colour.at(x, y) = colours[k];
+        }
+    }
+}
+
+/// Where the fragments of a stripe go that are shaded as they come.
+struct Shading {
+    const Painter&          painter;
+    const VisibilityBuffer& visible;
+    FragmentQueue&          queue;
+    Tally&                  tally;
+
+    /// Adds what the lanes in `wanted` stand for.
+    template <class U32>
+    HWY_INLINE void add(U32 u32, hn::Mask<U32> wanted, hn::Vec<U32> pixels, hn::Vec<U32> ranks) const
+    {
+        if (queue.count + hn::Lanes(u32) > FragmentQueue::kRoom) flush();
+        hn::CompressStore(ranks, wanted, u32, queue.ranks.data() + queue.count);
+        queue.count += hn::CompressStore(pixels, wanted, u32, queue.pixels.data() + queue.count);
+    }
+    void flush() const
+    {
+        tally.add(Unit::Fragments, queue.count);
+        shadeQueue(queue, painter, visible);
+    }
+};
+
 /// What a stream method does with the fragments of one triangle if they are shaded as they come
 /// (core/scan/fragments.h).
 template <ShadingMoment kWhen>
@@ -50,38 +96,35 @@ public:
     static constexpr ShadingMoment kMoment    = kWhen;
     static constexpr bool          kPatterned = false;
 
-    ShadedFragments(const Painter& painter, std::uint32_t rank)
-        : m_painter(painter), m_rank(rank), m_base(painter.baseColour(rank))
-    {}
+    ShadedFragments(const Shading& shading, std::uint32_t rank) : m_shading(shading), m_rank(rank) {}
 
+    /// Of the pixels x, x + 1, ... of line y, the first of which exists, those in `wanted`. What lies right of the
+    /// picture has no colour.
     template <class U32>
-    hn::Vec<U32> colours(U32 u32, int x, int y) const
+    void shade(U32 u32, hn::Mask<U32> wanted, int x, int y) const
     {
-        return shaded(u32, hn::Set(u32, m_base), hn::Set(u32, m_rank), x, y, m_painter.operations);
+        const auto first = static_cast<std::uint32_t>(x) + (static_cast<std::uint32_t>(y) << 16);
+        const auto exist = hn::FirstN(u32, static_cast<std::size_t>(m_shading.painter.colour.width - x));
+        shade(u32, hn::And(wanted, exist), countFrom(u32, first));
+    }
+    /// Of these pixels, x + 65536 y each.
+    template <class U32>
+    HWY_INLINE void shade(U32 u32, hn::Mask<U32> wanted, hn::Vec<U32> pixels) const
+    {
+        m_shading.add(u32, wanted, pixels, hn::Set(u32, m_rank));
     }
 
-    /// Colours the pixels x, x + 1, ... of line y where `won`. Only those before the end of the line exist.
-    template <class U32>
-    void keep(U32 u32, hn::Mask<U32> won, hn::Vec<U32> colours, int x, int y) const
+    void shade(std::uint32_t pixel) const
     {
-        std::uint32_t* at    = m_painter.colour.row(y).data() + x;
-        const int      exist = m_painter.colour.width - x;
-        if (static_cast<int>(hn::Lanes(u32)) <= exist) {
-            hn::StoreU(hn::IfThenElse(won, colours, hn::LoadU(u32, at)), u32, at);
-            return;
-        }
-        HWY_ALIGN std::uint32_t colour[hn::MaxLanes(U32())];
-        HWY_ALIGN std::uint32_t kept[hn::MaxLanes(U32())];
-        hn::Store(colours, u32, colour);
-        hn::Store(hn::VecFromMask(u32, won), u32, kept);
-        for (int lane = 0; lane < exist; ++lane)
-            if (kept[lane] != 0) at[lane] = colour[lane];
+        FragmentQueue& queue = m_shading.queue;
+        if (queue.count == FragmentQueue::kRoom) m_shading.flush();
+        queue.pixels[queue.count] = pixel, queue.ranks[queue.count] = m_rank;
+        ++queue.count;
     }
 
 private:
-    const Painter& m_painter;
+    const Shading& m_shading;
     std::uint32_t  m_rank;
-    std::uint32_t  m_base;  // colour
 };
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -88,8 +88,9 @@ int shadeRow(U32 u32, const PixelKey* keys, PixelKey background, int x, int widt
         const auto ranks = ranksAt(u32, keys + x, background);
         const auto shows = ranks != hn::Zero(u32);
         if (hn::AllFalse(u32, shows)) continue;
-        const auto base = hn::LoadU(u32, colour + x);
-        hn::StoreU(hn::IfThenElse(shows, shaded(u32, base, ranks, x, y, operations), base), u32, colour + x);
+        const auto base   = hn::LoadU(u32, colour + x);
+        const auto pixels = countFrom(u32, static_cast<std::uint32_t>(x) + (static_cast<std::uint32_t>(y) << 16));
+        hn::StoreU(hn::IfThenElse(shows, shaded(u32, base, ranks, pixels, operations), base), u32, colour + x);
     }
     return x;
 }

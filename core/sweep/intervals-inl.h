@@ -39,11 +39,8 @@ public:
     void line(int y, std::span<const ActiveEdge> active, ActivePolygons& polygons)
     {
         LineZBuffer byPixels(m_visible, m_patterns, m_rules);
-        // What approximate rules store may win over what is right, so such a line is resolved in one way from end to
-        // end.
-        if (!Rules::kExact && isCrowded(active, polygons)) return byPixels.line(y, active, polygons);
-        Open open;
-        int  from = 0;
+        Open        open;
+        int         from = 0;
         for (const ActiveEdge& edge : active) {
             const int to = std::clamp(edge.firstPixel(), 0, m_visible.width());
             if (from < to && open.count > 0) resolve(y, from, to, open.view(), polygons);
@@ -52,7 +49,7 @@ public:
                 passShared(polygons, edge, open);
             else
                 pass(polygons, edge, edge.polygon(), open);
-            if (Rules::kExact && open.count > kCrowd) {  // seen on the way: what has been stored wins again
+            if (open.count > kCrowd) {  // seen on the way: what has been stored wins again
                 for (const ActiveEdge& passed : active) {
                     polygons.spanOf(passed.polygon()) = {};
                     if (passed.isShared()) polygons.spanOf(passed.opens()) = {};
@@ -92,19 +89,6 @@ private:
     static bool leads(float near, float far)
     {
         return std::bit_cast<std::uint32_t>(near) > std::bit_cast<std::uint32_t>(far) + kLead;
-    }
-
-    static bool isCrowded(std::span<const ActiveEdge> active, ActivePolygons& polygons)
-    {
-        if (active.size() <= 2 * kCrowd) return false;  // a polygon that is open has an edge on either side
-        std::size_t open = 0, most = 0;
-        for (const ActiveEdge& edge : active) {
-            ActivePolygons::Span& span = polygons.spanOf(edge.polygon());
-            open -= span.isOpen();
-            open += span.pass(edge);
-            most = std::max(most, open);
-        }
-        return most > kCrowd;
     }
 
     /// An edge has been passed: its polygon opens, or closes, or stays as it is.

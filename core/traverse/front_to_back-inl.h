@@ -66,13 +66,13 @@ struct PlacedTree {
     NodePlace place(const TreeNode& node) const { return {isInstanceTree, instance, tree, node}; }
 };
 
-template <class Consume, class Rules>
+template <class Consume>
 class FrontToBack {
     using Planes = StripeVolume::Planes;
 
 public:
     FrontToBack(const Stripe& stripe, StripeScratch& scratch, const SceneTrees& trees, const Occlusion& occlusion,
-                StageClock& clock, const Consume& consume, const Rules& rules, NodeMemory* memory = nullptr)
+                StageClock& clock, const Consume& consume, const LaneRules& rules, NodeMemory* memory = nullptr)
         : m_stripe(stripe), m_scene(stripe.scene.scene()), m_scratch(scratch), m_trees(trees), m_occlusion(occlusion),
           m_clock(clock), m_consume(consume), m_rules(rules), m_memory(memory),
           m_volume(stripe.projection, stripe.visible.width(), stripe.firstRow, stripe.endRow)
@@ -152,7 +152,8 @@ private:
             if (m_stripe.progress.cancelled()) break;
             const BatchPlace place{batches, batch, toWorld, m_scene.firstTriangle[placed.instance.value]};
             if (!setUp(placed, place, all)) continue;
-            m_scratch.triangles.startsNearest = m_scratch.triangles.areLarge();
+            m_scratch.triangles.startsNearest =
+                m_stripe.shortcuts.has(Shortcut::NearestTriangle) && m_scratch.triangles.areLarge();
             all.add(m_consume(m_scratch.triangles));
         }
         return all;
@@ -164,16 +165,15 @@ private:
     /// Whether any triangle may have been left; those that were not seen are added to `all`.
     bool setUp(const PlacedTree& placed, BatchPlace place, DrawnTriangles& all)
     {
-        if constexpr (Rules::kExact)
-            if (m_occlusion.asksPixels) {
-                place.patches = patchesTowardsEye(place, placed.backs, placed.view, m_stripe);
-                m_clock.lap(Stage::Cull);
-                if (place.patches == 0) return false;
-                const LeftOut leftOut =
-                    setUpSeen(place, placed.view, m_stripe, m_scratch, m_patchQuestions, m_clock, m_rules);
-                all.add({.hidden = leftOut.triangles, .hiddenPixels = leftOut.pixels});
-                return true;
-            }
+        if (m_occlusion.asksPixels) {
+            place.patches = patchesTowardsEye(place, placed.backs, placed.view, m_stripe);
+            m_clock.lap(Stage::Cull);
+            if (place.patches == 0) return false;
+            const LeftOut leftOut =
+                setUpSeen(place, placed.view, m_stripe, m_scratch, m_patchQuestions, m_clock, m_rules);
+            all.add({.hidden = leftOut.triangles, .hiddenPixels = leftOut.pixels});
+            return true;
+        }
         if (isCulledAsBack(place, placed.backs, placed.view, m_stripe, m_rules)) return false;
         m_clock.lap(Stage::Cull);
         setUpBatch(place, m_stripe, m_scratch, m_clock, m_rules);
@@ -198,7 +198,7 @@ private:
     void visitTree(const PlacedTree& placed, Planes open, const DrawItems& drawItems)
     {
         const TreeNode& root = placed.tree.root();
-        if (Rules::kExact && distance(placed.eye, root.bounds) == 0)
+        if (m_stripe.shortcuts.has(Shortcut::NearestNode) && distance(placed.eye, root.bounds) == 0)
             visitNearestFirst(placed, {0, &root, open, {}}, drawItems);
         else
             visit(placed, root, open, drawItems);
@@ -248,8 +248,8 @@ private:
     static constexpr std::uint32_t kDrawnWhole = 768;
     bool                           isDrawnWhole(const PlacedTree& placed, const TreeNode& node) const
     {
-        return Rules::kExact && m_occlusion.asksPixels && (!m_memory || m_memory->holdsWholeNodes())
-               && !placed.isInstanceTree && node.size() <= kDrawnWhole;
+        return m_stripe.shortcuts.has(Shortcut::WholeNodes) && m_occlusion.asksPixels
+               && (!m_memory || m_memory->holdsWholeNodes()) && !placed.isInstanceTree && node.size() <= kDrawnWhole;
     }
 
     /// A dense node that is much smaller than the last one asked about is asked in any case, unless it is drawn whole:
@@ -257,7 +257,7 @@ private:
     static constexpr std::uint32_t kMuchSmaller = 8;
     bool                           isAsked(const PlacedTree& placed, const TreeNode& node, const AskedNode& above)
     {
-        if (!above.isDense) return true;
+        if (!above.isDense || !m_stripe.shortcuts.has(Shortcut::SkippedQuestions)) return true;
         if (node.size() <= above.size / kMuchSmaller && !isDrawnWhole(placed, node)) return true;
         return m_denseQuestions.isWorthIt();
     }
@@ -275,16 +275,14 @@ private:
         if (reach.crossesNear) return Verdict::Entered;
         if (reach.area < smallest) return Verdict::Small;
         if (!m_occlusion.asksNodes) return Verdict::Entered;
-        if constexpr (Rules::kExact)
+        if (m_stripe.shortcuts.has(Shortcut::NodeBalls) && !m_rules.movesCorners() && !m_rules.dependsOnVisit())
             reach = narrowedToBall(reach, box, node.radius * placed.view.longest(), m_stripe.projection);
         if (reach.pixels.isEmpty()) return Verdict::Outside;
         m_scratch.tally.add(Unit::Questions);
         const PyramidQuery query = askPyramid(*m_occlusion.pyramid, reach.pixels, reach.nearest, WholeBox{}, m_rules);
-        if constexpr (Rules::kExact) {
-            if (above.isDense) m_denseQuestions.answered(query.hidden);
-            if (m_occlusion.asksPixels && !placed.isInstanceTree)
-                above = {node.size(), reach.pixels.area() <= kWorthLooking * node.size()};
-        }
+        if (above.isDense) m_denseQuestions.answered(query.hidden);
+        if (m_occlusion.asksPixels && !placed.isInstanceTree)
+            above = {node.size(), reach.pixels.area() <= kWorthLooking * node.size()};
         return query.hidden ? Verdict::Hidden : Verdict::Entered;
     }
 
@@ -352,7 +350,7 @@ private:
     const Occlusion&  m_occlusion;
     StageClock&       m_clock;
     const Consume&    m_consume;
-    const Rules&      m_rules;
+    const LaneRules&  m_rules;
     NodeMemory*       m_memory;  // nullptr: nothing is remembered
     StripeVolume      m_volume;
     SampledQuestions  m_denseQuestions, m_patchQuestions{kFirstPatches};

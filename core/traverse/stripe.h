@@ -19,6 +19,7 @@
 #include "core/hierarchy/tree.h"
 #include "core/plain/stripe.h"
 #include "core/scan/window_list.h"
+#include "core/shade/fragment_queue.h"
 #include "core/sweep/active_edges.h"
 #include "core/sweep/active_polygons.h"
 #include "core/sweep/blend_scratch.h"
@@ -58,6 +59,7 @@ struct StripeScratch {
     TriangleList   triangles;  // of the batch at hand
     WindowList     windows;    // likewise, of compact triangles
     SampleList     samples;    // likewise, of tiny ones
+    FragmentQueue  fragments;  // likewise, of fragments that are shaded as they come
     EdgeTable      edges;      // sweep methods only, like the next two
     ActiveEdges    active;
     ActivePolygons polygons;

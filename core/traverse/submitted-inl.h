@@ -112,9 +112,8 @@ inline std::uint64_t trianglesIn(const BatchPlace& place)
 }
 
 /// Transforms one batch and leaves its screen triangles in `scratch.triangles`.
-template <class Rules>
-void setUpBatch(const BatchPlace& place, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                const Rules& rules)
+inline void setUpBatch(const BatchPlace& place, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                       const LaneRules& rules)
 {
     const std::uint64_t groups =
         place.patches == kAllPatches ? ~std::uint64_t{0} : vertexGroupsOf(place.mesh, place.batch, place.patches);
@@ -134,12 +133,10 @@ void setUpBatch(const BatchPlace& place, const Stripe& stripe, StripeScratch& sc
 }
 
 /// The same at full speed, but for what can win no pixel any more, because all of its pixels hold something nearer than
-/// the batch comes, or its patch. The pyramid is a wide one.
-template <class Rules>
-LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch,
-                  SampledQuestions& patchQuestions, StageClock& clock, const Rules& rules)
+/// the batch comes, or its patch. The pyramid is a wide one; corners stand and depths are stored as the definition says.
+inline LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch,
+                         SampledQuestions& patchQuestions, StageClock& clock, const LaneRules& rules)
 {
-    static_assert(Rules::kExact);
     scratch.triangles.clear();
     BatchSeen seen = seenOf(whole, view, stripe, scratch, patchQuestions);
     clock.lap(Stage::Setup);
@@ -167,12 +164,11 @@ LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe&
 }
 
 /// True if the batch need not be set up, because all of its triangles are culled as back faces.
-template <class Rules>
-bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe,
-                    const Rules&)
+inline bool isCulledAsBack(const BatchPlace& place, const BackFaces& backs, const PlacedView& view,
+                           const Stripe& stripe, const LaneRules& rules)
 {
-    return Rules::kExact && stripe.culling == FaceCulling::Back && backs.mayHold(place.batch.cone)
-           && backs.hold(place.batch.cone, view(place.batch.bounds));
+    return stripe.shortcuts.has(Shortcut::FacingCones) && !rules.movesCorners() && stripe.culling == FaceCulling::Back
+           && backs.mayHold(place.batch.cone) && backs.hold(place.batch.cone, view(place.batch.bounds));
 }
 
 /// The patches of the batch that may show a front, if back faces are culled; none of a batch that is seen from behind
@@ -181,6 +177,7 @@ inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& bac
                                    const Stripe& stripe)
 {
     const bool hasPatches = !place.mesh.patches.empty();
+    if (!stripe.shortcuts.has(Shortcut::FacingCones)) return kAllPatches;
     if (stripe.culling != FaceCulling::Back || !(hasPatches || backs.mayHold(place.batch.cone))) return kAllPatches;
     const std::optional<BehindQuestion> asked = backs.question(view(place.batch.bounds));
     if (!asked) return kAllPatches;
@@ -189,23 +186,21 @@ inline PatchBits patchesTowardsEye(const BatchPlace& place, const BackFaces& bac
 }
 
 /// Those that are to be set up, of a batch that crosses the stripe's border or does not.
-template <class Rules>
-PatchBits patchesWanted(const BatchPlace& place, const BackFaces& backs, const PlacedView& view, const Stripe& stripe,
-                        bool crossesBorder, const Rules&)
+inline PatchBits patchesWanted(const BatchPlace& place, const BackFaces& backs, const PlacedView& view,
+                               const Stripe& stripe, bool crossesBorder, const LaneRules& rules)
 {
-    if constexpr (Rules::kExact) {
-        const PatchBits wanted = patchesTowardsEye(place, backs, view, stripe);
-        if (!crossesBorder || wanted == 0 || place.mesh.patches.empty()) return wanted;
-        return PatchReach(place.mesh, place.batch, wanted, view, stripe.projection, stripe.region()).patches();
-    }
-    return kAllPatches;
+    if (rules.movesCorners()) return kAllPatches;
+    const PatchBits wanted    = patchesTowardsEye(place, backs, view, stripe);
+    const bool      asksReach = crossesBorder && stripe.shortcuts.has(Shortcut::PatchReach);
+    if (!asksReach || wanted == 0 || place.mesh.patches.empty()) return wanted;
+    return PatchReach(place.mesh, place.batch, wanted, view, stripe.projection, stripe.region()).patches();
 }
 
 /// Calls visit(instance, batch, toWorld, patches) for every batch of which `patches` may reach the stripe; the batches
 /// of a mesh are `batchesOf(mesh)`, `batch` is an index into them, `toWorld` nullptr for the identity.
-template <class BatchesOf, class Visit, class Rules>
+template <class BatchesOf, class Visit>
 void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batchesOf, const Visit& visit,
-                  const Rules& rules)
+                  const LaneRules& rules)
 {
     const Scene&       scene = stripe.scene.scene();
     const StripeVolume volume(stripe.projection, stripe.visible.width(), stripe.firstRow, stripe.endRow);
@@ -233,9 +228,9 @@ void visitBatches(const Stripe& stripe, StageClock& clock, const BatchesOf& batc
 
 /// Hands the screen triangles of every batch that may reach the stripe to `consume(triangles)`; the batches of a mesh
 /// are `batchesOf(mesh)`.
-template <class BatchesOf, class Consume, class Rules>
+template <class BatchesOf, class Consume>
 void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                    const Consume& consume, const Rules& rules)
+                    const Consume& consume, const LaneRules& rules)
 {
     const Scene& scene = stripe.scene.scene();
     const auto   visit = [&](InstanceId instance, std::uint32_t b, const Affine* toWorld, PatchBits patches) {
@@ -248,20 +243,18 @@ void visitTriangles(const BatchesOf& batchesOf, const Stripe& stripe, StripeScra
 }
 
 /// Batches that stand patch by patch, where back faces are culled; else nullptr.
-template <class Rules>
-const PatchedBatches* patchedFor(const Stripe& stripe)
+inline const PatchedBatches* patchedFor(const Stripe& stripe, const LaneRules& rules)
 {
-    if constexpr (Rules::kExact)
-        if (stripe.culling == FaceCulling::Back) return &patchedBatchesOf(stripe.scene);
-    return nullptr;
+    const bool areWanted = stripe.shortcuts.has(Shortcut::PatchedBatches) && !rules.movesCorners();
+    return areWanted && stripe.culling == FaceCulling::Back ? &patchedBatchesOf(stripe.scene) : nullptr;
 }
 
 /// visitTriangles() of the opaque ones.
-template <class Consume, class Rules>
+template <class Consume>
 void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
-                      const Rules& rules)
+                      const LaneRules& rules)
 {
-    const PatchedBatches* patched   = patchedFor<Rules>(stripe);
+    const PatchedBatches* patched   = patchedFor(stripe, rules);
     const auto            batchesOf = [&](MeshId mesh) -> const MeshBatches& {
         return patched ? patched->of(mesh) : stripe.scene.batchesOf(mesh);
     };
@@ -269,16 +262,16 @@ void visitAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& 
 }
 
 /// Hands the faces that may reach the stripe, as they were read, to `consume(face, sides)`, and those that are
-/// triangles or drawn as such to `consume(triangle)`; where rules are exact, of a mesh whose faces are triangles all,
-/// to `consume(triangles)`, batch by batch.
-template <class Consume, class Rules>
+/// triangles or drawn as such to `consume(triangle)`; of a mesh whose faces are triangles all, to `consume(triangles)`,
+/// batch by batch.
+template <class Consume>
 void visitFacesAsSubmitted(const Stripe& stripe, StripeScratch& scratch, StageClock& clock, const Consume& consume,
-                           const Rules& rules)
+                           const LaneRules& rules)
 {
     const Scene&          scene       = stripe.scene.scene();
     const SceneFaces&     faces       = facesOf(stripe.scene);
-    const bool            byTriangles = Rules::kExact && faces.someAreTriangles();
-    const PatchedBatches* patched     = byTriangles ? patchedFor<Rules>(stripe) : nullptr;
+    const bool            byTriangles = faces.someAreTriangles();
+    const PatchedBatches* patched     = byTriangles ? patchedFor(stripe, rules) : nullptr;
     clock.lap(Stage::Build);
     const auto areTriangles = [&](MeshId mesh) { return byTriangles && faces.of(mesh).areTriangles(); };
     const auto batchesOf    = [&](MeshId mesh) -> const MeshBatches& {

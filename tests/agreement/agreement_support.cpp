@@ -1,6 +1,7 @@
 #include "tests/agreement/agreement_support.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include <gtest/gtest.h>
 
@@ -98,6 +99,31 @@ std::map<std::string, std::uint64_t> countersOf(const DrawRequest& request)
     if (work.ok())
         for (const NamedCount& counter : work->counters) counters[counter.name] = counter.value;
     return counters;
+}
+
+std::optional<std::string> firstDifference(const Frame& a, const Frame& b)
+{
+    for (int y = 0; y < a.visible.height(); ++y)
+        for (int x = 0; x < a.visible.width(); ++x) {
+            const std::string where = "at (" + std::to_string(x) + ", " + std::to_string(y) + "): ";
+            const float       here = a.visible.storedAt(x, y), there = b.visible.storedAt(x, y);
+            if (a.visible.idAt(x, y) != b.visible.idAt(x, y))
+                return where + "triangles " + std::to_string(a.visible.idAt(x, y)) + " and "
+                       + std::to_string(b.visible.idAt(x, y));
+            if (a.visible.idAt(x, y) >= 0 && std::memcmp(&here, &there, sizeof here) != 0)
+                return where + "depths " + std::to_string(here) + " and " + std::to_string(there);
+            if (a.colour.at(x, y) != b.colour.at(x, y)) return where + "colours";
+        }
+    return std::nullopt;
+}
+
+void drawAlone(const DrawRequest& request, Frame& frame)
+{
+    Renderer renderer;
+    for (int i = 0; i < (request.pipeline.coherence == Coherence::None ? 1 : 2); ++i) {
+        const auto report = renderer.draw(request, frame);
+        EXPECT_TRUE(report.ok()) << nameOf(request.pipeline) << ": " << (report.ok() ? "" : report.error().text());
+    }
 }
 
 }  // namespace zscope::tests

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,11 @@ using Prepared = std::shared_ptr<const PreparedScene>;
 Prepared prepared(std::shared_ptr<const Scene> scene);
 Prepared prepared(Scene scene);
 Scene    builtinScene(const std::string& word);
+
+/// Where two frames differ first, in ids, depths or colours; nothing if they do not.
+std::optional<std::string> firstDifference(const Frame& a, const Frame& b);
+/// Draws the frame by a renderer of its own; twice if the pipeline takes something over from the frame before.
+void drawAlone(const DrawRequest& request, Frame& frame);
 
 /// The textbook method's work on the frame, by name.
 std::map<std::string, std::uint64_t> countersOf(const DrawRequest& request);

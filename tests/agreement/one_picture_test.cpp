@@ -131,7 +131,7 @@ int expectOnePicture(const std::shared_ptr<const Scene>& loaded, const Camera& c
     const auto describe = [&](const DrawRequest& request) {
         return what + ", " + nameOf(request.pipeline) + ", back faces "
                + (request.faceCulling == FaceCulling::Back ? "culled" : "drawn") + ", shortcuts "
-               + (request.shortcuts == Shortcuts::All ? "all" : "none") + ", " + std::to_string(request.threads)
+               + (request.shortcuts.isAll() ? "all" : "none") + ", " + std::to_string(request.threads)
                + " threads";
     };
     for (const Choices& choices : approximations())
@@ -152,7 +152,7 @@ int expectOnePicture(const std::shared_ptr<const Scene>& loaded, const Camera& c
                 request.shade      = shadesFragments(pipeline->depth);
                 const bool byCover = isByFace && drawsFaces(*pipeline);
                 for (const int count : threads)
-                    for (const Shortcuts shortcuts : {Shortcuts::All, Shortcuts::None}) {
+                    for (const ShortcutSet shortcuts : {ShortcutSet::all(), ShortcutSet()}) {
                         request.threads   = count;
                         request.shortcuts = shortcuts;
                         draw(request, frame);

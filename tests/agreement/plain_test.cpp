@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstring>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,45 +15,16 @@
 namespace zscope::tests {
 namespace {
 
-/// Where two frames differ first; nothing if they do not.
-std::optional<std::string> difference(const Frame& a, const Frame& b)
-{
-    for (int y = 0; y < a.visible.height(); ++y)
-        for (int x = 0; x < a.visible.width(); ++x) {
-            const std::string where = "at (" + std::to_string(x) + ", " + std::to_string(y) + "): ";
-            const float       here = a.visible.storedAt(x, y), there = b.visible.storedAt(x, y);
-            if (a.visible.idAt(x, y) != b.visible.idAt(x, y))
-                return where + "triangles " + std::to_string(a.visible.idAt(x, y)) + " and "
-                       + std::to_string(b.visible.idAt(x, y));
-            if (a.visible.idAt(x, y) >= 0 && std::memcmp(&here, &there, sizeof here) != 0)
-                return where + "depths " + std::to_string(here) + " and " + std::to_string(there);
-            if (a.colour.at(x, y) != b.colour.at(x, y)) return where + "colours";
-        }
-    return std::nullopt;
-}
-
-struct Drawn {
-    Frame frame;
-    /// Two frames in a row, so that methods that take something over from the frame before do so.
-    Drawn(Renderer& renderer, const DrawRequest& request, const std::string& what)
-    {
-        for (int i = 0; i < (request.pipeline.coherence == Coherence::None ? 1 : 2); ++i) {
-            const auto report = renderer.draw(request, frame);
-            EXPECT_TRUE(report.ok()) << what << ": " << (report.ok() ? "" : report.error().text());
-        }
-    }
-};
-
 void expectSame(DrawRequest request, const std::string& what)
 {
     for (const int threads : {1, 2}) {
         request.threads   = threads;
-        request.shortcuts = Shortcuts::All;
-        Renderer    fast, plain;
-        const Drawn all(fast, request, what);
-        request.shortcuts = Shortcuts::None;
-        const Drawn none(plain, request, what);
-        const auto  differs = difference(all.frame, none.frame);
+        request.shortcuts = ShortcutSet::all();
+        Frame all, none;
+        drawAlone(request, all);
+        request.shortcuts = ShortcutSet();
+        drawAlone(request, none);
+        const auto differs = firstDifference(all, none);
         EXPECT_FALSE(differs) << what << ", " << nameOf(request.pipeline) << ", " << threads << " threads, "
                               << *differs;
     }

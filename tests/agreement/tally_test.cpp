@@ -30,7 +30,7 @@ DrawRequest requestFor(const std::string& scene, FaceCulling culling)
     request.camera      = *camera;
     request.faceCulling = culling;
     request.threads     = 1;
-    request.shortcuts   = Shortcuts::None;
+    request.shortcuts   = ShortcutSet();
     return request;
 }
 
@@ -95,17 +95,17 @@ TEST(Tallies, ShortcutsTellWhatTheyDidThemselves)
     DrawRequest request = requestFor("soccer-field?count=60", FaceCulling::Back);
     Renderer    renderer;
     Frame       frame;
-    const auto  talliesOf = [&](const char* preset, Shortcuts shortcuts) {
+    const auto  talliesOf = [&](const char* preset, ShortcutSet shortcuts) {
         request.pipeline  = findPreset(preset)->pipeline;
         request.shortcuts = shortcuts;
         return renderer.draw(request, frame)->tally.named();
     };
-    const auto fast = talliesOf("zbuffer", Shortcuts::All), plain = talliesOf("zbuffer", Shortcuts::None);
+    const auto fast = talliesOf("zbuffer", ShortcutSet::all()), plain = talliesOf("zbuffer", ShortcutSet());
     EXPECT_GT(valueOf(fast, "windows"), 0u);
     EXPECT_EQ(valueOf(fast, "pixels_tested"), 0u) << "windows are counted there, not pixels";
     EXPECT_LT(valueOf(fast, "triangle_set_ups"), valueOf(plain, "triangle_set_ups")) << "patches that face away";
-    EXPECT_LT(valueOf(talliesOf("hzb-octree", Shortcuts::All), "pyramid_queries"),
-              valueOf(talliesOf("hzb-octree", Shortcuts::None), "pyramid_queries"))
+    EXPECT_LT(valueOf(talliesOf("hzb-octree", ShortcutSet::all()), "pyramid_queries"),
+              valueOf(talliesOf("hzb-octree", ShortcutSet()), "pyramid_queries"))
         << "small triangles are not worth a question";
 }
 

@@ -63,9 +63,11 @@ Picture drawn(const Subject& subject, const Pipeline& pipeline, Simd simd, FaceC
     const Projection projection(camera);
     VisibilityBuffer visible;
     visible.resize(camera.width, camera.height, DepthEncoding(pipeline.approximation.format, camera.near, camera.far));
-    StageClock   clock;
-    const Stripe whole{*subject.scene, projection, culling, visible, 0, camera.height, {}};
-    kernelsOf(simd).drawStripe(pipeline, whole, scratch, clock);
+    StageClock      clock;
+    const LaneRules rules(pipeline.approximation, camera);
+    Stripe          whole{*subject.scene, projection, culling, visible, 0, camera.height, {}};
+    whole.shortcuts = ShortcutSet::all();
+    kernelsOf(simd).drawStripe(pipeline, rules, whole, scratch, clock);
     return pictureOf(visible);
 }
 
