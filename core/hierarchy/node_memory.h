@@ -92,7 +92,7 @@ public:
     }
 
     /// The node, one of lastFrame(), has been drawn before the visit.
-    void drawnAhead(const RememberedNode& node)
+    void noteDrawnAhead(const RememberedNode& node)
     {
         std::size_t slot = slotOf(node.instance, node.node);
         while (m_slots[slot] != 0) slot = next(slot);

@@ -33,7 +33,7 @@ std::array<Half, 2> halvesOf(const ScreenTriangle& triangle, const std::array<Co
                              const ChosenRules& rules)
 {
     const PixelBox& box    = triangle.box;
-    const int       first  = std::max(rules.firstLineOfTriangle(corners[0].y), box.y0);
+    const int       first  = std::max(rules.firstLineOfTriangle(corners[0].y), box.y0);  // a fault: a line late
     const int       middle = std::clamp(firstLineFrom(corners[1].y), box.y0, box.y1);
     return {{{0, 1, first, middle}, {1, 2, std::max(first, middle), box.y1}}};
 }
@@ -46,7 +46,8 @@ void walkEdges(Work& work, const Pass& pass, const ScreenTriangle& triangle)
     DepthTest                   test(work, pass, triangle.depth, triangle.id, triangle.patterned);
     for (const auto& [upper, lower, first, end] : halvesOf(triangle, corners, work.rules)) {
         const Corner &top = corners[0], &bottom = corners[2], &from = corners[upper], &to = corners[lower];
-        if (first >= end || work.rules.isSkippedAsHorizontal(from.x, to.x)) continue;
+        if (first >= end) continue;                                    // the half crosses no line's centre
+        if (work.rules.isSkippedAsHorizontal(from.x, to.x)) continue;  // a fault
         TriangleSide longSide(top.x, top.y, bottom.x, bottom.y, first, end - 1, work.rules);
         TriangleSide shortSide(from.x, from.y, to.x, to.y, first, end - 1, work.rules);
         for (int y = first; y < end; ++y, longSide.nextLine(), shortSide.nextLine()) {

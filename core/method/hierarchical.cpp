@@ -11,20 +11,15 @@ void hierarchical(Work& work, const Parts& parts, const Pass& pass, TreeVisit& v
     for (PlacedNode node; parts.pop(work, node);) {
         if (work.isCancelled()) return;
         if (parts.judge(work, pass, visit, node) != Verdict::Entered) continue;
-        parts.push(work, visit.childrenFarthestFirst(node));
+        parts.push(work, visit.childrenFarthestFirst(node));  // divides the node; hasOwnItems() is known only then
         if (!visit.hasOwnItems(node)) continue;
-        if (remembers == Remembers::Yes)
+        if (remembers == Remembers::Yes) {
             drawIfNotDrawnInPassOne(work, parts, pass, visit, node);
-        else
-            drawNode(work, parts, pass, visit, node);
+            continue;
+        }
+        work.tell(NodeDrawn{visit.treeOf(node).place(*node.node)});
+        if (!node.isInstanceTree()) drawOwn(work, parts, pass, visit, node);  // instances wait on the stack
     }
-}
-
-DrawnTriangles drawNode(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit, const PlacedNode& node)
-{
-    work.tell(NodeDrawn{visit.treeOf(node).place(*node.node)});
-    if (node.isInstanceTree()) return {};  // its instances wait on the stack
-    return drawOwn(work, parts, pass, visit, node);
 }
 
 DrawnTriangles drawOwn(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit, const PlacedNode& node)

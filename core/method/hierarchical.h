@@ -1,9 +1,11 @@
 // The hierarchical z-buffer: near nodes first; what the pyramid hides is skipped, with everything below it.
 //
-// Node       outside the view: skipped. Farther than everything drawn in its rectangle: skipped. Else its own
-//            triangles, those that fit in no child, are drawn and its children visited, the nearer ones first
-// Presets    hzb-octree and hzb-bvh ask about nodes and about small triangles; octree-order and octree-frustum ask
-//            nothing: they only skip what is outside the view
+// Node       outside the view: skipped. Farther than everything drawn in its rectangle: skipped. Else a leaf's
+//            triangles are drawn, and an inner node's children are visited, the nearer ones first. What fits in no
+//            octant has nodes of its own beside the octants. A leaf of the tree over the instances holds instances: the
+//            trees over their triangles are visited next
+// Presets    hzb-octree, hzb-bvh, two-pass and the second pass of hzb-bvh-prepass ask the pyramid about nodes and
+//            triangles, octree-order about triangles only; octree-frustum asks nothing
 // Source     Greene, Kass, Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993
 #pragma once
 
@@ -20,9 +22,7 @@ enum class Remembers : std::uint8_t { No, Yes };
 void hierarchical(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit,
                   Remembers remembers = Remembers::No);
 
-/// The node's own triangles are drawn; its own instances wait their turn.
-DrawnTriangles drawNode(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit, const PlacedNode& node);
-/// The own triangles of a node of a mesh tree, batch by batch.
+/// Draws the own triangles of a node of a mesh tree, batch by batch.
 DrawnTriangles drawOwn(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit, const PlacedNode& node);
 
 /// The plain parts push and pop: a stack.

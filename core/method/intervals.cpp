@@ -18,10 +18,10 @@ struct Leader {
     IntervalReason reason;
 };
 
-/// A polygon's depth at one pixel: rounded and limited as the picture stores it.
+/// A polygon's depth at an end of an interval: clamped and rounded as the picture stores it.
 struct EndDepth {
     float depth;
-    bool  limited;  // the plane lies beyond the depths of the polygon's corners there
+    bool  clamped;  // to the depths of the polygon's corners: the plane lies beyond them there
 };
 
 EndDepth depthAt(const DepthPlane& plane, int x, int y, const ChosenRules& rules)
@@ -44,25 +44,25 @@ Leader leaderOf(const Work& work, int y, int x0, int x1)
     const auto  polygons = work.scratch.edges.polygons();
     const auto& open     = work.scratch.open;
     const float empty    = work.stripe.visible.empty();
-    const auto  at       = [&](const Polygon& polygon, int x) { return depthAt(polygon.depth, x, y, work.rules); };
-    if (!work.rules.comparesByEnds()) return {nullptr, IntervalReason::NotByEnds};
+    const auto  endDepth = [&](const Polygon& polygon, int x) { return depthAt(polygon.depth, x, y, work.rules); };
+    if (!work.rules.comparesByEnds()) return {nullptr, IntervalReason::NotByEnds};  // an approximation
 
     const Polygon* best = &polygons[open[0]];
-    for (const std::uint32_t polygon : open)
-        if (at(polygons[polygon], x0).depth > at(*best, x0).depth) best = &polygons[polygon];
+    for (const std::uint32_t index : open)
+        if (endDepth(polygons[index], x0).depth > endDepth(*best, x0).depth) best = &polygons[index];
     if (best->patterned) return {nullptr, IntervalReason::HasPattern};
-    const EndDepth left = at(*best, x0), right = at(*best, x1 - 1);
+    const EndDepth left = endDepth(*best, x0), right = endDepth(*best, x1 - 1);
     const bool     isKept = left.depth > empty && right.depth > empty;  // the far test
     if (open.size() == 1)
         return isKept ? Leader{best, IntervalReason::Alone} : Leader{nullptr, IntervalReason::BeyondFar};
     if (work.rules.testsIntervalOnce()) return {best, IntervalReason::TestedOnce};  // a fault
-    if (left.limited || right.limited) return {nullptr, IntervalReason::DepthLimited};
+    if (left.clamped || right.clamped) return {nullptr, IntervalReason::DepthLimited};
     if (!isKept) return {nullptr, IntervalReason::BeyondFar};
-    for (const std::uint32_t polygon : open) {
-        const Polygon& rival = polygons[polygon];
+    for (const std::uint32_t index : open) {
+        const Polygon& rival = polygons[index];
         if (&rival == best) continue;
-        const EndDepth rivalLeft = at(rival, x0), rivalRight = at(rival, x1 - 1);
-        if (rivalLeft.limited || rivalRight.limited) return {nullptr, IntervalReason::DepthLimited};
+        const EndDepth rivalLeft = endDepth(rival, x0), rivalRight = endDepth(rival, x1 - 1);
+        if (rivalLeft.clamped || rivalRight.clamped) return {nullptr, IntervalReason::DepthLimited};
         if (!leads(left.depth, rivalLeft.depth) || !leads(right.depth, rivalRight.depth))
             return {nullptr, IntervalReason::NoClearLead};
     }
@@ -78,7 +78,7 @@ void tellRuns(const Work& work, int y, int x0, int x1)
         while (end < x1 && rank(end) == rank(x)) ++end;
         if (rank(x) != 0) {
             work.tally.add(Unit::Spans);
-            work.tell(SpanFilled{y, x, end, TriangleId{rank(x) - 1}, true});
+            work.tell(SpanFilled{.y = y, .x0 = x, .x1 = end, .triangle = TriangleId{rank(x) - 1}, .isInterval = true});
         }
         x = end;
     }
@@ -90,13 +90,13 @@ void decide(Work& work, int y, int x0, int x1)
     const Leader leader   = leaderOf(work, y, x0, x1);
     if (leader.polygon) {
         const Pass nearest;
-        DepthTest  test(work, nearest, leader.polygon->depth, leader.polygon->id, false);
+        DepthTest  test(work, nearest, leader.polygon->depth, leader.polygon->id, leader.polygon->patterned);
         test.beginLine(y, x0);
         for (int x = x0; x < x1; ++x) test.store(x);
         work.tally.add(Unit::Spans);
-        work.tell(SpanFilled{y, x0, x1, leader.polygon->id, true});
+        work.tell(SpanFilled{.y = y, .x0 = x0, .x1 = x1, .triangle = leader.polygon->id, .isInterval = true});
     } else {
-        for (const std::uint32_t polygon : work.scratch.open) offerSpan(work, polygons[polygon], y, x0, x1);
+        for (const std::uint32_t index : work.scratch.open) offerSpan(work, polygons[index], y, x0, x1);
         tellRuns(work, y, x0, x1);
     }
     work.tell(IntervalDecided{y, x0, x1, work.scratch.open, polygons, leader.polygon, leader.reason});
@@ -119,10 +119,11 @@ void cross(Work& work, const Edge& edge)
 /// Closes the polygons that a fault left open.
 void closeAll(Work& work)
 {
-    for (const std::uint32_t polygon : work.scratch.open) work.scratch.active.spanOf(polygon) = {};
+    for (const std::uint32_t index : work.scratch.open) work.scratch.active.spanOf(index) = {};
 }
 
-/// Whether too many polygons are open at once somewhere on the line.
+/// Goes through the edges of the line once: whether more than kCrowd polygons are open at once. Without a fault every
+/// winding is 0 again at the end.
 bool isCrowded(Work& work)
 {
     std::size_t most = 0;
@@ -153,7 +154,7 @@ void resolveByIntervals(Call work, int y)
         from = to;
         cross(*work, edge);
     }
-    closeAll(*work);
+    closeAll(*work);  // without a fault none is open here
 }
 
 }  // namespace zscope::plain

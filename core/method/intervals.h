@@ -2,7 +2,8 @@
 // once for the whole interval, mostly without a z-buffer.
 //
 // Nearest    judged at both end pixels. Depth is affine along the line, so a polygon that leads every rival by more
-//            than two float32 steps at both ends, with no depth limited there, leads everywhere between
+//            than two float32 steps at both ends, with no depth clamped there to those of the polygon's corners, leads
+//            everywhere between
 // Crossing   an interval without such a leader (polygons that cross, touch or are equally near) is compared pixel by
 //            pixel: that is where the textbook's one test per interval goes wrong
 // Patterns   a polygon with holes or a relief covers no interval whole, so it does not lead

@@ -13,19 +13,18 @@
 
 namespace zscope::plain {
 
-/// The two passes of a pre-pass, each drawn by `draw`. Between them every cell of the pyramid, if there is one, is
-/// marked stale: a question computes it from the depths of the first pass.
+/// Two passes through the scene; draw(pass) runs zbuffer() or hierarchical() (drawScene, core/frame/plain_stripe.cpp).
+/// Between them all cells of the pyramid, if there is one, are marked stale; the first question that needs a cell
+/// computes it from the depths of the first pass.
 template <class Draw>
 void drawAfterPrepass(Work& work, const Pass& pass, bool hasPyramid, const Draw& draw)
 {
-    Pass depth       = {};
-    depth.keep       = Keep::DepthOnly;
-    depth.walksEdges = pass.walksEdges;
-    draw(depth);
+    const Pass depthOnly{.keep = Keep::DepthOnly, .walksEdges = pass.walksEdges};
+    draw(depthOnly);
     if (hasPyramid) work.scratch.pyramid.allTouched();
-    Pass colour = pass;
-    colour.keep = Keep::Equal;
-    draw(colour);
+    Pass equalDepth = pass;
+    equalDepth.keep = Keep::Equal;
+    draw(equalDepth);
 }
 
 }  // namespace zscope::plain

@@ -1,6 +1,5 @@
 #include "core/method/scanline.h"
 
-#include "core/geometry/face_batches.h"
 #include "core/plain/batches_in_view.h"
 #include "core/plain/depth_test.h"
 #include "core/plain/enter_faces.h"
@@ -18,10 +17,10 @@ void scanline(Work& work, const Parts& parts)
         active.admit(edges, y, work);
         active.sortByX(work);
         work.tell(LineReady{y, active.edges(), edges.polygons(), active.changes()});
-        const std::uint64_t spans = work.tally.of(Unit::Spans);
+        const std::uint64_t spansBefore = work.tally.of(Unit::Spans);
         parts.resolveLine(work, y);
-        work.tell(
-            LineFinished{y, active.edges(), edges.polygons(), active.changes(), work.tally.of(Unit::Spans) - spans});
+        work.tell(LineFinished{y, active.edges(), edges.polygons(), active.changes(),
+                               work.tally.of(Unit::Spans) - spansBefore});
         active.advance();
     }
 }
@@ -46,8 +45,8 @@ void fillEdgeTableWithFaces(Work& work)
 
 void resolveByDepth(Call work, int y)
 {
-    for (const auto& [place, x0, x1] : spansOf(*work)) {
-        const Polygon& polygon = work->scratch.edges.polygons()[place];
+    for (const auto& [polygonIndex, x0, x1] : spansOf(*work)) {
+        const Polygon& polygon = work->scratch.edges.polygons()[polygonIndex];
         offerSpan(*work, polygon, y, x0, x1);
         work->tally.add(Unit::Spans);
         work->tell(SpanFilled{y, x0, x1, polygon.id});
@@ -68,15 +67,15 @@ std::span<const LineSpan> spansOf(Work& work)
     std::vector<LineSpan>& spans  = work.scratch.spans;
     spans.clear();
     for (const Edge& edge : active.edges()) {
-        PolygonSpan& polygon = active.spanOf(edge.polygon);
+        PolygonSpan& span    = active.spanOf(edge.polygon);
         const int    x       = firstPixelRightOf(edge, work.stripe.visible.width(), work.rules);
-        const bool   wasOpen = polygon.isOpen();
-        polygon.winding += edge.winding;
-        if (polygon.isOpen() == wasOpen) continue;
+        const bool   wasOpen = span.isOpen();
+        span.winding += edge.winding;
+        if (span.isOpen() == wasOpen) continue;
         if (!wasOpen)
-            polygon.from = x;
-        else if (polygon.from < x)
-            spans.push_back({edge.polygon, polygon.from, x});
+            span.from = x;
+        else if (span.from < x)
+            spans.push_back({edge.polygon, span.from, x});
     }
     return spans;
 }

@@ -2,8 +2,9 @@
 //
 // Idea       an edge enters the table on its first line, moves by a constant from line to line, and leaves after its
 //            last; between a polygon's left and right edge lie its pixels
-// Resolve    the part resolveLine decides who is seen on the line: by the depth test here, by intervals in intervals.h,
-//            by blending in transparency.h
+// Resolve    the part resolveLine decides which polygon each pixel of the line shows: here by a depth test on row y of
+//            the visibility buffer (the lecture's one-line z-buffer), in intervals.h by intervals. transparency.cpp
+//            sweeps with the same steps in a loop of its own
 // Source     Wylie, Romney, Evans, Erdahl: Half-tone perspective drawings by computer, FJCC 1967
 #pragma once
 

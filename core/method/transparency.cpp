@@ -4,6 +4,7 @@
 
 #include "core/method/scanline.h"
 #include "core/plain/batches_in_view.h"
+#include "core/plain/lines.h"
 #include "core/shade/colour_table.h"
 #include "core/sweep/blend_events.h"
 
@@ -89,7 +90,7 @@ private:
     bool comesBefore(const BlendFragment& a, const BlendFragment& b) const
     {
         if (m_order == BlendOrder::Sorted) return a.depth != b.depth ? a.depth < b.depth : a.rank > b.rank;
-        const bool aFront = m_polygons[a.part].front, bFront = m_polygons[b.part].front;
+        const bool aFront = m_polygons[a.polygon].front, bFront = m_polygons[b.polygon].front;
         return aFront != bFront ? bFront : a.rank < b.rank;
     }
 
@@ -99,10 +100,10 @@ private:
         const std::uint32_t before = m_colour.at(x, m_y);
         float               red = channel(before, 16), green = channel(before, 8), blue = channel(before, 0);
         for (const BlendFragment& fragment : fragments) {
-            const Polygon& over = m_polygons[fragment.part];
-            red += (channel(over.colour, 16) - red) * over.opacity;
-            green += (channel(over.colour, 8) - green) * over.opacity;
-            blue += (channel(over.colour, 0) - blue) * over.opacity;
+            const Polygon& source = m_polygons[fragment.polygon];
+            red += (channel(source.colour, 16) - red) * source.opacity;
+            green += (channel(source.colour, 8) - green) * source.opacity;
+            blue += (channel(source.colour, 0) - blue) * source.opacity;
         }
         const std::uint32_t after = 0xFF000000u | rounded(red) << 16 | rounded(green) << 8 | rounded(blue);
         m_colour.at(x, m_y)       = after;
@@ -128,8 +129,9 @@ void blendTransparent(Work& work, const Parts& parts, const TransparentSurfaces&
 {
     EdgeTable&   edges  = work.scratch.edges;
     ActiveEdges& active = work.scratch.active;
-    Tally        ofSweep;  // what is reported and counted is the blending, not the sweep beneath it
-    Work         quiet{work.stripe, work.rules, work.scratch, work.clock, ofSweep};
+    Tally        ofSweep;  // only the blending is reported and counted, not the sweep beneath it
+    // It has no observer: it reports nothing, and a replayed run leaves no line or batch of it out.
+    Work quiet{work.stripe, work.rules, work.scratch, work.clock, ofSweep};
     edges.clear(work.stripe.firstRow, work.stripe.endRow, work.stripe.memory);
     for (const BatchPlace& batch : BatchesInView(quiet, &surfaces)) {
         parts.setUp(quiet, batch);
@@ -137,7 +139,7 @@ void blendTransparent(Work& work, const Parts& parts, const TransparentSurfaces&
     }
     edges.fillBuckets();
     active.begin(edges);
-    for (int y = work.stripe.firstRow; y < work.stripe.endRow && !work.isCancelled(); ++y) {
+    for (const int y : LinesOf(quiet)) {
         active.retireBefore(y, quiet);
         active.admit(edges, y, quiet);
         active.sortByX(quiet);

@@ -13,8 +13,9 @@ void drawRemembered(Work& work, const Parts& parts, const Pass& pass, TreeVisit&
         if (work.isCancelled()) return;
         const PlacedNode  node{.node = last.node, .holder = last.holder, .instance = last.instance};
         const PlacedTree& placed = visit.treeOf(node);
-        if (memory.isItsTurn(last) || visit.volume().misses(placed.view(last.node->bounds))) continue;
-        memory.drawnAhead(last);
+        if (memory.isItsTurn(last)) continue;  // every eighth is left to pass two, which asks about its triangles
+        if (visit.volume().misses(placed.view(last.node->bounds))) continue;
+        memory.noteDrawnAhead(last);
         work.tell(NodeRecalled{placed.place(*last.node), visit.trees().instances(), *last.holder});
         drawOwn(work, parts, pass, visit, node);
     }
@@ -27,7 +28,7 @@ void twoPass(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit)
     work.scratch.memory.begin(visit.trees());
     Pass unasked = pass, asking = pass;
     unasked.asksNodes = unasked.asksTriangles = false;
-    unasked.ofTwo = 1, asking.ofTwo = 2;
+    unasked.number = 1, asking.number = 2;
     work.tell(PassStarted{1});
     drawRemembered(work, parts, unasked, visit);
     work.tell(PassStarted{2});
@@ -37,17 +38,15 @@ void twoPass(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit)
 
 void drawIfNotDrawnInPassOne(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit, const PlacedNode& node)
 {
-    if (node.isInstanceTree()) {
-        drawNode(work, parts, pass, visit, node);
-        return;
+    NodeMemory& memory = work.scratch.memory;
+    // True: pass one drew it, and this visit has just found it not hidden.
+    bool remains = !node.isInstanceTree() && memory.isDrawnAhead(node.instance, *node.node);
+    if (!remains) {
+        work.tell(NodeDrawn{visit.treeOf(node).place(*node.node)});
+        if (node.isInstanceTree()) return;
+        remains = NodeMemory::isWorthIt(drawOwn(work, parts, pass, visit, node));
     }
-    NodeMemory& memory     = work.scratch.memory;
-    bool        wasWorthIt = memory.isDrawnAhead(node.instance, *node.node);
-    if (!wasWorthIt) {
-        const DrawnTriangles drawn = drawNode(work, parts, pass, visit, node);
-        wasWorthIt                 = NodeMemory::isWorthIt(drawn);
-    }
-    if (wasWorthIt) memory.remember({node.instance, node.holder, node.node});
+    if (remains) memory.remember({node.instance, node.holder, node.node});
 }
 
 }  // namespace zscope::plain

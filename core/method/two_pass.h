@@ -16,7 +16,8 @@ namespace zscope::plain {
 
 void twoPass(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit);
 
-/// A node of the second pass: draws it if the first did not, and remembers it if that was worth it.
+/// An entered node of the second pass: draws its own triangles if the first pass did not, and remembers the node if
+/// that pays (NodeMemory::isWorthIt). The instances of a node of the tree over the instances wait on the stack.
 void drawIfNotDrawnInPassOne(Work& work, const Parts& parts, const Pass& pass, TreeVisit& visit,
                              const PlacedNode& node);
 

@@ -42,13 +42,15 @@ DrawnTriangles drawEachTriangle(Call work, const Pass& pass)
 
 void fillByHalfSpaces(Work& work, const Pass& pass, const ScreenTriangle& triangle)
 {
+    // The top-left rule: the value of an edge that does not own its points is lowered by notOwned().
     const HalfPlanes edges{halfPlanesOf(triangle, work.rules.notOwned()), triangle.box.x0, triangle.box.y0};
     DepthTest        test(work, pass, triangle.depth, triangle.id, triangle.patterned);
-    for (const PixelBox& box : tilesOf(work.rules.looked(triangle.box), pass.testsTiles)) {
-        if (pass.testsTiles && (edges.areOutside(box) || isHiddenInTile(work, triangle, box))) continue;
-        for (int y = box.y0; y < box.y1; ++y) {
-            test.beginLine(y, triangle.box.x0);
-            for (int x = box.x0; x < box.x1; ++x) {
+    const PixelBox   box = work.rules.looked(triangle.box);       // a fault leaves out its last line and column
+    for (const PixelBox& tile : tilesOf(box, pass.testsTiles)) {  // of the pyramid, 8 x 8 pixels; or the box as one
+        if (pass.testsTiles && (edges.areOutside(tile) || isHiddenInTile(work, triangle, tile))) continue;
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            test.beginLine(y, triangle.box.x0);  // carried depths start at the box, whatever the tile
+            for (int x = tile.x0; x < tile.x1; ++x) {
                 const int  right = x - triangle.box.x0, down = y - triangle.box.y0;
                 const bool isInside = edges.planes[0].at(right, down) >= 0 && edges.planes[1].at(right, down) >= 0
                                       && edges.planes[2].at(right, down) >= 0;

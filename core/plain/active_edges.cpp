@@ -54,7 +54,8 @@ std::size_t ActiveEdges::bytes() const
 
 int firstPixelRightOf(const Edge& edge, int width, const ChosenRules& rules)
 {
-    return std::clamp(rules.firstPixel(edge.crossing.firstPixel(), edge.crossing.x()), 0, width);
+    const int first = rules.firstPixel(edge.crossing.firstPixel(), edge.crossing.x());  // a fault truncates x
+    return std::clamp(first, 0, width);
 }
 
 }  // namespace zscope::plain

@@ -18,7 +18,8 @@ SpoiltTest spoiltTest(const ChosenRules& rules)
 DepthTest::DepthTest(Work& work, const Pass& pass, const DepthPlane& plane, TriangleId id, bool patterned)
     : m_work(work), m_pass(pass), m_plane(plane), m_rank(id.value + 1), m_empty(work.stripe.visible.empty()),
       m_shading(work.stripe.painter ? pass.shading : ShadingMoment::Never),
-      m_nearerWins(pass.keep != Keep::Equal && !work.rules.firstComerKeepsTie() && !work.rules.drawsOver())
+      m_nearerWins(pass.keep != Keep::Equal && !work.rules.firstComerKeepsTie()  // a fault
+                   && !work.rules.drawsOver())                                   // a fault
 {
     if (patterned) m_pattern = patternPlaneOf(work.stripe.scene.scene(), work.stripe.projection, id);
 }
@@ -45,7 +46,7 @@ void DepthTest::beginLine(int y, int first)
 
 void DepthTest::offer(int x)
 {
-    const double   flat  = limitedDepthAt(x);
+    const double   flat  = clampedDepthAt(x);
     const PixelKey bound = keyOfDepth(flat), held = m_row[x];
     const bool     shadesFirst = m_shading == ShadingMoment::BeforeTest;
 
@@ -61,7 +62,9 @@ void DepthTest::offer(int x)
         exists && (!m_pattern || looked) && (m_nearerWins ? fragment > held : winsByItsRule(fragment, held));
     if (won) m_row[x] = fragment;
 
-    // A fragment that its pattern has spared is shaded with it, whether it passes the test then or not.
+    // With a pattern the shader also discards and moves fragments. After an early test (AfterTest) it runs for every
+    // fragment that passes at the depth of its triangle. One that it discards is not shaded. One that it moves back is
+    // shaded, although it may lose at its new depth.
     const bool shades = shadesFirst || (m_shading == ShadingMoment::AfterTest && (m_pattern ? looked && exists : won));
     if (shades && won) shade(x);
     ++m_tested;
@@ -83,7 +86,7 @@ void DepthTest::offer(int x)
                             .spoilt       = spoiltTest(m_work.rules)});
 }
 
-void DepthTest::store(int x) { m_row[x] = keyOfDepth(limitedDepthAt(x)); }
+void DepthTest::store(int x) { m_row[x] = keyOfDepth(clampedDepthAt(x)); }
 
 bool DepthTest::wins(PixelKey fragment, PixelKey held) const
 {
@@ -95,16 +98,16 @@ bool DepthTest::winsByItsRule(PixelKey fragment, PixelKey held) const
 {
     if (m_pass.keep == Keep::Nearest && m_work.rules.drawsOver())  // a fault
         return fragment > keyOf(m_empty, 0) && rankOf(fragment) > rankOf(held);
-    const bool firstComerStays = m_work.rules.firstComerKeepsTie() && m_pass.keep != Keep::DepthOnly;
+    const bool firstComerStays = m_work.rules.firstComerKeepsTie() && m_pass.keep != Keep::DepthOnly;  // a fault
     if (m_pass.keep != Keep::Equal) {
         const PixelKey lastOfItsDepth = fragment & ~PixelKey{0xFFFFFFFF};
         return (firstComerStays ? lastOfItsDepth : fragment) > held;
     }
     // After a pre-pass: of the fragments with the depth that it left, the lowest id. It left the depth without an id.
     if (m_work.rules.equalPassWantsNearer()) return fragment >> 32 > held >> 32;  // a fault
-    const bool isNobodys = rankOf(held) == 0;
+    const bool isUnowned = rankOf(held) == 0;
     const bool sameDepth = fragment >> 32 == held >> 32;
-    return sameDepth && fragment > keyOf(m_empty, 0) && (isNobodys || (fragment > held && !firstComerStays));
+    return sameDepth && fragment > keyOf(m_empty, 0) && (isUnowned || (fragment > held && !firstComerStays));
 }
 
 /// False only if the fragment loses at this depth and at any farther one.
@@ -119,7 +122,7 @@ PixelKey DepthTest::keyOfDepth(double depth) const
     return keyOf(m_work.rules.stored(depth), m_pass.keep == Keep::DepthOnly ? 0 : m_rank);
 }
 
-double DepthTest::limitedDepthAt(int x)
+double DepthTest::clampedDepthAt(int x)
 {
     double across = m_plane.a * (x + 0.5);
     if (m_work.rules.depthNumbers() != DepthNumbers::Float64) {
@@ -130,7 +133,7 @@ double DepthTest::limitedDepthAt(int x)
             across = m_carry;
         }
     }
-    const double depth = m_work.rules.depthFrom(across + m_line);
+    const double depth = m_work.rules.depthFrom(across + m_line);  // a fault interpolates the distance
     return std::min(std::max(depth, double{m_plane.farthest}), double{m_plane.nearest});
 }
 

@@ -1,6 +1,6 @@
 // The depth test: of all fragments at a pixel the nearest is seen, and of equally near ones that of the lowest id.
 //
-// Depth      a*(x + 0.5) + (b*(y + 0.5) + c), limited to the depths of the corners, rounded to float32 when it is
+// Depth      a*(x + 0.5) + (b*(y + 0.5) + c), clamped to the depths of the corners, rounded to float32 when it is
 //            stored
 // Winner     depth and id together are one number, larger for the winner (core/depth/pixel_key.h)
 // Far        background holds a depth just below every depth that may be kept, so the far test is part of the depth
@@ -38,7 +38,7 @@ public:
     void store(int x);
 
 private:
-    double   limitedDepthAt(int x);
+    double   clampedDepthAt(int x);
     bool     wins(PixelKey fragment, PixelKey held) const;
     bool     winsByItsRule(PixelKey fragment, PixelKey held) const;
     bool     mayBecomeNearer(PixelKey fragment, PixelKey held) const;

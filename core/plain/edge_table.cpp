@@ -32,11 +32,12 @@ void EdgeTable::add(const Polygon& polygon, Inside inside, std::span<const Scree
     const auto part = static_cast<std::uint32_t>(m_polygons.size());
     m_polygons.push_back(polygon);
     for (const ScreenSide& side : sides) {
-        if (rules.isSkippedAsHorizontal(side.xa, side.xb)) continue;
+        if (rules.isSkippedAsHorizontal(side.xa, side.xb)) continue;  // a fault
         const double upper = std::min(side.ya, side.yb);
-        const int    from  = upper == top ? rules.firstLineOfTriangle(upper) : firstLineFrom(upper);
-        const int    first = std::max(m_firstLine, from),
-                  end      = std::min(m_endLine, firstLineFrom(std::max(side.ya, side.yb)));
+        // firstLineOfTriangle(): with a fault, a line late
+        const int from  = upper == top ? rules.firstLineOfTriangle(upper) : firstLineFrom(upper);
+        const int first = std::max(m_firstLine, from),
+                  end   = std::min(m_endLine, firstLineFrom(std::max(side.ya, side.yb)));
         if (first >= end) continue;
         Edge edge;
         edge.side      = side;

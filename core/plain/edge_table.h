@@ -45,8 +45,9 @@ struct Edge {
     bool isLeftOf(const Edge& other) const;
 };
 
-/// What decides whether a place is inside a polygon. By the even-odd rule every edge adds a half of all there is, so
-/// that two of them add nothing.
+/// What decides whether a place is inside a polygon: the winding, the sum over the polygon's edges left of the place,
+/// modulo 2^32. The place is inside where it is not 0. EvenOdd: each edge adds 2^31, so the winding toggles between 0
+/// and 2^31. AnyWinding: an edge that runs down adds 1, one that runs up subtracts 1.
 enum class Inside : std::uint8_t { EvenOdd, AnyWinding };
 
 class EdgeTable {

@@ -20,7 +20,7 @@ struct Tell {
     }
     void operator()(TriangleSetUp event) const
     {
-        event.isFlipped = work.rules.takesFrontsForBacks();
+        event.isFlipped = work.rules.takesFrontsForBacks();  // a fault
         work.tell(event);
     }
 };

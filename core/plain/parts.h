@@ -1,7 +1,16 @@
-// The table of parts that a method calls: what the method does in each place is chosen at run time, so the method is
-// compiled once. Methods know only the table; plainParts() fills it.
+// The table of parts that a method calls: the function in each place is chosen at run time, so the method is compiled
+// once.
 //
 // Calls      through a pointer, once per batch, node or line, never per pixel
+// Filled     by plainParts(), core/frame/plain_stripe.cpp:
+//            mayBeSeen    always true
+//            setUp        setUpBatch, core/plain/set_up_batch.cpp
+//            draw         drawEachTriangle, core/method/zbuffer.cpp
+//            judge        judgeNode, core/plain/questions.cpp
+//            push, pop    pushOnStack, popFromStack, core/method/hierarchical.cpp
+//            enterEdges   enterTriangles, core/frame/plain_stripe.cpp
+//            resolveLine  resolveByDepth, core/method/scanline.cpp. For interval and interval-polygon sweepLines()
+//                         (core/frame/plain_stripe.cpp) replaces it by resolveByIntervals, core/method/intervals.cpp
 #pragma once
 
 #include <span>
@@ -32,10 +41,9 @@ struct Parts {
 
     /// Sweeps.
     void (*enterEdges)(Call);          // of Scratch::triangles
-    void (*resolveLine)(Call, int y);  // decides who is seen on line y, given Scratch::active
+    void (*resolveLine)(Call, int y);  // decides which polygon each pixel of line y shows, given Scratch::active
 };
 
-/// The plain parts, with the draw and resolveLine of a z-buffer by half-spaces.
 Parts plainParts();
 
 }  // namespace zscope::plain

@@ -43,27 +43,27 @@ Verdict judgeNode(Call call, const Pass& pass, TreeVisit& visit, PlacedNode& nod
 
     if (pass.keep != Keep::DepthOnly) work.tally.add(Unit::Nodes);
     const PlacedTree& placed = visit.treeOf(node);
-    const auto        tell   = [&](Verdict verdict, const PyramidQuery* query = nullptr) {
+    const auto        judged = [&](Verdict verdict, const PyramidQuery* query = nullptr) {
         const bool isDrawnAhead =
-            pass.ofTwo == 2 && !node.isInstanceTree() && work.scratch.memory.isDrawnAhead(node.instance, *node.node);
-        work.tell(NodeJudged{placed.place(*node.node), verdict, query, pass.ofTwo, isDrawnAhead, pass.asksNodes});
+            pass.number == 2 && !node.isInstanceTree() && work.scratch.memory.isDrawnAhead(node.instance, *node.node);
+        work.tell(NodeJudged{placed.place(*node.node), verdict, query, pass.number, isDrawnAhead, pass.asksNodes});
         return verdict;
     };
     const ViewBox box = placed.view(node.node->bounds);
-    if (visit.volume().misses(box, node.open)) return tell(Verdict::Outside);
-    const double smallest = work.rules.smallestNode();
-    if (smallest == 0 && !pass.asksNodes) return tell(Verdict::Entered);
+    if (visit.volume().misses(box, node.open)) return judged(Verdict::Outside);
+    const double smallest = work.rules.smallestNode();  // an approximation, if it is not 0
+    if (smallest == 0 && !pass.asksNodes) return judged(Verdict::Entered);
     NodeReach reach = reachOf(box, work.stripe.projection, work.stripe.region());
-    if (reach.crossesNear) return tell(Verdict::Entered);
-    if (reach.area < smallest) return tell(Verdict::Small);
-    if (!pass.asksNodes) return tell(Verdict::Entered);
+    if (reach.crossesNear) return judged(Verdict::Entered);
+    if (reach.area < smallest) return judged(Verdict::Small);
+    if (!pass.asksNodes) return judged(Verdict::Entered);
     if (work.rules.truncatesNodeBoxes()) --reach.pixels.x1, --reach.pixels.y1;  // a fault
-    if (reach.pixels.isEmpty()) return tell(Verdict::Outside);
+    if (reach.pixels.isEmpty()) return judged(Verdict::Outside);
 
     const PyramidQuery query = ask(work, pass, reach.pixels, reach.nearest, WholeBox{});
     const NodePlace    asked = placed.place(*node.node);
     work.tell(PyramidAsked{query, &asked, {}, work.rules.asksOneLevel(), pass.afterDrawing});
-    return tell(query.hidden ? Verdict::Hidden : Verdict::Entered, &query);
+    return judged(query.hidden ? Verdict::Hidden : Verdict::Entered, &query);
 }
 
 bool isHidden(Work& work, const Pass& pass, const ScreenTriangle& triangle)
@@ -82,9 +82,12 @@ bool isHidden(Work& work, const Pass& pass, const ScreenTriangle& triangle)
 
 bool isHiddenInTile(Work& work, const ScreenTriangle& triangle, const PixelBox& pixels)
 {
-    const PixelBox tile    = work.scratch.pyramid.tileAt(pixels.x0, pixels.y0);
-    const bool     isPlane = work.rules.depthNumbers() == DepthNumbers::Float64 && !work.rules.interpolatesDistance();
-    const float    nearest = work.rules.stored(isPlane ? nearestOver(triangle.depth, pixels) : triangle.depth.nearest);
+    const PixelBox tile = work.scratch.pyramid.tileAt(pixels.x0, pixels.y0);
+    // Fragments have the depths of the triangle's plane, whose nearest point in the tile is at one of its corners. Not
+    // so with other numbers (an approximation) or an interpolated distance (a fault): the nearest corner of the whole
+    // triangle bounds them then.
+    const bool  isPlane = work.rules.depthNumbers() == DepthNumbers::Float64 && !work.rules.interpolatesDistance();
+    const float nearest = work.rules.stored(isPlane ? nearestOver(triangle.depth, pixels) : triangle.depth.nearest);
     const TileAnswer answer =
         work.scratch.pyramid.askTile(tile.x0, tile.y0, nearest, TellCells{work, AfterDrawing::MarkStale});
     work.tell(TileTested{pixels, triangle.id, nearest, answer.farthest, answer.hidden});

@@ -18,8 +18,8 @@ namespace zscope::plain {
 struct BlendFragment {
     int           x;
     float         depth;
-    std::uint32_t part;  // of the edge table
-    std::uint32_t rank;  // triangle id + 1
+    std::uint32_t polygon;  // index into EdgeTable::polygons()
+    std::uint32_t rank;     // triangle id + 1
 };
 
 /// The pixels [x0, x1) that a polygon of the edge table covers on the line at hand.

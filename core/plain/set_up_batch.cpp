@@ -46,8 +46,9 @@ void setUpTriangle(Work& work, const BatchPlace& place, std::uint32_t t, const F
     std::array<dvec3, 3> corner{view[corners[0][t]], view[corners[1][t]], view[corners[2][t]]};
     if (work.rules.fansFaces()) corner = cornersOfFan(work, place, t, corner);  // a fault
     const double    near = work.stripe.projection.near;
-    ClippedTriangle kept = work.rules.dividesBehindTheEye() ? unclipped(corner, near) : clipNear(corner, near);
-    if (kept.isCut && work.rules.dropsAtNear()) kept.count = 0;
+    ClippedTriangle kept = work.rules.dividesBehindTheEye() ? unclipped(corner, near)  // a fault
+                                                            : clipNear(corner, near);
+    if (kept.isCut && work.rules.dropsAtNear()) kept.count = 0;  // an approximation, and a fault
 
     SetUp fate = SetUp::ClippedAway;
     bool  wide = false;
@@ -78,7 +79,7 @@ void setUpBatch(Call work, const BatchPlace& place)
     work->tally.add(Unit::TrianglesSetUp, place.batch.triangleCount);
     work->clock.lap(Stage::Transform);
 
-    const Facing facing = work->rules.facing({work->stripe.culling, place.isMirrored()});
+    const Facing facing = work->rules.facing({work->stripe.culling, place.isMirrored()});  // a fault: the other side
     work->scratch.triangles.clear();
     for (std::uint32_t t = 0; t < place.batch.triangleCount; ++t)
         setUpTriangle(*work, place, place.batch.firstTriangle + t, facing);

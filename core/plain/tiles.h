@@ -1,4 +1,5 @@
-// The tiles of the pyramid that a box of pixels meets, for a depth test tile by tile; or the box as one.
+// The tiles of the pyramid that a box of pixels meets, for a depth test tile by tile; or the box as one. A tile of the
+// pyramid has 8 x 8 pixels; the tiles of the visibility buffer, 64 x 8, are not meant.
 #pragma once
 
 #include <algorithm>

@@ -28,6 +28,7 @@ public:
     /// The first pixel whose centre is not left of the side.
     int firstPixel() const
     {
+        // rules.firstPixel(): a fault truncates x
         return std::visit([this](const auto& at) { return m_rules.firstPixel(at.firstPixel(), at.x()); }, m_crossing);
     }
     void nextLine()

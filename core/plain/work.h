@@ -1,8 +1,8 @@
 // What every part is handed, in one piece; and how a part reports what it does.
 //
 // Borrows    everything: the stripe and its rules belong to the frame, the memory to the thread
-// Lines      a method's call of a part passes a Call, made from the Work by the call itself, so that Work knows the
-//            method's line; tell() adds the line of the part's statement
+// Lines      a function that takes a Call is a step of the method: where a method passes its Work, the conversion to
+//            Call notes the line of that statement in the Work. tell() notes the line of its own statement, too
 #pragma once
 
 #include "core/base/stage_clock.h"

@@ -107,7 +107,7 @@ public:
             if (!placed || placed->instance != last.instance)
                 placed.emplace(place(m_trees.mesh(instance.mesh), instance.toWorld, false, last.instance));
             if (m_memory->isItsTurn(last) || m_volume.misses(placed->view(last.node->bounds))) continue;
-            m_memory->drawnAhead(last);
+            m_memory->noteDrawnAhead(last);
             drawOwn(*placed, *last.node);
         }
         m_clock.lap(Stage::Cull);

@@ -43,7 +43,7 @@ TEST(NodeMemory, TheNextFrameBeginsWithWhatThisOneRemembered)
 
     memory.begin(trees);
     ASSERT_EQ(memory.lastFrame().size(), 40 * nodes.size());
-    for (std::size_t i = 0; i < memory.lastFrame().size(); i += 3) memory.drawnAhead(memory.lastFrame()[i]);
+    for (std::size_t i = 0; i < memory.lastFrame().size(); i += 3) memory.noteDrawnAhead(memory.lastFrame()[i]);
     for (std::size_t i = 0; i < memory.lastFrame().size(); ++i) {
         const RememberedNode& last = memory.lastFrame()[i];
         EXPECT_EQ(last.node, nodes[i / 40]);
