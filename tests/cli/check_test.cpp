@@ -174,6 +174,17 @@ TEST_F(Check, ATraceIsJudgedAloneOrWithAPicture)
     EXPECT_EQ(check(scene, {"--ids", path("i.npy"), "--algorithm", "scanline"}).status, 2);
 }
 
+TEST_F(Check, ASizeAloneMeansTheScenesOwnView)
+{
+    draw(kCity);  // its own view, 160 by 120 pixels
+    const std::string ids = path("i.npy");
+    const Answer      own = run({"check", kCity, "--size", "160x120", "--ids", ids, "--json"});
+    EXPECT_EQ(own.status, 0) << own.err << own.out;
+    EXPECT_EQ(json::parse(own.out), json::parse(check(kCity, {"--ids", ids, "--json"}).out));
+    EXPECT_EQ(run({"check", kCity, "--size", "120x160", "--ids", ids}).status, 3) << "the file has another size";
+    EXPECT_EQ(run({"check", kCity, "--size", "0x160", "--ids", ids}).status, 2);
+}
+
 TEST_F(Check, RefusesWhatCannotBeUsed)
 {
     draw(kCity);
