@@ -168,7 +168,9 @@ Result<Exit> checkFiles(const CheckOptions& options, Session& session)
 
     session.print(options.json ? textOf(cli::jsonOf(judged)) : textOf(judged));
     if (options.report)
-        if (const auto path = check::writeReport(*picture, session.reproducingCommand(), *options.report); !path)
+        if (const auto path = check::writeReport(*picture, session.reproducingCommand(), *options.report,
+                                                 {judged.trace, judged.rows});
+            !path)
             return path.error();
     if (options.junit)
         if (const auto done = writeFile(*options.junit, junitOf(judged, scene->scene->name)); !done)
