@@ -14,8 +14,6 @@
 namespace zscope::cli {
 namespace {
 
-constexpr std::uint64_t kMaxCameraFile = 1 << 20;  // bytes
-
 struct CheckOptions {
     SceneOption                scene;
     std::optional<std::string> camera, matrix, size;
@@ -66,15 +64,15 @@ Result<Done> readConventions(const CheckOptions& options, check::CheckRequest& r
     return Done{};
 }
 
-Result<Done> readCamera(const CheckOptions& options, check::CheckRequest& request)
+/// `ofScene` is filled where the scene's own view is meant.
+Result<Done> readCamera(const CheckOptions& options, check::CheckRequest& request, std::optional<ViewWords>& ofScene)
 {
-    const auto usage = [](std::string sentence) { return Error{Trouble::Usage, std::move(sentence)}; };
     if (options.camera && options.matrix) return usage("--camera and --matrix say the same: give one of them");
+    if (options.camera && options.size) return usage("--camera sets all ten numbers and cannot be mixed with --size");
     if (options.matrix && !options.size) return usage("--matrix says nothing of the picture's size: add --size");
-    if (options.size && !options.matrix) return usage("--size belongs to --matrix");
-    if (!options.camera && !options.matrix && !options.dump)
-        return usage("say what the picture was seen with: --camera, --matrix or --dump");
-    if (options.matrix) {
+    if (!options.camera && !options.size && !options.dump)
+        return usage("say what the picture was seen with: --camera, --matrix, --dump, or --size for the scene's view");
+    if (options.size) {
         const auto size = pictureSize(*options.size, "--size");
         if (!size) return size.error();
         ViewRequest view;  // refuses the sizes that any other command refuses
@@ -85,6 +83,7 @@ Result<Done> readCamera(const CheckOptions& options, check::CheckRequest& reques
         if (const Result<Camera> possible = makeCamera(view, anyBox); !possible) return possible.error();
         request.matrix = options.matrix;
         request.width = size->width, request.height = size->height;
+        if (!options.matrix) ofScene = ViewWords{.request = view, .given = {"--size"}, .faceCulling = {}};
     }
     if (options.camera) {
         const Result<std::string> text = readRegularFile(*options.camera, kMaxCameraFile);
@@ -118,7 +117,8 @@ Result<Exit> checkFiles(const CheckOptions& options, Session& session)
 
     check::CheckRequest request;
     if (const auto done = readConventions(options, request); !done) return done.error();
-    if (const auto done = readCamera(options, request); !done) return done.error();
+    std::optional<ViewWords> ofScene;
+    if (const auto done = readCamera(options, request, ofScene); !done) return done.error();
     if (options.report) {
         if (const auto done = check::makeFolder(*options.report); !done) return done.error();
         outputs.push_back({"--report", (std::filesystem::path(*options.report) / check::kReportFile).string()});
@@ -144,6 +144,11 @@ Result<Exit> checkFiles(const CheckOptions& options, Session& session)
     const Result<LoadedScene> scene = options.scene.prepare(session, 0);
     if (!scene) return scene.error();
     if (const auto done = checkOutputs(outputs, scene->scene->files); !done) return done.error();
+    if (ofScene) {
+        const auto view = ofScene->of(*scene->scene);
+        if (!view) return view.error();
+        request.camera = view->camera;
+    }
     check::Checker                    checker(scene->prepared);
     std::optional<check::CheckAnswer> picture;
     if (hasPicture) {
@@ -163,7 +168,9 @@ Result<Exit> checkFiles(const CheckOptions& options, Session& session)
 
     session.print(options.json ? textOf(cli::jsonOf(judged)) : textOf(judged));
     if (options.report)
-        if (const auto path = check::writeReport(*picture, session.reproducingCommand(), *options.report); !path)
+        if (const auto path = check::writeReport(*picture, session.reproducingCommand(), *options.report,
+                                                 {judged.trace, judged.rows});
+            !path)
             return path.error();
     if (options.junit)
         if (const auto done = writeFile(*options.junit, junitOf(judged, scene->scene->name)); !done)
@@ -187,7 +194,8 @@ Command addCheck(CLI::App& parent)
     };
     option("--camera", options->camera, "FILE", "All ten numbers of the camera from a JSON file", "View");
     option("--matrix", options->matrix, "FILE", "View and projection as 4x4 matrices from a JSON file", "View");
-    option("--size", options->size, "WxH", "Size of the picture in pixels, with --matrix", "View");
+    option("--size", options->size, "WxH", "Size of the picture in pixels: with --matrix, or of the scene's own view",
+           "View");
     option("--depth", options->depth, "FILE", "Depth: .npy, .pfm, .png of 16 bits, or .raw", "Files");
     option("--ids", options->ids, "FILE", "Ids of triangles or faces: .npy, .png (colour = id + 1), or .raw", "Files");
     option("--picture", options->picture, "FILE", "A picture: .png, .bmp or .ppm; only coverage is judged", "Files");

@@ -84,9 +84,9 @@ std::string gradeTableOf(std::span<const GradeRow> rows)
                  {"verdict", Table::Align::Left},
                  {"cause", Table::Align::Left},
                  {"detail", Table::Align::Left}});
-    for (const GradeRow& row : rows)
-        table.row(
-            {row.submission, row.scene, std::string(wordOf(row.verdict)), causeOf(row), firstSentence(row.detail)});
+    for (const GradeRow& row : rows)  // a program's own words stand there whole
+        table.row({row.submission, row.scene, std::string(wordOf(row.verdict)), causeOf(row),
+                   row.check.is_null() ? row.detail : firstSentence(row.detail)});
     return table.text(outputWidth());
 }
 

@@ -31,9 +31,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kOutputBase     = std::uint64_t{64} << 20;  // bytes that any program may write
-constexpr std::uint64_t kOutputPerPixel = 64;   // and for each pixel: depth and ids of 8 bytes, a few times
-constexpr std::size_t   kWarningsShown  = 3;    // of each scene
-constexpr std::size_t   kLongestSaid    = 200;  // of a program's words, bytes
+constexpr std::uint64_t kOutputPerPixel = 64;    // and for each pixel: depth and ids of 8 bytes, a few times
+constexpr std::size_t   kWarningsShown  = 3;     // of each scene
+constexpr std::size_t   kLongestSaid    = 1000;  // of a program's words, bytes: a line with a long path, whole
 
 struct Submission {
     std::string name, path;  // no path: there is one program, which the command names
@@ -72,7 +72,7 @@ std::string saidIn(const std::string& text)
         at = end + 1;
     }
     const std::string line = error.empty() ? last : error;
-    return line.empty() ? "" : fmt::format(": {}", quotable(line.substr(0, kLongestSaid)));
+    return line.empty() ? "" : fmt::format(": {}", quotable(line, kLongestSaid));
 }
 
 class Grading {

@@ -149,8 +149,8 @@ std::string titlesOf(const Cause& cause)
 
 class Page {
 public:
-    Page(const CheckAnswer& answer, const std::string& command)
-        : m_answer(answer), m_command(command), m_scene(answer.truth->scene->scene())
+    Page(const CheckAnswer& answer, const std::string& command, const ReportedTrace& trace)
+        : m_answer(answer), m_command(command), m_trace(trace), m_scene(answer.truth->scene->scene())
     {}
 
     Result<std::string> html() const
@@ -160,8 +160,8 @@ public:
         const auto first = firstWrongSection();
         if (!first) return first.error();
         return std::string(kHead) + markupText("ZScope: " + m_scene.name) + std::string(kStyle) + headSection()
-               + countsSection() + *pictures + *first + causesSection() + conventionsSection() + commandSection()
-               + "</main></body></html>\n";
+               + countsSection() + *pictures + *first + causesSection() + traceSection() + conventionsSection()
+               + commandSection() + "</main></body></html>\n";
     }
 
 private:
@@ -286,6 +286,34 @@ private:
         return html;
     }
 
+    std::string traceSection() const
+    {
+        constexpr std::size_t kMost = 20;  // rows that differ
+        if (!m_trace.answer) return {};
+        const TraceAnswer& answer = *m_trace.answer;
+        std::string        html =
+            heading("The trace")
+            + fmt::format("<p class=\"verdict{}\">{}</p>\n", answer.isRight() ? " right" : "", said(answer.sentence));
+        if (answer.isRight()) return html;
+        HtmlTable     table(3);
+        std::uint64_t shown = 0;
+        table.head({"Line of the trace", "What differs", "Our step"});
+        for (std::size_t row = 0; row < answer.rows.size() && shown < kMost; ++row) {
+            const JudgedRow& judged = answer.rows[row];
+            if (!judged.isWrong()) continue;
+            ++shown;
+            table.row({std::to_string(m_trace.trace->rows[row].line), said(judged.sentence),
+                       judged.grain ? markupText(fmt::format("step --algorithm {} --grain {} --at {}", answer.algorithm,
+                                                             wordOf(*judged.grain), judged.step.value))
+                                    : said("None")});
+        }
+        html += table.text();
+        if (answer.wrong > shown)
+            html += fmt::format("<p>{}</p>\n",
+                                said(fmt::format("More rows that differ: {}.", grouped(answer.wrong - shown, ','))));
+        return html;
+    }
+
     std::string conventionsSection() const
     {
         const Conventions& c = m_answer.conventions;
@@ -308,14 +336,15 @@ private:
 
     const CheckAnswer& m_answer;
     const std::string& m_command;
+    ReportedTrace      m_trace;
     const Scene&       m_scene;
 };
 
 }  // namespace
 
-Result<std::string> reportPage(const CheckAnswer& answer, const std::string& command)
+Result<std::string> reportPage(const CheckAnswer& answer, const std::string& command, const ReportedTrace& trace)
 {
-    return Page(answer, command).html();
+    return Page(answer, command, trace).html();
 }
 
 Result<Done> makeFolder(const std::string& folder)
@@ -326,9 +355,10 @@ Result<Done> makeFolder(const std::string& folder)
     return Done{};
 }
 
-Result<std::string> writeReport(const CheckAnswer& answer, const std::string& command, const std::string& folder)
+Result<std::string> writeReport(const CheckAnswer& answer, const std::string& command, const std::string& folder,
+                                const ReportedTrace& trace)
 {
-    const auto page = reportPage(answer, command);
+    const auto page = reportPage(answer, command, trace);
     if (!page) return page.error();
     if (const auto done = makeFolder(folder); !done) return done.error();
     const std::string path = (std::filesystem::path(folder) / kReportFile).string();

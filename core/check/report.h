@@ -1,5 +1,6 @@
 // A judgement as a page that a student hands in and a teacher reads: the sentence, counts, pictures, the first wrong
-// pixel with everything that covers it, likely causes, conventions.
+// pixel with everything that covers it, likely causes, conventions; of a trace that was judged with it the rows that
+// differ.
 //
 // Page       one HTML file that needs nothing but itself and runs nothing: pictures are in it, and two buttons without
 //            a script choose English or Chinese (core/io/phrase_book.h). It prints as it is shown
@@ -16,10 +17,17 @@ namespace zscope::check {
 
 inline constexpr const char* kReportFile = "report.html";
 
+/// A trace that was judged with the picture: both, or neither.
+struct ReportedTrace {
+    const TraceAnswer* answer = nullptr;
+    const Trace*       trace  = nullptr;
+};
+
 /// `command` judges the same files again; it may be empty.
-Result<std::string> reportPage(const CheckAnswer& answer, const std::string& command);
+Result<std::string> reportPage(const CheckAnswer& answer, const std::string& command, const ReportedTrace& trace = {});
 /// Writes it into a folder, which is made if it is not there; gives back the page's path.
-Result<std::string> writeReport(const CheckAnswer& answer, const std::string& command, const std::string& folder);
+Result<std::string> writeReport(const CheckAnswer& answer, const std::string& command, const std::string& folder,
+                                const ReportedTrace& trace = {});
 
 /// The folder is there, or is made. Errors: Output.
 Result<Done> makeFolder(const std::string& folder);

@@ -228,6 +228,7 @@ private:
         const bool               needsCells = memberOf(fields, "pyramid") != nullptr;
         StepState state = stateOf(m_recorders, &heard.kind, m_request, needsCells ? &scratch.pyramid : nullptr);
         if (needsCells) state.frame.visible = frame.visible;
+        m_rows[row].events = state.events;
         RowComparison comparison(m_limits, state, m_table.table(), phraseOf(spokenKey(m_trace.rows[row], fields)));
         if (auto difference = comparison.difference(fields))
             m_rows[row].sentence = *std::move(difference);
@@ -273,7 +274,8 @@ try {
     const Error cancelled{Trouble::Cancelled, "stepping was cancelled"};
 
     TraceAnswer answer;
-    answer.algorithm = nameOf(request.pipeline);
+    answer.algorithm   = nameOf(request.pipeline);
+    answer.faceCulling = request.faceCulling;
     answer.rows.resize(trace.rows.size());
     MomentFinder finder(trace);
     {

@@ -72,6 +72,7 @@ Result<Trace> traceOf(std::string text, const std::string& file);
 struct JudgedRow {
     std::optional<Grain> grain;  // nothing: our run has no such moment
     StepIndex            step;
+    std::uint64_t        events = 0;          // StepState::events of that state
     std::string          sentence;            // the first difference; empty: there is none
     bool                 isRounding = false;  // something differs by rounding alone
 
@@ -83,13 +84,16 @@ struct TraceAnswer {
     std::vector<JudgedRow>     rows;                     // one per row of the trace
     std::uint64_t              wrong = 0, rounding = 0;  // rows; a wrong one is none of the latter
     std::optional<std::size_t> firstWrong;
-    std::string                sentence;  // in plain English
+    FaceCulling                faceCulling = FaceCulling::None;  // of the run that it was held against
+    std::string                sentence;                         // in plain English
 
     bool isRight() const { return wrong == 0; }
 };
 
 /// The algorithm that a trace is held against: `named`, or what the trace names, or its guess. Errors: Input, Usage.
 Result<Pipeline> traceAlgorithm(const Trace& trace, const std::optional<std::string>& named);
+/// Whether a run of the pipeline has moments and tables like those of the first row.
+bool hasTablesOf(const Trace& trace, const Pipeline& pipeline);
 
 /// `request` names scene, camera, culling and pipeline. `halfStep`: of the coarser sub-pixel grid (core/check/truth.h).
 Result<TraceAnswer> judgeTrace(const Trace& trace, const DrawRequest& request, double halfStep);

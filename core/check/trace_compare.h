@@ -1,4 +1,4 @@
-// One row of a trace against one state of our run: the first difference in a sentence.
+// One row of a trace against one state of our run: the first difference in a sentence, or all fields side by side.
 //
 // Rounding   a difference that a careful renderer may have is none; isRounding() says that there was one. d is the most
 //            that the corners of a polygon may lie elsewhere, in both programs together
@@ -11,12 +11,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "core/check/exact_triangle.h"
 #include "core/check/trace.h"
+#include "core/check/trace_beside.h"
 #include "core/check/truth.h"
 #include "core/io/json_document.h"
 #include "core/lesson/step_state.h"
@@ -59,6 +61,18 @@ private:
     mutable std::unordered_map<std::int64_t, std::vector<ExactTriangle>> m_kept;
 };
 
+/// An edge as far as a row says it.
+struct TheirEdge {
+    std::optional<std::int64_t> polygon = {}, firstLine = {}, lastLine = {};
+    std::optional<double>       x = {}, xSubpixels = {}, dx = {};
+};
+enum class EdgeList { Active, Entered, Left };
+/// Places of one edge in both lists; nothing: that list lacks it.
+struct EdgePair {
+    std::optional<std::size_t> theirs = {}, ours = {};
+    Likeness                   likeness = Likeness::Same;
+};
+
 /// Whether two depths may be those of surfaces that tie.
 bool mayTie(const Place& a, const Place& b);
 
@@ -72,18 +86,38 @@ public:
     /// The first difference; nothing: there is none. `theirs` passed traceOf().
     std::optional<std::string> difference(const JsonValue::Object& theirs);
     bool                       isRounding() const { return m_isRounding; }
+    /// Every field that is judged, in the order of the row.
+    std::vector<FieldBeside> beside(const JsonValue::Object& theirs);
 
 private:
-    using Found = std::optional<std::string>;
-    enum class EdgeList { Active, Entered, Left };
+    using Found     = std::optional<std::string>;
+    using PixelSpan = std::pair<std::int64_t, std::int64_t>;  // pixel, polygon
 
     // trace_edges.cpp
-    Found edges(EdgeList list, const JsonValue::Array& theirs, const std::vector<EdgeRow>& ours);
-    Found extraEdge(EdgeList list, const struct TheirEdge& edge) const;
-    Found polygons(const JsonValue::Array& theirs);
-    Found spans(const JsonValue::Array& theirs);
+    std::vector<EdgePair> pairsOf(EdgeList list, const std::vector<TheirEdge>& theirs,
+                                  const std::vector<EdgeRow>& ours) const;
+    Found                 edges(EdgeList list, const JsonValue::Array& theirs, const std::vector<EdgeRow>& ours);
+    Found                 unequal(EdgeList list, const TheirEdge* theirs, const EdgeRow* ours) const;
+    Found                 extraEdge(EdgeList list, const TheirEdge& edge) const;
+    Found                 polygons(const JsonValue::Array& theirs);
+    Found                 spans(const JsonValue::Array& theirs);
+    /// Both sorted. Of the line of our run.
+    Found                  spanPixels(std::span<const PixelSpan> theirs, std::span<const PixelSpan> ours);
+    std::vector<PixelSpan> pixelsOfOurSpans() const;
+
+    // trace_beside.cpp
+    template <class Compare>
+    Likeness                    verdictOf(const Compare& compare);
+    const std::vector<EdgeRow>& edgesOf(EdgeList list) const;
+    void besideEdges(EdgeList list, const JsonValue::Array& theirs, std::vector<FieldBeside>& fields) const;
+    void besidePolygons(const JsonValue::Array& theirs, std::vector<FieldBeside>& fields) const;
+    void besideSpans(const JsonValue::Array& theirs, std::vector<FieldBeside>& fields);
+    void besidePyramid(const JsonValue::Object& theirs, const JsonValue* ours, std::vector<FieldBeside>& fields);
+    void besideParts(int depth, const std::string& path, const std::string& name, const JsonValue& theirs,
+                     const JsonValue* ours, std::vector<FieldBeside>& fields);
 
     // trace_fields.cpp
+    Found field(const JsonMember& theirs, const JsonValue::Object& row);
     Found pixel(const JsonValue::Object& theirs, const JsonValue::Object& row);
     Found triangle(const JsonValue::Object& theirs);
     Found pyramid(const JsonValue::Object& theirs, const JsonValue::Object& row);
@@ -91,7 +125,7 @@ private:
     Found generic(const std::string& path, const JsonValue& theirs, const JsonValue& ours);
     Found depth(std::string_view what, const JsonValue& theirs, double ours, double slack);
 
-    const JsonValue::Object& ours(const JsonValue::Object& theirs);
+    const JsonValue::Object& ours(const JsonValue::Object& row);
     std::string              said(const std::string& rest) const { return m_phrase + " " + rest; }
     Found                    absent(std::string_view what) const;
 
@@ -103,11 +137,21 @@ private:
     std::optional<JsonValue> m_json;  // ours(), once it was asked for
 };
 
+inline constexpr std::size_t kMostSpanPixels = std::size_t{1} << 24;  // of one row
+/// Of fields that are compared as they stand: a list in which the order means nothing.
+inline constexpr std::string_view kSet = "open";
+/// Whether a field of a row is compared at all.
+bool isJudged(std::string_view field);
 /// The member of an object; nullptr: it has none.
 const JsonValue* memberOf(const JsonValue::Object& object, std::string_view name);
 /// Nothing if it is no whole number.
 std::optional<std::int64_t> wholeIn(const JsonValue& value);
 /// Of a number that traceOf() has checked.
 double numberOf(const JsonValue& value);
+/// An edge of a row that traceOf() has checked.
+TheirEdge edgeOf(const JsonValue::Object& object);
+/// Whether the two agree, to the bit or but for rounding.
+Likeness likenessOf(const TheirEdge& theirs, const EdgeRow& ours, const PolygonLimits& limits);
+double   slopeOf(const EdgeRow& edge);
 
 }  // namespace zscope::check

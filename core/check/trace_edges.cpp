@@ -10,14 +10,6 @@
 
 namespace zscope::check {
 
-/// As far as a row says it.
-struct TheirEdge {
-    std::optional<std::int64_t> polygon, firstLine, lastLine;
-    std::optional<double>       x, xSubpixels, dx;
-};
-
-namespace {
-
 TheirEdge edgeOf(const JsonValue::Object& object)
 {
     TheirEdge  edge;
@@ -40,6 +32,8 @@ TheirEdge edgeOf(const JsonValue::Object& object)
 }
 
 double slopeOf(const EdgeRow& edge) { return static_cast<double>(edge.dx[0]) / static_cast<double>(edge.dx[1]); }
+
+namespace {
 
 struct FieldDifference {
     std::string_view name;
@@ -90,7 +84,19 @@ std::optional<FieldDifference> differenceOf(const TheirEdge& theirs, const EdgeR
     return rounding;
 }
 
-constexpr std::size_t kMostSpanPixels = std::size_t{1} << 24;  // of one row
+template <class Pixels>
+void sortOnce(Pixels& pixels)
+{
+    std::ranges::sort(pixels);
+    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
+}
+
+std::string_view nameOf(EdgeList list)
+{
+    return list == EdgeList::Active    ? "your table"
+           : list == EdgeList::Entered ? "your list of edges that entered"
+                                       : "your list of edges that left";
+}
 
 /// Where an edge of the table would meet the centre of a line, pixels, on whichever side of its ends.
 double xAt(const plain::Edge& edge, int line)
@@ -102,12 +108,15 @@ double xAt(const plain::Edge& edge, int line)
 
 }  // namespace
 
-RowComparison::Found RowComparison::edges(EdgeList list, const JsonValue::Array& theirs,
-                                          const std::vector<EdgeRow>& ours)
+Likeness likenessOf(const TheirEdge& theirs, const EdgeRow& ours, const PolygonLimits& limits)
 {
-    std::vector<TheirEdge> edges;
-    for (const JsonValue& item : theirs) edges.push_back(edgeOf(*item.object()));
+    const auto difference = differenceOf(theirs, ours, limits);
+    return !difference ? Likeness::Same : difference->isRounding ? Likeness::Rounding : Likeness::Differs;
+}
 
+std::vector<EdgePair> RowComparison::pairsOf(EdgeList list, const std::vector<TheirEdge>& theirs,
+                                             const std::vector<EdgeRow>& ours) const
+{
     std::unordered_map<std::int64_t, std::vector<std::size_t>> byPolygon;
     std::vector<std::size_t>                                   all;
     for (std::size_t i = 0; i < ours.size(); ++i) {
@@ -122,18 +131,19 @@ RowComparison::Found RowComparison::edges(EdgeList list, const JsonValue::Array&
     };
 
     // First what agrees to the bit, then what agrees but for rounding.
-    std::vector<std::optional<std::size_t>> partner(edges.size());
-    std::vector<bool>                       isTaken(ours.size(), false);
-    for (const bool allowsRounding : {false, true})
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            if (partner[i]) continue;
-            for (const std::size_t own : candidatesOf(edges[i])) {
+    std::vector<EdgePair> pairs(theirs.size());
+    std::vector<bool>     isTaken(ours.size(), false);
+    for (const Likeness allowed : {Likeness::Same, Likeness::Rounding})
+        for (std::size_t i = 0; i < theirs.size(); ++i) {
+            if (pairs[i].ours) continue;
+            pairs[i].theirs = i;
+            for (const std::size_t own : candidatesOf(theirs[i])) {
                 if (isTaken[own]) continue;
-                const auto difference = differenceOf(edges[i], ours[own], m_limits);
-                if (difference && !(allowsRounding && difference->isRounding)) continue;
-                m_isRounding = m_isRounding || difference.has_value();
-                partner[i]   = own;
-                isTaken[own] = true;
+                const Likeness likeness = likenessOf(theirs[i], ours[own], m_limits);
+                if (likeness > allowed) continue;
+                pairs[i].ours     = own;
+                pairs[i].likeness = likeness;
+                isTaken[own]      = true;
                 break;
             }
         }
@@ -143,42 +153,42 @@ RowComparison::Found RowComparison::edges(EdgeList list, const JsonValue::Array&
         return m_limits.mayVanish(polygon) || m_limits.mayEndAt(polygon, y)
                || (list != EdgeList::Active && m_limits.mayEndAt(polygon, y - 1));
     };
-    const std::string_view where = list == EdgeList::Active    ? "your table"
-                                   : list == EdgeList::Entered ? "your list of edges that entered"
-                                                               : "your list of edges that left";
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (partner[i]) continue;
-        const TheirEdge& edge = edges[i];
-        if (edge.polygon && mayEndHere(*edge.polygon)) {
-            m_isRounding = true;
-            continue;
-        }
-        const bool isOver = list == EdgeList::Active
+    for (EdgePair& pair : pairs) {
+        if (pair.ours) continue;
+        const TheirEdge& edge = theirs[*pair.theirs];
+        pair.likeness         = edge.polygon && mayEndHere(*edge.polygon) ? Likeness::Rounding : Likeness::Differs;
+        const bool isOver     = list == EdgeList::Active
                             && ((edge.lastLine && *edge.lastLine < y) || (edge.firstLine && *edge.firstLine > y));
-        if (edge.polygon && !isOver)
-            for (const std::size_t own : candidatesOf(edge)) {
-                if (isTaken[own]) continue;
-                const auto difference = differenceOf(edge, ours[own], m_limits);
-                return said(fmt::format("an edge of polygon {} has {} {:.9g} in {}, and {:.9g} in ours.", *edge.polygon,
-                                        difference->name, difference->theirs, where, difference->ours));
-            }
-        return extraEdge(list, edge);
+        if (pair.likeness == Likeness::Rounding || !edge.polygon || isOver) continue;
+        const auto away = [&](std::size_t own) { return edge.x ? std::abs(ours[own].x - *edge.x) : 0.0; };
+        for (const std::size_t own : candidatesOf(edge))  // the one that is meant most likely
+            if (!isTaken[own] && (!pair.ours || away(own) < away(*pair.ours))) pair.ours = own;
+        if (pair.ours) isTaken[*pair.ours] = true;
     }
     for (std::size_t own = 0; own < ours.size(); ++own) {
         if (isTaken[own]) continue;
-        const EdgeRow& edge = ours[own];
-        if (mayEndHere(static_cast<std::int64_t>(edge.polygon.value))) {
-            m_isRounding = true;
-            continue;
-        }
-        return said(fmt::format("{} lacks an edge of polygon {} at x {:.9g}; its lines are {} to {}.", where,
-                                edge.polygon.value, edge.x, edge.firstLine, edge.lastLine));
+        const bool mayBeAbsent = mayEndHere(static_cast<std::int64_t>(ours[own].polygon.value));
+        pairs.push_back({std::nullopt, own, mayBeAbsent ? Likeness::Rounding : Likeness::Differs});
+    }
+    return pairs;
+}
+
+RowComparison::Found RowComparison::edges(EdgeList list, const JsonValue::Array& theirs,
+                                          const std::vector<EdgeRow>& ours)
+{
+    std::vector<TheirEdge> edges;
+    for (const JsonValue& item : theirs) edges.push_back(edgeOf(*item.object()));
+    const std::vector<EdgePair> pairs = pairsOf(list, edges, ours);
+    for (const EdgePair& pair : pairs) {
+        m_isRounding = m_isRounding || pair.likeness == Likeness::Rounding;
+        if (pair.likeness == Likeness::Differs)
+            return unequal(list, pair.theirs ? &edges[*pair.theirs] : nullptr, pair.ours ? &ours[*pair.ours] : nullptr);
     }
     if (list != EdgeList::Active) return std::nullopt;
     std::optional<std::size_t> before;  // the edge of ours that stands farthest right so far
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (!partner[i]) continue;
-        const EdgeRow& edge = ours[*partner[i]];
+    for (const EdgePair& pair : pairs) {
+        if (!pair.theirs || !pair.ours) continue;
+        const EdgeRow& edge = ours[*pair.ours];
         if (before && edge.x < ours[*before].x) {
             const EdgeRow& left = ours[*before];
             const auto     most = [&](const EdgeRow& of) {
@@ -191,10 +201,23 @@ RowComparison::Found RowComparison::edges(EdgeList list, const JsonValue::Array&
                                 left.polygon.value, left.x, edge.polygon.value, edge.x));
             m_isRounding = true;
         } else {
-            before = partner[i];
+            before = pair.ours;
         }
     }
     return std::nullopt;
+}
+
+/// What differs between two edges of one polygon, or what one list lacks.
+RowComparison::Found RowComparison::unequal(EdgeList list, const TheirEdge* theirs, const EdgeRow* ours) const
+{
+    const std::string_view where = nameOf(list);
+    if (!ours) return extraEdge(list, *theirs);
+    if (!theirs)
+        return said(fmt::format("{} lacks an edge of polygon {} at x {:.9g}; its lines are {} to {}.", where,
+                                ours->polygon.value, ours->x, ours->firstLine, ours->lastLine));
+    const auto difference = differenceOf(*theirs, *ours, m_limits);
+    return said(fmt::format("an edge of polygon {} has {} {:.9g} in {}, and {:.9g} in ours.", *theirs->polygon,
+                            difference->name, difference->theirs, where, difference->ours));
 }
 
 /// An edge that our list does not hold: why, if our edge table knows it.
@@ -225,9 +248,7 @@ RowComparison::Found RowComparison::extraEdge(EdgeList list, const TheirEdge& ed
         if (first && *first > y)
             return said(fmt::format("your table already holds {}, whose first line is {}.", name, *first));
     }
-    const std::string_view where = list == EdgeList::Active    ? "your table"
-                                   : list == EdgeList::Entered ? "your list of edges that entered"
-                                                               : "your list of edges that left";
+    const std::string_view where = nameOf(list);
     const std::string      at    = edge.x ? fmt::format(" at x {:.9g}", *edge.x) : "";
     return said(fmt::format("{} holds {}{}, and ours does not.", where, name, at));
 }
@@ -254,10 +275,8 @@ RowComparison::Found RowComparison::polygons(const JsonValue::Array& theirs)
 
 RowComparison::Found RowComparison::spans(const JsonValue::Array& theirs)
 {
-    const int y     = m_ours.sweep->y;
-    const int width = m_limits.width();
-    using PixelSpan = std::pair<std::int64_t, std::int64_t>;  // pixel, polygon
-    std::vector<PixelSpan> found, right;
+    const int              width = m_limits.width();
+    std::vector<PixelSpan> found;
     for (const JsonValue& item : theirs) {
         const JsonValue::Object& span = *item.object();
         const auto               x0   = static_cast<std::int64_t>(numberOf(*memberOf(span, "x0"))),
@@ -270,14 +289,24 @@ RowComparison::Found RowComparison::spans(const JsonValue::Array& theirs)
             return said(fmt::format("the spans of your trace hold more than {} pixels.", kMostSpanPixels));
         for (std::int64_t x = x0; x < x1; ++x) found.emplace_back(x, polygon);
     }
+    sortOnce(found);
+    return spanPixels(found, pixelsOfOurSpans());
+}
+
+std::vector<RowComparison::PixelSpan> RowComparison::pixelsOfOurSpans() const
+{
+    std::vector<PixelSpan> pixels;
     for (const SpanRow& span : m_ours.sweep->spans)
-        for (int x = span.x0; x < span.x1; ++x) right.emplace_back(x, span.polygon.value);
-    for (auto* pixels : {&found, &right}) {
-        std::ranges::sort(*pixels);
-        pixels->erase(std::unique(pixels->begin(), pixels->end()), pixels->end());
-    }
+        for (int x = span.x0; x < span.x1; ++x) pixels.emplace_back(x, span.polygon.value);
+    sortOnce(pixels);
+    return pixels;
+}
+
+RowComparison::Found RowComparison::spanPixels(std::span<const PixelSpan> found, std::span<const PixelSpan> right)
+{
+    const int y = m_ours.sweep->y;
     /// Whether another polygon of a list ties with this one at the pixel.
-    const auto ties = [&](const PixelSpan& pixel, const Place& place, const std::vector<PixelSpan>& list) {
+    const auto ties = [&](const PixelSpan& pixel, const Place& place, std::span<const PixelSpan> list) {
         const int x = static_cast<int>(pixel.first);
         for (auto at = std::ranges::lower_bound(list, PixelSpan(pixel.first, std::numeric_limits<std::int64_t>::min()));
              at != list.end(); ++at) {

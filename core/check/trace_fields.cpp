@@ -17,8 +17,6 @@ namespace {
 /// A row may write what it likes there, or they name the moment.
 constexpr std::array<std::string_view, 8> kNotJudged{"algorithm", "grain", "step",  "count",
                                                      "sentence",  "event", "stage", "source"};
-/// Of fields that are compared as they stand: a list in which the order means nothing.
-constexpr std::string_view kSet = "open";
 
 constexpr double kDepthSteps = 4 * 0x1p-23;  // relative
 
@@ -45,6 +43,8 @@ bool isNear(double a, double b)
 }
 
 }  // namespace
+
+bool isJudged(std::string_view field) { return std::ranges::find(kNotJudged, field) == kNotJudged.end(); }
 
 const JsonValue* memberOf(const JsonValue::Object& object, std::string_view name)
 {
@@ -131,12 +131,12 @@ std::uint64_t PolygonLimits::pixelsNearEdges(std::int64_t triangle) const
 }
 
 /// Our state as a row writes it, but for what is compared otherwise.
-const JsonValue::Object& RowComparison::ours(const JsonValue::Object& theirs)
+const JsonValue::Object& RowComparison::ours(const JsonValue::Object& row)
 {
     if (!m_json) {
         StepState state = m_ours;
         state.sweep.reset();
-        if (state.hierarchy && !memberOf(theirs, "nodes")) state.hierarchy->nodes.clear();
+        if (state.hierarchy && !memberOf(row, "nodes")) state.hierarchy->nodes.clear();
         auto json = parseJson(stateToJson(state), "");
         assert(json);
         m_json = *std::move(json);
@@ -151,40 +151,33 @@ RowComparison::Found RowComparison::absent(std::string_view what) const
 
 RowComparison::Found RowComparison::difference(const JsonValue::Object& theirs)
 {
-    for (const auto& [name, value] : theirs) {
-        if (std::ranges::find(kNotJudged, name) != kNotJudged.end()) continue;
-        Found      found;
-        const bool isOfSweep = name == "line" || name == "active_edges" || name == "active_polygons" || name == "spans"
-                               || name == "entered" || name == "left";
-        if (isOfSweep && !m_ours.sweep) return absent(name);
-        if (name == "line") {
-            if (numberOf(value) != m_ours.sweep->y)
-                found = said(
-                    fmt::format("'{}' is {} in your trace, and {} in our run.", name, shown(value), m_ours.sweep->y));
-        } else if (name == "active_edges") {
-            found = edges(EdgeList::Active, *value.array(), m_ours.sweep->activeEdges);
-        } else if (name == "entered") {
-            found = edges(EdgeList::Entered, *value.array(), m_ours.sweep->entered);
-        } else if (name == "left") {
-            found = edges(EdgeList::Left, *value.array(), m_ours.sweep->left);
-        } else if (name == "active_polygons") {
-            found = polygons(*value.array());
-        } else if (name == "spans") {
-            found = spans(*value.array());
-        } else if (name == "pixel") {
-            found = m_ours.pixel ? pixel(*value.object(), theirs) : absent(name);
-        } else if (name == "triangle") {
-            found = m_ours.triangle ? triangle(*value.object()) : absent(name);
-        } else if (name == "pyramid") {
-            found =
-                m_ours.hierarchy && !m_ours.hierarchy->levels.empty() ? pyramid(*value.object(), theirs) : absent(name);
-        } else {
-            const JsonValue* own = memberOf(ours(theirs), name);
-            found                = own ? generic(name, value, *own) : absent(name);
-        }
-        if (found) return found;
-    }
+    for (const JsonMember& member : theirs)
+        if (const Found found = field(member, theirs)) return found;
     return std::nullopt;
+}
+
+RowComparison::Found RowComparison::field(const JsonMember& theirs, const JsonValue::Object& row)
+{
+    const auto& [name, value] = theirs;
+    if (!isJudged(name)) return std::nullopt;
+    const bool isOfSweep = name == "line" || name == "active_edges" || name == "active_polygons" || name == "spans"
+                           || name == "entered" || name == "left";
+    if (isOfSweep && !m_ours.sweep) return absent(name);
+    if (name == "line")
+        return numberOf(value) == m_ours.sweep->y ? Found()
+                                                  : said(fmt::format("'{}' is {} in your trace, and {} in our run.",
+                                                                     name, shown(value), m_ours.sweep->y));
+    if (name == "active_edges") return edges(EdgeList::Active, *value.array(), m_ours.sweep->activeEdges);
+    if (name == "entered") return edges(EdgeList::Entered, *value.array(), m_ours.sweep->entered);
+    if (name == "left") return edges(EdgeList::Left, *value.array(), m_ours.sweep->left);
+    if (name == "active_polygons") return polygons(*value.array());
+    if (name == "spans") return spans(*value.array());
+    if (name == "pixel") return m_ours.pixel ? pixel(*value.object(), row) : absent(name);
+    if (name == "triangle") return m_ours.triangle ? triangle(*value.object()) : absent(name);
+    if (name == "pyramid")
+        return m_ours.hierarchy && !m_ours.hierarchy->levels.empty() ? pyramid(*value.object(), row) : absent(name);
+    const JsonValue* own = memberOf(ours(row), name);
+    return own ? generic(name, value, *own) : absent(name);
 }
 
 RowComparison::Found RowComparison::depth(std::string_view what, const JsonValue& theirs, double ours, double slack)

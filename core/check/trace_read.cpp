@@ -277,4 +277,38 @@ Result<Pipeline> traceAlgorithm(const Trace& trace, const std::optional<std::str
     return Error{Trouble::Input, "'algorithm' must be a preset: see zscope-cli list algorithms", trace.file};
 }
 
+bool hasTablesOf(const Trace& trace, const Pipeline& pipeline)
+{
+    const std::vector<Grain> grains    = grainsOf(pipeline);
+    const auto               has       = [&](Grain grain) { return std::ranges::find(grains, grain) != grains.end(); };
+    const MomentKey&         key       = trace.rows.front().key;
+    const auto               hasMoment = [&] {
+        switch (key.kind) {
+            case MomentKind::Step:
+                return has(static_cast<Grain>(key.a));
+            case MomentKind::Pixel:
+                return has(Grain::Pixel);
+            case MomentKind::Query:
+                return has(Grain::Query);
+            case MomentKind::Update:
+                return has(Grain::Update);
+            case MomentKind::Interval:
+                return has(Grain::Interval);
+            case MomentKind::Triangle:
+                return has(Grain::Triangle);
+            case MomentKind::Line:
+                return has(Grain::Line);
+            case MomentKind::End:
+                break;
+        }
+        return true;
+    };
+    if (!hasMoment()) return false;
+    if (trace.guess == "interval") return has(Grain::Interval);
+    if (trace.guess == "hzb-octree") return has(Grain::Node);
+    if (trace.guess == "quadtree") return has(Grain::Query) || has(Grain::Update);
+    if (trace.guess == "edge-walk") return has(Grain::Span);
+    return trace.guess == "zbuffer" || has(Grain::Line);
+}
+
 }  // namespace zscope::check

@@ -27,6 +27,7 @@ StepState stateOf(const RunRecorders& recorders, const EventKind* last, const Dr
     const Pipeline pipeline = repeatable(request).pipeline;
     StepState      state;
     state.algorithm     = nameOf(request.pipeline);
+    state.events        = recorders.steps.seen(Grain::Pixel);
     state.stage         = recorders.stage.stage();
     state.sweep         = recorders.sweep.state();
     const bool hasCells = pipeline.upkeep != Upkeep::None || pipeline.depth == DepthMoment::ZCull;

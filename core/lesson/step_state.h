@@ -135,8 +135,9 @@ struct StepState {
     std::string                   algorithm;
     Grain                         grain = Grain::Frame;
     StepIndex                     step;
-    std::uint64_t                 count = 0;
-    std::string                   sentence;               // one sentence with live numbers and the rule applied
+    std::uint64_t                 count  = 0;
+    std::uint64_t                 events = 0;  // of every grain, up to this one: orders the states of one run
+    std::string                   sentence;    // one sentence with live numbers and the rule applied
     Grain                         event  = Grain::Frame;  // grain of the event the run stopped at
     SourceLine                    method = {};            // the call in core/method that made the step
     SourceLine                    part   = {};            // the statement that reported it

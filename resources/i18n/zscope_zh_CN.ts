@@ -492,6 +492,10 @@
         <source>Diagnosis</source>
         <translation>诊断</translation>
     </message>
+    <message>
+        <source>Trace</source>
+        <translation>运行记录</translation>
+    </message>
 </context>
 <context>
     <name>PictureName</name>
@@ -1764,6 +1768,10 @@
         <source>Save the &amp;report on my picture…</source>
         <translation>保存我的图像的报告(&amp;R)…</translation>
     </message>
+    <message>
+        <source>Open my &amp;trace…</source>
+        <translation>打开我的运行记录(&amp;T)…</translation>
+    </message>
 </context>
 <context>
     <name>zscope::ui::ActiveEdgesPanel</name>
@@ -2095,6 +2103,14 @@
     <message>
         <source>%1 is not a folder of lessons</source>
         <translation>%1 不是课程文件夹</translation>
+    </message>
+    <message>
+        <source>This page compares with a B of its own; your picture is B again after it.</source>
+        <translation>本页与它自己的 B 比较，之后你的图像重新成为 B。</translation>
+    </message>
+    <message>
+        <source>Your picture is of another view than this page. “Back to its view” in the panel Diagnosis shows it; the page stays open.</source>
+        <translation>你的图像与本页的视图不同。“诊断”面板中的“回到原视图”可以显示它，本页不会关闭。</translation>
     </message>
 </context>
 <context>
@@ -3019,6 +3035,14 @@
     <message>
         <source>HTML pages (*.html)</source>
         <translation>HTML 网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Open my trace</source>
+        <translation>打开我的运行记录</translation>
+    </message>
+    <message>
+        <source>Traces (%1);;All files (*)</source>
+        <translation>运行记录 (%1);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -4239,6 +4263,174 @@
     <message>
         <source>Say what this step brings: the question is above its table.</source>
         <translation>请说出这一步带来什么：问题在相应表格的上方。</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::TraceFieldsModel</name>
+    <message>
+        <source>What our run holds after the step of this row</source>
+        <translation>我们的运行在该行对应的步骤之后的内容</translation>
+    </message>
+    <message>
+        <source>What the row of your trace says</source>
+        <translation>你的记录中该行的内容</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>字段</translation>
+    </message>
+    <message>
+        <source>ours</source>
+        <translation>我们的</translation>
+    </message>
+    <message>
+        <source>yours</source>
+        <translation>你的</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::TracePanel</name>
+    <message>
+        <source>Open a trace of your own program, or drop it on the window: it is stepped beside our run, and the first row that differs is found.</source>
+        <translation>打开你自己程序的运行记录，或把它拖到窗口上：它会与我们的运行并排单步，并找出第一个不同的行。</translation>
+    </message>
+    <message>
+        <source>Open my trace…</source>
+        <translation>打开我的运行记录…</translation>
+    </message>
+    <message>
+        <source>Judge again</source>
+        <translation>重新判断</translation>
+    </message>
+    <message>
+        <source>Reads the file again and holds it against the run on show</source>
+        <translation>重新读取文件，并与当前显示的运行比较</translation>
+    </message>
+    <message>
+        <source>Back to its run</source>
+        <translation>回到原运行</translation>
+    </message>
+    <message>
+        <source>To the scene, the camera and the algorithm that the trace was held against</source>
+        <translation>回到与该记录比较时所用的场景、相机和算法</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Closes the trace; the file stays as it is</source>
+        <translation>关闭记录，文件保持不变</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>First difference</source>
+        <translation>第一处不同</translation>
+    </message>
+    <message>
+        <source>The row before</source>
+        <translation>上一行</translation>
+    </message>
+    <message>
+        <source>The next row</source>
+        <translation>下一行</translation>
+    </message>
+    <message>
+        <source>The next row that differs</source>
+        <translation>下一个不同的行</translation>
+    </message>
+    <message>
+        <source>Rows of the trace</source>
+        <translation>记录的各行</translation>
+    </message>
+    <message>
+        <source>Fields of the row: ours and yours</source>
+        <translation>该行的字段：我们的与你的</translation>
+    </message>
+    <message>
+        <source>Progress of the judging</source>
+        <translation>判断的进度</translation>
+    </message>
+    <message>
+        <source>The trace is read and held against our run.</source>
+        <translation>正在读取记录，并与我们的运行比较。</translation>
+    </message>
+    <message>
+        <source>Another run is on show than the one that the trace was held against.</source>
+        <translation>当前显示的运行不是与该记录比较的那一个。</translation>
+    </message>
+    <message>
+        <source>old</source>
+        <translation>已过时</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>没有不同</translation>
+    </message>
+    <message>
+        <source>1 row differs</source>
+        <translation>1 行不同</translation>
+    </message>
+    <message>
+        <source>%1 rows differ</source>
+        <translation>%1 行不同</translation>
+    </message>
+    <message>
+        <source>The row stands beside ours when the question is answered.</source>
+        <translation>回答问题之后，该行才与我们的并排显示。</translation>
+    </message>
+    <message>
+        <source>This row differs by rounding alone.</source>
+        <translation>该行仅因舍入而不同。</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>不同之处</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::TraceRowsModel</name>
+    <message>
+        <source>the same</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>differs by rounding alone</source>
+        <translation>仅因舍入而不同</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>✓ the same, ≈ differs by rounding alone, ✖ differs</source>
+        <translation>✓ 相同，≈ 仅因舍入而不同，✖ 不同</translation>
+    </message>
+    <message>
+        <source>Line of the file</source>
+        <translation>文件中的行号</translation>
+    </message>
+    <message>
+        <source>The step of our run that the row is held against</source>
+        <translation>该行与我们运行的哪一步比较</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation>时刻</translation>
+    </message>
+</context>
+<context>
+    <name>zscope::ui::Tracer</name>
+    <message>
+        <source>Open the scene first that your trace is of.</source>
+        <translation>请先打开你的运行记录所属的场景。</translation>
     </message>
 </context>
 <context>

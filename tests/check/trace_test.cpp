@@ -6,9 +6,10 @@
 #include <regex>
 #include <set>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/check/trace.h"
+#include "core/check/trace_beside.h"
 #include "core/check/truth.h"
 #include "core/io/phrase_book.h"
 #include "core/lesson/replay.h"
@@ -46,6 +47,32 @@ std::string linesOf(const std::vector<Json>& rows)
     return text;
 }
 
+/// What stands beside a row says the same as its sentence, and belongs to the same moment.
+void expectBeside(const check::Trace& trace, const check::TraceAnswer& answer, const DrawRequest& request)
+{
+    constexpr std::size_t kOfEach = 3;  // of rows that differ, and of others
+    check::TraceBeside    beside(std::make_shared<check::Trace>(trace), std::make_shared<check::TraceAnswer>(answer),
+                                 request, check::halfStepOf(8));
+    Replay                replay(request);
+    std::size_t           wrong = 0, others = 0;
+    for (std::size_t i = 0; i < answer.rows.size(); ++i) {
+        const check::JudgedRow& row = answer.rows[i];
+        if ((row.isWrong() ? wrong : others)++ >= kOfEach) continue;
+        const auto fields = beside.row(i);
+        ASSERT_TRUE(fields) << fields.error().text();
+        check::Likeness worst = check::Likeness::Same;
+        for (const check::FieldBeside& field : *fields) {
+            if (field.depth == 0) worst = std::max(worst, field.likeness);
+            EXPECT_FALSE(field.name.empty());
+        }
+        EXPECT_EQ(worst == check::Likeness::Differs, row.isWrong()) << row.sentence;
+        EXPECT_EQ(worst == check::Likeness::Rounding, row.isRounding) << trace.textOf(trace.rows[i]);
+        if (row.grain) {
+            EXPECT_EQ(replay.at(*row.grain, row.step)->events, row.events);
+        }
+    }
+}
+
 check::TraceAnswer judged(const DrawRequest& request, const std::string& text)
 {
     const auto trace = check::traceOf(text, "trace.jsonl");
@@ -53,6 +80,7 @@ check::TraceAnswer judged(const DrawRequest& request, const std::string& text)
     const auto answer = check::judgeTrace(*trace, request, check::halfStepOf(8));
     EXPECT_TRUE(answer);
     EXPECT_TRUE(chinesePhrases().text(answer->sentence)) << "not in the phrase book: " << answer->sentence;
+    expectBeside(*trace, *answer, request);
     return *answer;
 }
 
@@ -323,6 +351,68 @@ const std::vector<Change>& changes()
          "Our run has no step 100000 of grain line\\."},
     };
     return kChanges;
+}
+
+/// The fields of a row as a table shows them: "✖ name | ours | theirs", indented.
+std::string tableOf(const std::vector<check::FieldBeside>& fields)
+{
+    std::string text;
+    for (const check::FieldBeside& field : fields)
+        text += std::string(field.likeness == check::Likeness::Differs    ? "x"
+                            : field.likeness == check::Likeness::Rounding ? "~"
+                                                                          : "=")
+                + std::string(static_cast<std::size_t>(2 * field.depth) + 1, ' ') + field.name + " | " + field.ours
+                + " | " + field.theirs + '\n';
+    return text;
+}
+
+TEST(Trace, EdgesSpansAndPixelsStandBesideOurs)
+{
+    const auto besideOf = [](const DrawRequest& request, const Json& row) {
+        const auto trace = std::make_shared<check::Trace>(*check::traceOf(row.dump() + "\n", "t.jsonl"));
+        const auto answer =
+            std::make_shared<check::TraceAnswer>(*check::judgeTrace(*trace, request, check::halfStepOf(8)));
+        check::TraceBeside beside(trace, answer, request, check::halfStepOf(8));
+        return tableOf(*beside.row(0));
+    };
+    const DrawRequest sweep = requestFor("builtin:cubes", "scanline");
+    Json              state;
+    for (const Json& row : statesOf(sweep, Grain::Line))
+        if (row["active_edges"].size() >= 4
+            && (state.is_null() || row["active_edges"].size() < state["active_edges"].size()))
+            state = row;
+    ASSERT_FALSE(state.is_null());
+    const Json& edges = state["active_edges"];
+    const auto  edge  = [&](std::size_t at) {
+        return Json{{"polygon", edges[at]["polygon"]}, {"x", edges[at]["x"]}, {"last_line", edges[at]["last_line"]}};
+    };
+    const auto id      = [&](std::size_t at) { return edges[at]["polygon"].dump(); };
+    const auto last    = [&](std::size_t at) { return edges[at]["last_line"].get<int>(); };
+    const auto x       = [&](std::size_t at) { return fmt::format("{:.9g}", edges[at]["x"].get<double>()); };
+    Json       moved   = edge(2);
+    moved["last_line"] = last(2) + 2;
+    Json row{{"line", state["line"]}, {"active_edges", {edge(0), moved}}};  // lacks those at 1, 3 and beyond
+    const std::string table = besideOf(sweep, row);
+    const std::string begin = fmt::format(
+        "= line | {0} | {0}\nx active_edges |  | \n"
+        "=   polygon {1} |  | \n=     x | {2} | {2}\n=     last_line | {3} | {3}\n"
+        "x   polygon {4} |  | \nx     x | {5} | \nx     last_line | {6} | \n"
+        "x   polygon {7} |  | \n=     x | {8} | {8}\nx     last_line | {9} | {10}\n",
+        state["line"].get<int>(), id(0), x(0), last(0), id(1), x(1), last(1), id(2), x(2), last(2), last(2) + 2);
+    EXPECT_TRUE(table.starts_with(begin)) << table << "\nand not\n" << begin;
+
+    const DrawRequest stream = requestFor("builtin:cubes", "zbuffer");
+    Json              pixel;
+    for (const Json& each : statesOf(stream, Grain::Pixel, 11))
+        if (each.contains("pixel") && each["pixel"]["won"] == true) pixel = each["pixel"];
+    ASSERT_FALSE(pixel.is_null());
+    const Json said{{"pixel", {{"x", pixel["x"]}, {"y", pixel["y"]}, {"triangle", pixel["triangle"]}, {"won", false}}}};
+    EXPECT_EQ(besideOf(stream, said),
+              fmt::format("x pixel |  | \n=   x | {0} | {0}\n=   y | {1} | {1}\n=   triangle | {2} | {2}\n"
+                          "x   won | true | false\n",
+                          pixel["x"].dump(), pixel["y"].dump(), pixel["triangle"].dump()));
+    EXPECT_EQ(besideOf(sweep, Json{{"line", 700}, {"active_polygons", {1, 2}}}),
+              "x line |  | 700\nx active_polygons |  | [1, 2]\n");
 }
 
 TEST(Trace, EachKindOfChangeIsFoundAtItsRow)

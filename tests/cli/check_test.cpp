@@ -171,7 +171,25 @@ TEST_F(Check, ATraceIsJudgedAloneOrWithAPicture)
     EXPECT_EQ(refused.err.find(path("bad.jsonl") + ":2: error: "), 0u) << refused.err;
     EXPECT_EQ(check(scene, {"--trace", path("t.jsonl"), "--algorithm", "none"}).status, 2);
     EXPECT_EQ(check(scene, {"--trace", path("t.jsonl"), "--report", path("page")}).status, 2);
+    const Answer both =
+        check(scene, {"--trace", path("t.jsonl"), "--ids", path("i.npy"), "--report", path("page"), "--no-diagnose"});
+    EXPECT_EQ(both.status, 1) << both.err;
+    const std::string page = contentsOf(path("page/report.html"));
+    EXPECT_NE(page.find("Line 3 of the trace is the first that differs from scanline."), std::string::npos);
+    EXPECT_NE(page.find("<td class=\"l\">step --algorithm scanline --grain line --at 60</td>"), std::string::npos);
+    EXPECT_NE(page.find("--trace " + path("t.jsonl")), std::string::npos);
     EXPECT_EQ(check(scene, {"--ids", path("i.npy"), "--algorithm", "scanline"}).status, 2);
+}
+
+TEST_F(Check, ASizeAloneMeansTheScenesOwnView)
+{
+    draw(kCity);  // its own view, 160 by 120 pixels
+    const std::string ids = path("i.npy");
+    const Answer      own = run({"check", kCity, "--size", "160x120", "--ids", ids, "--json"});
+    EXPECT_EQ(own.status, 0) << own.err << own.out;
+    EXPECT_EQ(json::parse(own.out), json::parse(check(kCity, {"--ids", ids, "--json"}).out));
+    EXPECT_EQ(run({"check", kCity, "--size", "120x160", "--ids", ids}).status, 3) << "the file has another size";
+    EXPECT_EQ(run({"check", kCity, "--size", "0x160", "--ids", ids}).status, 2);
 }
 
 TEST_F(Check, RefusesWhatCannotBeUsed)

@@ -117,6 +117,10 @@ TEST_F(Grade, GivesEachProgramItsVerdictTwice)
     submit("linked", "ln -s /etc/passwd \"$3/out.zdump\"");
     submit("failed", "echo one >&2; echo 'error: no such thing' >&2; echo three >&2; exit 4");
     submit("not-a-program", "exec \"$here/missing\"");
+    const std::string noLibrary =
+        "render: error while loading shared libraries: libsoftware-renderer-helper.so.3: cannot "
+        "open shared object file. No such file or directory";
+    submit("no-library", "echo '" + noLibrary + "' >&2; echo and so on >&2; exit 127");
     submit("crash", "exec \"$here/hostile\" crash");
     submit("loop", "exec \"$here/hostile\" loop");
     submit("memory", "exec \"$here/hostile\" memory");
@@ -132,20 +136,32 @@ TEST_F(Grade, GivesEachProgramItsVerdictTwice)
     const Answer json = run(grading({"--json"}));
     EXPECT_EQ(json.status, 1) << json.err;
     auto                                     rows = rowsOf(json.out);
-    const std::map<std::string, std::string> expected{{"right", "right"},           {"wrong", "wrong"},
-                                                      {"unreadable", "unreadable"}, {"nothing", "wrote-nothing"},
-                                                      {"linked", "unreadable"},     {"failed", "failed"},
-                                                      {"not-a-program", "failed"},  {"crash", "crashed"},
-                                                      {"loop", "timed-out"},        {"memory", "too-much-memory"},
-                                                      {"text", "too-much-output"},  {"file", "too-much-output"},
-                                                      {"daemon", "failed"},         {"network", "failed"},
-                                                      {"thief", "failed"},          {"vandal", "failed"},
+    const std::map<std::string, std::string> expected{{"right", "right"},
+                                                      {"wrong", "wrong"},
+                                                      {"unreadable", "unreadable"},
+                                                      {"nothing", "wrote-nothing"},
+                                                      {"linked", "unreadable"},
+                                                      {"failed", "failed"},
+                                                      {"not-a-program", "failed"},
+                                                      {"crash", "crashed"},
+                                                      {"no-library", "failed"},
+                                                      {"loop", "timed-out"},
+                                                      {"memory", "too-much-memory"},
+                                                      {"text", "too-much-output"},
+                                                      {"file", "too-much-output"},
+                                                      {"daemon", "failed"},
+                                                      {"network", "failed"},
+                                                      {"thief", "failed"},
+                                                      {"vandal", "failed"},
                                                       {"file-alone", "failed"}};
     std::map<std::string, std::string>       verdicts;
     for (const auto& [name, row] : rows) verdicts[name] = row["verdict"];
     EXPECT_EQ(verdicts, expected);
     EXPECT_FALSE(fs::exists(path("class/new")));
     EXPECT_EQ(rows["failed"]["detail"], "it ended with status 4: error: no such thing");
+    EXPECT_EQ(rows["no-library"]["detail"], "it ended with status 127: " + noLibrary);
+    EXPECT_NE(rows["not-a-program"]["detail"].get<std::string>().find("missing: not found"), std::string::npos)
+        << rows["not-a-program"]["detail"];
     EXPECT_TRUE(rows["crash"]["detail"].get<std::string>().starts_with("signal 11 (SIGSEGV) ended it"));
     EXPECT_EQ(rows["linked"]["detail"], "out.zdump is not a regular file");
     EXPECT_GT(rows["memory"]["peak_mib"], 90);
@@ -158,6 +174,8 @@ TEST_F(Grade, GivesEachProgramItsVerdictTwice)
     const Answer first = run(grading({"--threads", "2"})), second = run(grading({"--threads", "1"}));
     EXPECT_EQ(first.out, second.out);
     EXPECT_EQ(std::ranges::count(first.out, '\n') > 17, true) << first.out;
+    EXPECT_NE(first.out.find("directory\n"), std::string::npos) << "the whole line of the missing library\n"
+                                                                << first.out;
 }
 
 TEST_F(Grade, AProgramWithoutSubmissionsStartsWhereGradeRuns)

@@ -415,6 +415,100 @@ private slots:
         QVERIFY(student.session.course().lesson());
         student.window.speak(Language::English);
     }
+    void aLessonKeepsHerPictureWhereItFitsAndGivesItBackAfterAComparison()
+    {
+        Student student;  // sees what the lesson's first page shows
+        QVERIFY(student.isOpen);
+        student.drop({student.writeDepth("depth.npy", student.drawnBy(truncated()).depth)});
+        QVERIFY(student.isJudged());
+        QString notice;
+        connect(&student.session, &Session::noticed, this, [&](const QString& said) { notice = said; });
+        Course&    course = student.session.course();
+        const auto opens  = [&](const auto& go) {
+            go();
+            return QTest::qWaitFor([&] { return course.isSettled(); }, Desk::kLong) && student.isJudged();
+        };
+        const auto before = student.now().compare.theirs->title;
+        QVERIFY(opens([&] { course.open(*course.find("13-holes-and-fill-rules")); }));
+        QVERIFY(student.theirs() && !isStale(student.now()));
+        QCOMPARE(student.now().compare.seen(), CompareShow::B);
+        QCOMPARE(notice, QString());
+
+        QVERIFY(opens([&] { course.next(); }));
+        QVERIFY(course.page()->compared);
+        QVERIFY(student.now().compare.other == course.page()->compared);
+        QVERIFY2(notice.contains("your picture is B again after it"), qPrintable(notice));
+        QVERIFY(opens([&] { course.back(); }));
+        QVERIFY(student.theirs());
+        QCOMPARE(student.theirs()->title, before);
+        QVERIFY(opens([&] { course.next(); }));
+        QVERIFY(!student.theirs());
+        course.close();
+        QVERIFY(student.isJudged());
+        QVERIFY(student.theirs());
+    }
+    void aLessonOfAnotherSceneSaysWhereHerPictureIs()
+    {
+        Student student({1280, 800}, "builtin:cubes");
+        QVERIFY(student.isOpen);
+        student.drop({student.writeDepth("depth.npy", student.drawnBy(truncated()).depth)});
+        QVERIFY(student.isJudged());
+        QString notice;
+        connect(&student.session, &Session::noticed, this, [&](const QString& said) { notice = said; });
+        Course& course = student.session.course();
+        course.open(*course.find("13-holes-and-fill-rules"));
+        QVERIFY(QTest::qWaitFor([&] { return course.isSettled(); }, Desk::kLong));
+        QVERIFY(student.isJudged());
+        QCOMPARE(student.now().scene->word, QString("builtin:teapot"));
+        QVERIFY(student.theirs() && isStale(student.now()));
+        QCOMPARE(student.now().compare.seen(), CompareShow::A);
+        QVERIFY2(notice.contains("Back to its view"), qPrintable(notice));
+
+        student.window.dock("diagnosis")->raise();
+        QTest::mouseClick(student.button("Back to its view"), Qt::LeftButton);
+        QVERIFY(student.isJudged());
+        QCOMPARE(student.now().scene->word, QString("builtin:cubes"));
+        QVERIFY(!isStale(student.now()));
+        QVERIFY(course.lesson());  // it is still being read
+        course.show();
+        QVERIFY(QTest::qWaitFor([&] { return course.isSettled(); }, Desk::kLong));
+        QVERIFY(student.isJudged());
+        QCOMPARE(student.now().scene->word, QString("builtin:teapot"));
+        QVERIFY(student.theirs());
+    }
+    void aSessionBringsHerPictureBack()
+    {
+        Student student;
+        QVERIFY(student.isOpen);
+        student.drop({student.writeDepth("depth.npy", student.drawnBy(truncated()).depth)});
+        QVERIFY(student.isJudged());
+        student.session.showCompared(CompareShow::Difference);
+        const Pipeline      pipeline = student.now().pipeline;
+        const std::uint64_t wrong    = student.theirs()->answer->wrong.total();
+        const QString       saved    = student.folder.filePath("mine.zscope-session");
+        student.window.saveSessionTo(saved);
+        QFile file(saved);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("\"files\": [\"depth.npy\"]"));  // both can be moved
+
+        Student again;
+        again.window.openSession(saved);
+        QVERIFY(QTest::qWaitFor([&] { return again.theirs() && again.theirs()->isDiagnosed; }, Desk::kLong));
+        QVERIFY(again.isJudged());
+        QCOMPARE(again.theirs()->answer->wrong.total(), wrong);
+        QCOMPARE(again.now().compare.seen(), CompareShow::Difference);
+        QVERIFY(again.now().pipeline == pipeline);
+        QVERIFY(!isStale(again.now()));
+
+        QVERIFY(QFile::remove(student.folder.filePath("depth.npy")));
+        Student without;
+        without.window.openSession(saved);
+        QVERIFY(
+            QTest::qWaitFor([&] { return without.window.messages().sentence().contains("depth.npy"); }, Desk::kLong));
+        QVERIFY(without.isJudged());
+        QVERIFY(!without.theirs());
+        QVERIFY(without.now().camera == student.now().camera);
+    }
     void aReportIsSaved()
     {
         Student student;

@@ -19,6 +19,7 @@
 #include "ui/panels/pyramid/pyramid_panel.h"
 #include "ui/panels/scene/scene_panel.h"
 #include "ui/panels/timeline/timeline_panel.h"
+#include "ui/panels/trace/trace_panel.h"
 #include "ui/panels/why/why_panel.h"
 
 namespace zscope::ui {
@@ -65,6 +66,8 @@ constexpr std::array kPanels{
                "scene"},
     PanelEntry{"diagnosis", QT_TRANSLATE_NOOP("Panels", "Diagnosis"), Qt::LeftDockWidgetArea, make<DiagnosisPanel>,
                always, "scene", 60, false},
+    PanelEntry{"trace", QT_TRANSLATE_NOOP("Panels", "Trace"), Qt::LeftDockWidgetArea, make<TracePanel>, always, "scene",
+               60, false},
     PanelEntry{"measure", QT_TRANSLATE_NOOP("Panels", "Measure"), Qt::RightDockWidgetArea, make<MeasurePanel>, always,
                nullptr, 60, false},
     PanelEntry{"timeline", QT_TRANSLATE_NOOP("Panels", "Timeline"), Qt::BottomDockWidgetArea, make<TimelinePanel>,

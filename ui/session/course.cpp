@@ -11,6 +11,7 @@
 
 #include "core/lesson/lesson_file.h"
 #include "ui/session/session.h"
+#include "ui/session/tracer.h"
 #include "ui/text/phrase_book.h"
 
 static void registerLessons()  // the macro wants to stand outside any namespace
@@ -144,12 +145,15 @@ void Course::open(std::size_t lesson, std::size_t page)
 
 void Course::close()
 {
+    const bool comparesAsPage = m_place && m_session.now().compare.other == page()->compared;
     m_place.reset();
     m_broken.reset();
     m_run.reset();
     ++m_number;
     m_isComing = m_isAsked = false;
     m_worker->cancel();
+    if (comparesAsPage) takeTheirsBack();  // not over a B that was chosen meanwhile
+    m_aside.reset();
     if (const auto size = std::exchange(m_sizeBefore, {}); size && m_session.now().view.width > 0)
         m_session.setPictureSize(size->width(), size->height());
     emit changed();
@@ -159,6 +163,9 @@ void Course::leaveIfElsewhere()
 {
     const auto& scene = m_session.now().scene;
     if (!m_place || !scene || scene->word == text(page()->scene)) return;
+    const auto        theirs = m_session.now().compare.theirs;
+    const TheirTrace* trace  = m_session.tracer().trace();
+    if ((theirs && theirs->sceneWord == scene->word) || (trace && trace->sceneWord == scene->word)) return;
     const ViewRequest &now = m_session.now().view, &ofPage = page()->view;
     // the new one has a size of its own
     if (now.width != ofPage.width || now.height != ofPage.height) m_sizeBefore.reset();
@@ -200,7 +207,7 @@ void Course::show()
     m_session.player().setPlaying(false);
     m_session.setPipeline(page.pipeline);
     m_session.setLayer(*page.layer);
-    m_session.compareWith(page.compared);
+    compareAsPage();
     Layers layers  = m_session.now().layers;
     layers.boxes   = std::ranges::find(page.overlays, "boxes") != page.overlays.end();
     layers.pyramid = std::ranges::find(page.overlays, "pyramid") != page.overlays.end();
@@ -212,6 +219,25 @@ void Course::show()
         m_session.open(text(page.scene), [page](const Scene& loaded) { return viewOfPage(page, loaded); });
     emit changed();
     runWhenThere();
+}
+
+void Course::compareAsPage()
+{
+    if (!page()->compared) {
+        takeTheirsBack();
+        if (!m_session.now().compare.theirs) m_session.compareWith({});
+        return;
+    }
+    if (const auto theirs = m_session.now().compare.theirs) m_aside = theirs;
+    m_session.compareWith(page()->compared);
+    if (m_aside)
+        emit m_session.noticed(tr("This page compares with a B of its own; your picture is B again after it."));
+}
+
+void Course::takeTheirsBack()
+{
+    if (const auto theirs = std::exchange(m_aside, {}); theirs && !m_session.now().compare.theirs)
+        m_session.compareWithTheirs(theirs);
 }
 
 void Course::runWhenThere()
@@ -250,6 +276,12 @@ void Course::arrived(const PageRun& run)
         m_session.goToStepOf(run.grain, run.step.value);
     m_session.pick(page.pick ? std::optional(QPoint(page.pick->x, page.pick->y)) : std::nullopt);
     if (!page.panel.empty()) emit panelWanted(text(page.panel));
+    if (m_session.now().compare.theirs && isStale(m_session.now())) {
+        m_session.showCompared(CompareShow::A);
+        emit m_session.noticed(
+            tr("Your picture is of another view than this page. “Back to its view” in the panel "
+               "Diagnosis shows it; the page stays open."));
+    }
     emit changed();
 }
 

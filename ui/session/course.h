@@ -2,6 +2,8 @@
 // The lessons: those of the program and those of a teacher's folder, the page that is shown, and what was answered. It
 // brings the session to the page's step and asks core what the right answer is there. No widgets.
 //
+// Theirs     what another program drew stays B where a page compares with nothing. A page that compares sets it aside;
+//            it is back with the next page, or when the lesson is closed. Going back to its scene leaves no lesson
 // Files      docs/lessons.md; a file that is broken is told of with file and line, the others are there. The folder is
 //            watched: a lesson that is saved appears, and the page on show is shown again,
 //            also after its file was broken for a while
@@ -105,27 +107,31 @@ private:
     void     readFolder(const QString& folder);
     void     goTo(const Place& place);
     void     runWhenThere();
+    void     compareAsPage();
+    void     takeTheirsBack();
     void     leaveIfElsewhere();  // once another scene than the page's is shown
     void     arrived(const PageRun& run);
     void     give(const GivenAnswer& answer);
     Answered keyOf(const Place& place) const;
 
-    Session&                        m_session;
-    QString                         m_folder;
-    std::vector<Lesson>             m_lessons;
-    std::vector<Error>              m_troubles;
-    std::optional<Place>            m_place;
-    std::optional<Answered>         m_broken;  // the page that was on show when its file broke, for when that is mended
-    std::optional<PageRun>          m_run;     // of m_place
-    std::uint64_t                   m_number   = 0;      // of the page that was asked for last
-    bool                            m_isComing = false;  // the session is on its way there, or the answer is
-    bool                            m_isAsked  = false;  // the worker is at it
-    std::optional<QSize>            m_sizeBefore;        // of the picture, which the lesson's pages change
-    std::map<Answered, GivenAnswer> m_given;             // the latest
-    std::map<Answered, bool>        m_first;             // whether the first was right
-    QFileSystemWatcher              m_watcher;
-    QTimer                          m_settle;  // editors write a file in several goes
-    std::unique_ptr<Worker>         m_worker;  // last: stops before anything else goes
+    Session&                m_session;
+    QString                 m_folder;
+    std::vector<Lesson>     m_lessons;
+    std::vector<Error>      m_troubles;
+    std::optional<Place>    m_place;
+    std::optional<Answered> m_broken;        // the page that was on show when its file broke, for when that is mended
+    std::optional<PageRun>  m_run;           // of m_place
+    std::uint64_t           m_number   = 0;  // of the page that was asked for last
+    bool                    m_isComing = false;  // the session is on its way there, or the answer is
+    bool                    m_isAsked  = false;  // the worker is at it
+    std::optional<QSize>    m_sizeBefore;        // of the picture, which the lesson's pages change
+    // B that another program drew, while a page compares with B of its own
+    std::shared_ptr<const TheirPicture> m_aside;
+    std::map<Answered, GivenAnswer>     m_given;  // the latest
+    std::map<Answered, bool>            m_first;  // whether the first was right
+    QFileSystemWatcher                  m_watcher;
+    QTimer                              m_settle;  // editors write a file in several goes
+    std::unique_ptr<Worker>             m_worker;  // last: stops before anything else goes
 };
 
 }  // namespace zscope::ui

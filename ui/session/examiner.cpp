@@ -11,6 +11,7 @@
 #include "core/io/file_writer.h"
 #include "ui/session/session.h"
 #include "ui/session/their_files.h"
+#include "ui/session/tracer.h"
 #include "ui/text/phrase_book.h"
 
 namespace zscope::ui {
@@ -41,6 +42,7 @@ struct Examiner::Question {
     std::uint64_t                      number = 0;
     QStringList                        files;
     bool                               isNew = true;  // the window is brought to where B can be compared
+    std::optional<CompareShow>         seen;          // otherwise: what of B is seen then
     std::shared_ptr<const LoadedScene> scene;
     ViewRequest                        view;
     Camera                             camera;
@@ -92,6 +94,11 @@ Examiner::Examiner(Session& session, QObject* parent)
     : QObject(parent), m_session(session), m_desk(std::make_shared<Desk>()), m_worker(std::make_unique<Worker>())
 {
     connect(&session, &Session::changed, this, [this](Changes what) {
+        if ((what & Change::Scene) && m_later) {
+            const Later later = *std::exchange(m_later, {});
+            if (m_session.now().scene->word == later.sceneWord)  // once the scene has its view
+                QTimer::singleShot(0, this, [this, later] { ask(later.files, false, later.show); });
+        }
         // B is another by now
         const bool isForgotten =
             (what & Change::Compare) && !m_session.now().compare.theirs && m_phase == Phase::Diagnosing;
@@ -109,6 +116,11 @@ void Examiner::show(Phase phase, double progress)
 }
 
 void Examiner::open(const QStringList& files) { ask(files, true); }
+
+void Examiner::openWith(const QStringList& files, CompareShow show, const QString& sceneWord)
+{
+    m_later = Later{files, show, sceneWord};
+}
 
 void Examiner::judgeAgain()
 {
@@ -137,8 +149,12 @@ void Examiner::saveReport(const QString& file)
 {
     const auto theirs = m_session.now().compare.theirs;
     if (!theirs) return;
-    m_worker->post(Worker::Slot::Draw, [this, theirs, file](const std::atomic<bool>&) {
-        const auto   page    = check::reportPage(*theirs->answer, {});
+    auto trace = m_session.tracer().shared();  // one of another view has no place there
+    if (trace && (trace->scene != theirs->scene || trace->camera != theirs->camera())) trace.reset();
+    m_worker->post(Worker::Slot::Draw, [this, theirs, trace, file](const std::atomic<bool>&) {
+        const auto page = check::reportPage(
+            *theirs->answer, {},
+            trace ? check::ReportedTrace{trace->answer.get(), trace->trace.get()} : check::ReportedTrace{});
         Result<Done> written = Done{};
         if (page)
             written = writeFile(file.toStdString(), *page);
@@ -152,14 +168,14 @@ void Examiner::saveReport(const QString& file)
     });
 }
 
-void Examiner::ask(const QStringList& files, bool isNew)
+void Examiner::ask(const QStringList& files, bool isNew, std::optional<CompareShow> seen)
 {
     const Snapshot& now = m_session.now();
     if (!now.scene) {
         const auto  say = [] { return tr("Open the scene first that your picture shows."); };
         return emit m_session.failed(say(), say);
     }
-    const Question question{++m_number, files, isNew, now.scene, now.view, now.camera, now.look, now.frame};
+    const Question question{++m_number, files, isNew, seen, now.scene, now.view, now.camera, now.look, now.frame};
     show(Phase::Judging);
     m_worker->post(Worker::Slot::Load, [this, question, desk = m_desk](const std::atomic<bool>& cancel) {
         const auto mine = [this, number = question.number](auto answer) {
@@ -246,6 +262,7 @@ void Examiner::judged(const std::shared_ptr<const TheirPicture>& theirs, const Q
         if (const auto cull = theirs->answer->conventions.cull) m_session.setFaceCulling(*cull);
     }
     m_session.compareWithTheirs(theirs);
+    if (question.seen) m_session.showCompared(*question.seen);
     if (!question.isNew) return;
     m_session.showCompared(CompareShow::B);
     emit opened();

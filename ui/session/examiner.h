@@ -32,6 +32,10 @@ public:
 
     /// They become B once they are judged. A scene must be open.
     void open(const QStringList& files);
+    /// Once this scene is there: B is shown as `show` says, and A stays as it is. Another scene forgets it.
+    void openWith(const QStringList& files, CompareShow show, const QString& sceneWord);
+    /// Of B.
+    const QStringList& files() const { return m_files; }
     /// The same files as they are by now, by the camera of the moment.
     void judgeAgain();
     void cancel();
@@ -59,14 +63,20 @@ signals:
 
 private:
     struct Question;
+    struct Later {  // openWith()
+        QStringList files;
+        CompareShow show = CompareShow::A;
+        QString     sceneWord;
+    };
     struct Desk;  // what the worker keeps between two questions
 
-    void ask(const QStringList& files, bool isNew);
+    void ask(const QStringList& files, bool isNew, std::optional<CompareShow> seen = {});
     void judged(const std::shared_ptr<const TheirPicture>& theirs, const Question& question);
     void show(Phase phase, double progress = -1);
 
     Session&                m_session;
-    QStringList             m_files;         // of B
+    QStringList             m_files;  // of B
+    std::optional<Later>    m_later;
     std::shared_ptr<Desk>   m_desk;          // used by jobs of the worker only
     std::uint64_t           m_number   = 0;  // of the question asked last
     Phase                   m_phase    = Phase::Idle;

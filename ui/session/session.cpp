@@ -9,6 +9,7 @@
 #include "ui/predict/predictions.h"
 #include "ui/session/course.h"
 #include "ui/session/examiner.h"
+#include "ui/session/tracer.h"
 #include "ui/text/phrase_book.h"
 
 namespace zscope::ui {
@@ -46,6 +47,7 @@ Session::Session(const DrawSettings& settings, QObject* parent)
     m_predictions = std::make_unique<Predictions>(*this);
     m_course      = std::make_unique<Course>(*this);
     m_examiner    = std::make_unique<Examiner>(*this);
+    m_tracer      = std::make_unique<Tracer>(*this);
 }
 
 Session::~Session() = default;

@@ -23,6 +23,7 @@ namespace zscope::ui {
 class Course;
 class Examiner;
 class Predictions;
+class Tracer;
 
 /// What stays the same for the whole run of the program; from the command line.
 struct DrawSettings {
@@ -132,7 +133,8 @@ public:
     bool         isIdle() const;
     Player&      player() { return m_player; }
     Course&      course() { return *m_course; }
-    Examiner&    examiner() { return *m_examiner; }
+    Examiner&    examiner() const { return *m_examiner; }
+    Tracer&      tracer() const { return *m_tracer; }
     Predictions& predictions() { return *m_predictions; }
     /// What is shown of the picture's step has changed without it: panels look again.
     void presentAgain() { emit changed(Change::Picture); }
@@ -206,6 +208,7 @@ private:
     std::unique_ptr<Predictions> m_predictions;  // hears of a step before any panel does
     std::unique_ptr<Course>      m_course;       // go first: they ask the session
     std::unique_ptr<Examiner>    m_examiner;
+    std::unique_ptr<Tracer>      m_tracer;
 };
 
 }  // namespace zscope::ui

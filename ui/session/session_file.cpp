@@ -12,6 +12,8 @@
 #include "core/frame/faults.h"
 #include "core/io/json_document.h"
 #include "core/scene/view_json.h"
+#include "ui/session/examiner.h"
+#include "ui/session/tracer.h"
 
 namespace zscope::ui {
 namespace {
@@ -80,6 +82,17 @@ std::string bookmarkJson(const Bookmark& mark)
 {
     return "{\"name\": " + textJson(mark.name) + ", \"grain\": " + quoted(zscope::wordOf(mark.grain))
            + ", \"step\": " + std::to_string(mark.step) + ",\n   \"algorithm\": " + algorithmJson(mark.pipeline) + "}";
+}
+
+/// A path as it is written into a session.
+QString placeFrom(const QString& path, const QString& sessionFile)
+{
+    const QString below = QFileInfo(sessionFile).absoluteDir().relativeFilePath(path);
+    return below.startsWith("..") || QDir::isAbsolutePath(below) ? path : below;
+}
+QString pathOf(const QString& place, const QString& sessionFile)
+{
+    return QFileInfo(sessionFile).absoluteDir().absoluteFilePath(place);
 }
 
 template <class Values, class Json>
@@ -293,6 +306,9 @@ void readCompare(Reader& read, const JsonValue& value, SessionFile& session)
     for (const auto& [key, part] : read.object(value, "compare")) {
         if (key == "algorithm")
             session.other = algorithmOf(read, part);
+        else if (key == "files")
+            for (const JsonValue& file : read.list(part, key))
+                session.theirs << QString::fromStdString(read.textOf(file, key));
         else if (key == "show")
             session.show = static_cast<CompareShow>(read.oneOf(part, key, kShows));
         else if (key == "follows")
@@ -379,6 +395,8 @@ void readMember(Reader& read, const std::string& key, const JsonValue& value, Se
         }
     } else if (key == "compare")
         readCompare(read, value, session);
+    else if (key == "trace")
+        session.trace = QString::fromStdString(read.textOf(value, key));
     else if (key == "bookmarks")
         for (const JsonValue& mark : read.list(value, key))
             session.selection.marks.bookmarks.push_back(bookmarkOf(read, mark));
@@ -406,9 +424,11 @@ std::optional<SessionFile> sessionFileOf(const Session& session)
     if (const auto at = session.position(); at && at->step + 1 < at->count) file.step = at->step;
     file.selection = {now.picked, now.selectedNode, now.selectedTriangle, now.selectedLevel, now.marks};
     file.selection.marks.history.reset();
-    file.look      = now.look;
-    file.layers    = now.layers;
-    file.other     = now.compare.other;
+    file.look   = now.look;
+    file.layers = now.layers;
+    file.other  = now.compare.other;
+    if (now.compare.theirs) file.theirs = session.examiner().files();
+    if (const TheirTrace* trace = session.tracer().trace()) file.trace = trace->file;
     file.show      = now.compare.show;
     file.link      = now.compare.link;
     file.isLinked  = now.compare.isLinked;
@@ -420,10 +440,7 @@ std::optional<SessionFile> sessionFileOf(const Session& session)
 std::string sessionToJson(const SessionFile& session, const QString& file)
 {
     QString scene = session.scene;
-    if (!scene.startsWith("builtin:")) {
-        const QString below = QFileInfo(file).absoluteDir().relativeFilePath(scene);
-        if (!below.startsWith("..") && QDir::isRelativePath(below)) scene = below;
-    }
+    if (!scene.startsWith("builtin:")) scene = placeFrom(scene, file);
     const Selection& of   = session.selection;
     std::string      json = "{\"zscope-session\": " + std::to_string(kVersion) + ",\n \"scene\": " + textJson(scene)
                        + ",\n \"camera\": " + cameraToJson(session.camera);
@@ -448,12 +465,16 @@ std::string sessionToJson(const SessionFile& session, const QString& file)
     for (const OverEntry& entry : kOver)
         over += (over.empty() ? "{" : ", ") + quoted(entry.word) + ": " + truth(session.layers.*entry.part);
     add("over", over + "}");
-    if (session.other)
+    const auto placeJson = [&](const QString& path) { return textJson(placeFrom(path, file)); };
+    if (session.other || !session.theirs.isEmpty())
         add("compare", "{\"show\": " + quoted(kShows[static_cast<std::size_t>(session.show)]) + ", \"wipe\": "
                            + numberJson(session.wipe) + ", \"tolerance\": " + std::to_string(session.tolerance)
                            + ", \"linked\": " + truth(session.isLinked)
                            + ", \"follows\": " + quoted(kLinks[static_cast<std::size_t>(session.link)])
-                           + ",\n  \"algorithm\": " + algorithmJson(*session.other) + "}");
+                           + (session.other ? ",\n  \"algorithm\": " + algorithmJson(*session.other)
+                                            : ",\n  \"files\": " + listJson(session.theirs, placeJson))
+                           + "}");
+    if (!session.trace.isEmpty()) add("trace", placeJson(session.trace));
     add("bookmarks", listJson(of.marks.bookmarks, bookmarkJson));
     add("breakpoints", listJson(of.marks.breakpoints, breakpointJson));
     if (!session.layout.state.isEmpty())
@@ -483,8 +504,9 @@ Result<SessionFile> sessionFromJson(const std::string& json, const QString& file
                                       + std::string(zscope::wordOf(session.grain)) + "'");
     }
     if (read.error()) return *read.error();
-    if (!session.scene.startsWith("builtin:"))
-        session.scene = QFileInfo(file).absoluteDir().absoluteFilePath(session.scene);
+    if (!session.scene.startsWith("builtin:")) session.scene = pathOf(session.scene, file);
+    for (QString& theirs : session.theirs) theirs = pathOf(theirs, file);
+    if (!session.trace.isEmpty()) session.trace = pathOf(session.trace, file);
     return session;
 }
 
@@ -492,6 +514,7 @@ void restore(Session& session, const SessionFile& file)
 {
     session.player().setPlaying(false);
     session.compareWith({});
+    session.tracer().close();
     session.setPipeline(file.pipeline);
     session.setGrain(file.grain);
     session.setFaceCulling(file.faceCulling);
@@ -507,6 +530,8 @@ void restore(Session& session, const SessionFile& file)
     session.setWipe(file.wipe);
     session.compareWith(file.other);
     session.showCompared(file.show);
+    if (!file.theirs.isEmpty()) session.examiner().openWith(file.theirs, file.show, file.scene);
+    if (!file.trace.isEmpty()) session.tracer().openWith(file.trace, file.scene);
 }
 
 }  // namespace zscope::ui

@@ -3,10 +3,12 @@
 // read and change it.
 //
 // Format     {"zscope-session":1, "scene":..., "camera":{the ten numbers}, "cull":"none"|"back", "algorithm":{axis:
-//            choice, "fault": "word" or "word+word"}, "grain":word, "step":number|"end", "picked":[x,y], "node":{...}, "triangle":n,
-//            "level":n, "layer":word, "range":{...}, "over":{...}, "compare":{...}, "bookmarks":[...],
-//            "breakpoints":[...], "layout":{...}}; all but the first three may be missing
+//            choice, "fault": "word" or "word+word"}, "grain":word, "step":number|"end", "picked":[x,y], "node":{...},
+//            "triangle":n, "level":n, "layer":word, "range":{...}, "over":{...}, "compare":{...}, "trace":path,
+//            "bookmarks":[...], "breakpoints":[...], "layout":{...}}; all but the first three may be missing
 // Scene      builtin:..., or a path; below the file's own folder it is relative to that, so that both can be moved
+// Theirs     "compare" holds an "algorithm", or "files" that another program drew; their paths and that of "trace" are
+//            written like the scene's. They are read and judged anew; a file that is missing is named in a sentence
 // Errors     Input, "file:line: sentence"
 #pragma once
 
@@ -37,7 +39,9 @@ struct SessionFile {
     Selection                    selection;
     Look                         look;
     Layers                       layers;
-    std::optional<Pipeline>      other;
+    std::optional<Pipeline>      other;   // B, or
+    QStringList                  theirs;  // the files that it was read from
+    QString                      trace;
     CompareShow                  show      = CompareShow::A;
     Link                         link      = Link::Number;
     bool                         isLinked  = true;

@@ -18,10 +18,19 @@ namespace zscope::ui {
 namespace {
 
 constexpr std::array    kEndings{".npy", ".zdump", ".pfm", ".png", ".bmp", ".ppm"};
+constexpr std::array    kTraceEndings{".jsonl", ".json-lines"};
 constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 30;  // bytes
 constexpr qint64        kBeginning      = 4096;                    // bytes; no header of an array is longer
 
 bool ends(const QString& file, const char* ending) { return file.endsWith(QLatin1String(ending), Qt::CaseInsensitive); }
+
+template <class Endings>
+QString patternsOf(const Endings& endings)
+{
+    QStringList patterns;
+    for (const char* ending : endings) patterns << QLatin1Char('*') + QLatin1String(ending);
+    return patterns.join(' ');
+}
 
 /// Empty of what is no regular file: opening one of those may wait.
 QByteArray beginningOf(const QString& path)
@@ -75,12 +84,13 @@ bool isDrawn(const QString& file)
     return std::ranges::any_of(kEndings, [&](const char* ending) { return ends(file, ending); });
 }
 
-QString drawnPatterns()
+bool isTrace(const QString& file)
 {
-    QStringList patterns;
-    for (const char* ending : kEndings) patterns << QLatin1Char('*') + QLatin1String(ending);
-    return patterns.join(' ');
+    return std::ranges::any_of(kTraceEndings, [&](const char* ending) { return ends(file, ending); });
 }
+
+QString drawnPatterns() { return patternsOf(kEndings); }
+QString tracePatterns() { return patternsOf(kTraceEndings); }
 
 Result<TheirFiles> theirFilesOf(const QStringList& files)
 {

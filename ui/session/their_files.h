@@ -30,6 +30,9 @@ struct TheirFiles {
 bool isDrawn(const QString& file);
 /// What a file dialog offers: "*.npy *.zdump ...".
 QString drawnPatterns();
+/// By its ending: the steps of another program, as JSON lines.
+bool    isTrace(const QString& file);
+QString tracePatterns();
 
 /// Errors: Input, where two files hold the same, or a dump cannot be read.
 Result<TheirFiles> theirFilesOf(const QStringList& files);

@@ -29,9 +29,9 @@ namespace zscope::ui {
 
 /// What an action asks of the window itself.
 struct WindowRequests {
-    std::function<void()> open, openTheirs, savePicture, savePlainPicture, savePictureAs, copyPicture, goToPixel,
-        namePictures, saveSheet, measure, stopMeasuring, openRecord, addKeyFrame, addKeyFrameAfterCut, savePath,
-        forgetPath, resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
+    std::function<void()> open, openTheirs, openTrace, savePicture, savePlainPicture, savePictureAs, copyPicture,
+        goToPixel, namePictures, saveSheet, measure, stopMeasuring, openRecord, addKeyFrame, addKeyFrameAfterCut,
+        savePath, forgetPath, resetLayout, about, keys, changeKeys, palette, saveSession, openLessons;
     std::function<void(const QString&)> layout;  // its word
     std::function<void()>               saveOwnLayout;
     std::function<void(const QString&)> useOwnLayout, forgetOwnLayout;

@@ -41,6 +41,8 @@ void Actions::makeFileMenu()
     m_open      = add(menu, "file.open", QT_TR_NOOP("&Open…"), QKeySequence::Open, m_requests.open, "open");
     m_needScene.push_back(add(menu, "file.open-theirs", QT_TR_NOOP("Open &my picture…"),
                               key(Qt::CTRL | Qt::SHIFT | Qt::Key_O), m_requests.openTheirs));
+    m_needScene.push_back(add(menu, "file.open-trace", QT_TR_NOOP("Open my &trace…"),
+                              key(Qt::CTRL | Qt::ALT | Qt::Key_O), m_requests.openTrace));
     m_recent = addMenu(menu, QT_TR_NOOP("Open &recent"));
     for (int i = 0; i < Settings::kRecentFiles; ++i) {
         QAction* action =

@@ -36,6 +36,7 @@
 #include "ui/session/course.h"
 #include "ui/session/examiner.h"
 #include "ui/session/reproduce.h"
+#include "ui/session/tracer.h"
 #include "ui/sheet/sheet_maker.h"
 #include "ui/text/numbers.h"
 #include "ui/text/phrase_book.h"
@@ -118,6 +119,7 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
     m_actions = new Actions(*this, session, *m_view, settings,
                             {.open                = [this] { chooseFile(); },
                              .openTheirs          = [this] { chooseTheirs(); },
+                             .openTrace           = [this] { chooseTrace(); },
                              .savePicture         = [this] { savePicture(true); },
                              .savePlainPicture    = [this] { savePicture(false); },
                              .savePictureAs       = [this] { savePictureAs(); },
@@ -195,6 +197,12 @@ MainWindow::MainWindow(Session& session, Settings& settings, const QPalette& sys
         m_messages->hide();  // something went right
         makeRoomForDiagnosis();
     });
+    Tracer& tracer = session.tracer();
+    connect(&tracer, &Tracer::fileWanted, this, [this] { chooseTrace(); });
+    connect(&tracer, &Tracer::opened, this, [this] {
+        m_messages->hide();  // something went right
+        makeRoomFor(QStringLiteral("trace"));
+    });
     Course& course = session.course();
     connect(&course, &Course::troubled, m_messages, qOverload<std::function<QString()>>(&MessageBar::tell));
     connect(&course, &Course::panelWanted, this, [this](const QString& word) { showPanel(word); });
@@ -219,6 +227,7 @@ MainWindow::~MainWindow()
     m_session.disconnect(this);
     m_session.course().disconnect(this);
     m_session.examiner().disconnect(this);
+    m_session.tracer().disconnect(this);
     qApp->removeEventFilter(this);
     qDeleteAll(findChildren<QDialog*>());  // they speak of actions, which go with the window
 }

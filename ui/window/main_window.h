@@ -60,6 +60,8 @@ public:
     void openSession(const QString& file);
     /// What another program drew becomes B.
     void openTheirs(const QStringList& files);
+    /// What another program wrote of its steps is stepped beside A.
+    void openTrace(const QString& file);
     /// As if they were dropped; with `asB` a picture becomes B even if it carries a session.
     void openFiles(const QStringList& files, bool asB);
     /// Replaces the file.
@@ -106,6 +108,7 @@ private:
     void          addRecentFile(const QString& file);
     void          chooseFile();
     void          chooseTheirs();
+    void          chooseTrace();
     void          saveReport();
     void          makeRoomForDiagnosis();
     void          chooseLessons();

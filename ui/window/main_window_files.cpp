@@ -2,6 +2,8 @@
 // What the window opens and saves: scenes, sessions, pictures.
 #include "ui/window/main_window.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QClipboard>
 #include <QDir>
@@ -19,6 +21,7 @@
 #include "ui/session/reproduce.h"
 #include "ui/session/session_file.h"
 #include "ui/session/their_files.h"
+#include "ui/session/tracer.h"
 #include "ui/text/phrase_book.h"
 #include "ui/view/frame_view.h"
 #include "ui/window/actions.h"
@@ -37,7 +40,7 @@ constexpr std::uint64_t kLargestSession = std::uint64_t{16} << 20;  // bytes
 void MainWindow::open(const QString& word, const Session::ViewOf& viewOf)
 {
     if (word.endsWith(QString(".") + kSessionSuffix, Qt::CaseInsensitive)) return openSession(word);
-    if (!word.startsWith("builtin:") && isDrawn(word)) return openFiles({word}, false);
+    if (!word.startsWith("builtin:") && (isDrawn(word) || isTrace(word))) return openFiles({word}, false);
     QString name = word;
     m_fileAwaited.clear();
     if (!word.startsWith("builtin:")) m_fileAwaited = name = QFileInfo(word).absoluteFilePath();
@@ -89,16 +92,35 @@ void MainWindow::saveReport()
 void MainWindow::openTheirs(const QStringList& files)
 {
     m_settings.setTheirFolder(QFileInfo(files.front()).absolutePath());
-    m_session.examiner().open(files);
+    QStringList paths;  // a session is found again from elsewhere
+    for (const QString& file : files) paths << QFileInfo(file).absoluteFilePath();
+    m_session.examiner().open(paths);
+}
+
+void MainWindow::chooseTrace()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Open my trace"), m_settings.theirFolder(),
+                                                      tr("Traces (%1);;All files (*)").arg(tracePatterns()));
+    if (!file.isEmpty()) openTrace(file);
+}
+
+void MainWindow::openTrace(const QString& file)
+{
+    m_settings.setTheirFolder(QFileInfo(file).absolutePath());
+    m_session.tracer().open(QFileInfo(file).absoluteFilePath());
 }
 
 void MainWindow::openFiles(const QStringList& files, bool asB)
 {
-    QStringList drawn;
+    QStringList others, drawn;
     for (const QString& file : files)
+        if (!isTrace(file)) others << file;
+    if (const auto trace = std::ranges::find_if(files, isTrace); trace != files.end()) openTrace(*trace);
+    if (others.isEmpty()) return;
+    for (const QString& file : others)
         if (isDrawn(file)) drawn << file;
-    if (drawn.isEmpty() || !isDrawn(files.front())) return open(files.front());
-    if (!asB && sessionInPicture(files.front())) return openSession(files.front());
+    if (!isDrawn(others.front())) return open(others.front());
+    if (!asB && sessionInPicture(others.front())) return openSession(others.front());
     openTheirs(drawn);
 }
 

@@ -16,6 +16,7 @@
 #include "ui/panels/diagnosis/diagnosis_words.h"
 #include "ui/panels/lessons/lessons_panel.h"
 #include "ui/parts/scrolling.h"
+#include "ui/parts/wrapped_label.h"
 #include "ui/session/course.h"
 #include "ui/session/examiner.h"
 #include "ui/text/numbers.h"
@@ -26,18 +27,6 @@
 
 namespace zscope::ui {
 namespace {
-
-QLabel* wrapped(const char* name = nullptr)
-{
-    auto* label = new QLabel;
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
-    if (name) label->setObjectName(name);
-    return label;
-}
 
 /// Core writes a pair's title as one's beside the other's, with quotation marks between them.
 QString titleOf(const check::Cause& cause)
@@ -51,11 +40,11 @@ QString titleOf(const check::Cause& cause)
 }  // namespace
 
 DiagnosisPanel::DiagnosisPanel(Session& session, QWidget* parent)
-    : Panel(session, parent), m_hint(wrapped("hint")), m_title(wrapped("title")), m_stale(wrapped()),
-      m_work(wrapped("soft")), m_sentence(wrapped()), m_conventions(wrapped("soft")), m_causesTitle(wrapped("section")),
-      m_clusters(wrapped()), m_open(new QPushButton), m_again(new QPushButton), m_back(new QPushButton),
-      m_cancel(new QPushButton), m_first(new QPushButton), m_report(new QPushButton), m_progress(new QProgressBar),
-      m_rows(new QVBoxLayout)
+    : Panel(session, parent), m_hint(wrappedLabel("hint")), m_title(wrappedLabel("title")), m_stale(wrappedLabel()),
+      m_work(wrappedLabel("soft")), m_sentence(wrappedLabel()), m_conventions(wrappedLabel("soft")),
+      m_causesTitle(wrappedLabel("section")), m_clusters(wrappedLabel()), m_open(new QPushButton),
+      m_again(new QPushButton), m_back(new QPushButton), m_cancel(new QPushButton), m_first(new QPushButton),
+      m_report(new QPushButton), m_progress(new QProgressBar), m_rows(new QVBoxLayout)
 {
     m_hint->setAlignment(Qt::AlignCenter);
     m_progress->setTextVisible(false);
@@ -247,7 +236,7 @@ void DiagnosisPanel::showCauses(const Snapshot& shown)
     while (m_causes.size() < count) {
         const std::size_t at = m_causes.size();
         m_causes.push_back(new CauseRow);
-        m_lessons.push_back(wrapped());
+        m_lessons.push_back(wrappedLabel());
         m_lessons.back()->setTextFormat(Qt::RichText);
         m_lessons.back()->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
         m_lessons.back()->setContentsMargins(kStep, 0, 0, 4);
