@@ -43,8 +43,8 @@ struct Approximation {
     CellDescent   cells  = CellDescent::Descend;
     SmallNodes    small  = SmallNodes::Keep;
 
-    /// True if each lane can find its own numbers (LaneRules in core/geometry/rules.h): nothing is carried from pixel to
-    /// pixel, from line to line or from question to question, and corners lie on whole subpixels.
+    /// True if each lane can find its own numbers (LaneRules in core/geometry/rules.h): nothing is carried from pixel
+    /// to pixel, from line to line or from question to question, and corners lie on whole subpixels.
     bool suitsLanes() const
     {
         return snap != SnapBits::Twelve && cells == CellDescent::Descend && depth != DepthNumbers::Accumulated

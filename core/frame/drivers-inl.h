@@ -336,9 +336,9 @@ inline AfterDrawing afterDrawing(const Pipeline& pipeline)
     return AfterDrawing::Nothing;
 }
 
-/// Whether the visibility buffer's own pixels may be asked, before set-up, where nodes and triangles are asked about: only
-/// where each frame's pyramid is its own, whatever is hidden costs nothing, and what a batch may reach is known by the
-/// definition's numbers.
+/// Whether the visibility buffer's own pixels may be asked, before set-up, where nodes and triangles are asked about:
+/// only where each frame's pyramid is its own, whatever is hidden costs nothing, and what a batch may reach is known by
+/// the definition's numbers.
 inline bool mayAskPixels(const Pipeline& pipeline, ShadingMoment shading, const LaneRules& rules)
 {
     return rules.hasExactDepths() && !rules.movesCorners() && !rules.dependsOnVisit()

@@ -126,7 +126,6 @@ Reason never(const Pipeline&) { return {}; }
 
 constexpr std::array<Shortcut, 0> kNothing{};
 constexpr std::array              kLanes{Shortcut::Lanes};
-constexpr std::array              kLarge{Shortcut::LargeTriangles};
 constexpr std::array              kTwoLevels{Shortcut::TwoLevelPyramid};
 constexpr std::array              kSquares{Shortcut::HiddenSquares};
 

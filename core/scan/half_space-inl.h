@@ -12,7 +12,8 @@
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot
 //            win is not tested pixel by pixel. A tile's farthest depth is read, and found again when it is stale: no
 //            pixel writes to it
-// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits; those beyond kWidestByTiles are handed to EdgeWalk, which finds the same pixels
+// Wide       of triangles beyond the guard band each tile finds the edges anew, in 128 bits; those beyond
+//            kWidestByTiles are handed to EdgeWalk, which finds the same pixels
 // Source     Pineda: A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; docs/correctness.md, Coverage
 #if defined(ZSCOPE_HALF_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZSCOPE_HALF_SPACE_INL_H

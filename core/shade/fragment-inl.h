@@ -1,5 +1,5 @@
-// The fragment shader, several fragments side by side: neighbouring pixels of the finished picture, or whatever waits in
-// a queue.
+// The fragment shader, several fragments side by side: neighbouring pixels of the finished picture, or whatever waits
+// in a queue.
 //
 // Chain      one round is five dependent operations on 32-bit integers (shift, add, shift, exclusive or, add); the
 //            lanes run side by side, so that a vector of fragments costs what one does

@@ -133,7 +133,8 @@ inline void setUpBatch(const BatchPlace& place, const Stripe& stripe, StripeScra
 }
 
 /// The same at full speed, but for what can win no pixel any more, because all of its pixels hold something nearer than
-/// the batch comes, or its patch. The pyramid is a wide one; corners stand and depths are stored as the definition says.
+/// the batch comes, or its patch. The pyramid is a wide one; corners stand and depths are stored as the definition
+/// says.
 inline LeftOut setUpSeen(const BatchPlace& whole, const PlacedView& view, const Stripe& stripe, StripeScratch& scratch,
                          SampledQuestions& patchQuestions, StageClock& clock, const LaneRules& rules)
 {

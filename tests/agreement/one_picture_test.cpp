@@ -131,8 +131,7 @@ int expectOnePicture(const std::shared_ptr<const Scene>& loaded, const Camera& c
     const auto describe = [&](const DrawRequest& request) {
         return what + ", " + nameOf(request.pipeline) + ", back faces "
                + (request.faceCulling == FaceCulling::Back ? "culled" : "drawn") + ", shortcuts "
-               + (request.shortcuts.isAll() ? "all" : "none") + ", " + std::to_string(request.threads)
-               + " threads";
+               + (request.shortcuts.isAll() ? "all" : "none") + ", " + std::to_string(request.threads) + " threads";
     };
     for (const Choices& choices : approximations())
         for (const FaceCulling culling : cullings) {
