@@ -21,8 +21,8 @@
 #include "core/base/tally.h"
 #include "core/depth/visibility_buffer.h"
 #include "core/geometry/lane_order-inl.h"
+#include "core/scan/fragment_queue.h"
 #include "core/scan/fragments.h"
-#include "core/shade/fragment_queue.h"
 #include "core/shade/painter.h"
 
 HWY_BEFORE_NAMESPACE();
