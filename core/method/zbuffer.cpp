@@ -49,7 +49,7 @@ void fillByHalfSpaces(Work& work, const Pass& pass, const ScreenTriangle& triang
     for (const PixelBox& tile : tilesOf(box, pass.testsTiles)) {  // of the pyramid, 8 x 8 pixels; or the box as one
         if (pass.testsTiles && (edges.areOutside(tile) || isHiddenInTile(work, triangle, tile))) continue;
         for (int y = tile.y0; y < tile.y1; ++y) {
-            test.beginLine(y, triangle.box.x0);  // carried depths start at the box, whatever the tile
+            test.beginLine(y, tile.x0);
             for (int x = tile.x0; x < tile.x1; ++x) {
                 const int  right = x - triangle.box.x0, down = y - triangle.box.y0;
                 const bool isInside = edges.planes[0].at(right, down) >= 0 && edges.planes[1].at(right, down) >= 0
