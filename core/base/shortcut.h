@@ -1,6 +1,6 @@
 // What makes the fast text fast, one by one. None changes a bit of the picture.
 //
-// Growing    an enumerator here, its row in core/frame/shortcuts.h, and the place that asks for it
+// Growing    an enumerator here, its row in core/frame/shortcuts.cpp, and the place that asks for it
 #pragma once
 
 #include <cstdint>

@@ -286,7 +286,7 @@ void RowComparison::besidePyramid(const JsonValue::Object& theirs, const JsonVal
     }
 }
 
-/// A field that is compared as it stands, and what it holds.
+/// A field without a rule of its own, and the parts that it holds.
 void RowComparison::besideParts(int depth, const std::string& path, const std::string& name, const JsonValue& theirs,
                                 const JsonValue* ours, std::vector<FieldBeside>& fields)
 {

@@ -70,8 +70,8 @@ private:
                                             : convert<Keep::Nearest>(triangles, unshaded, depths);
 
         const Shading shading{*stripe.painter, stripe.visible, scratch.fragments, scratch.tally};
-        const auto early = [&](std::uint32_t rank) { return ShadedFragments<ShadingMoment::AfterTest>(shading, rank); };
-        const auto late = [&](std::uint32_t rank) { return ShadedFragments<ShadingMoment::BeforeTest>(shading, rank); };
+        const auto early = [&](std::uint32_t rank) { return QueuedFragments<ShadingMoment::AfterTest>(shading, rank); };
+        const auto late = [&](std::uint32_t rank) { return QueuedFragments<ShadingMoment::BeforeTest>(shading, rank); };
         const DrawnTriangles all = pass.keep == Keep::Equal ? convert<Keep::Equal>(triangles, early, depths)
                                    : pass.shading == ShadingMoment::BeforeTest
                                        ? convert<Keep::Nearest>(triangles, late, depths)
@@ -209,7 +209,7 @@ private:
     template <Keep kKeep, class FragmentsOf, class Rules>
     void draw(const ScreenTriangle& triangle, const FragmentsOf& fragmentsOf, const Rules& depths) const
     {
-        const auto fragments = fragmentsOf(triangle.rank());
+        const auto fragments = drawnAlone(fragmentsOf(triangle.rank()));
         if (triangle.patterned)
             fill<kKeep>(
                 triangle,

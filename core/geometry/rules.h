@@ -46,31 +46,15 @@ struct ExactRules {
     static constexpr bool dropsCrossing(const ScreenCorner&, const ScreenCorner&, const ScreenCorner&) { return false; }
 
     // Coverage. Positions in subpixels
-    static int            firstCentreFrom(double snapped) { return firstPixelCentreFrom(snapped); }
-    static int            firstLineOfTriangle(double top) { return firstPixelCentreFrom(top); }
-    static constexpr bool isSkippedAsHorizontal(double, double) { return false; }
-    /// The first pixel right of a crossing whose pixel by the definition is `first`, at x subpixels rounded down.
-    static constexpr int firstPixel(int first, std::int64_t) { return first; }
+    static int firstCentreFrom(double snapped) { return firstPixelCentreFrom(snapped); }
     /// What an edge value is lowered by where the edge does not own its points.
     static constexpr double notOwned() { return 1; }
-    static constexpr bool   accumulatesEdges() { return false; }
-    static constexpr bool   sortsActiveEdges() { return true; }
-    static constexpr bool   testsIntervalOnce() { return false; }
 
     // Depth
     static constexpr DepthNumbers depthNumbers() { return DepthNumbers::Float64; }
     static float                  stored(double depth) { return static_cast<float>(depth); }
     /// True if stored depths are affine and positive, so that who leads at both ends of a run leads inside it.
     static constexpr bool comparesByEnds() { return true; }
-
-    // Nodes and the pyramid
-    static constexpr bool asksOneLevel() { return false; }
-    /// Nodes whose whole rectangle has fewer pixels are dropped.
-    static constexpr double smallestNode() { return 0; }
-    static constexpr bool   visitsFarFirst() { return false; }
-    /// Of equally near fragments the one that came first stays, whatever its id.
-    static constexpr bool firstComerKeepsTie() { return false; }
-    static constexpr bool truncatesNodeBoxes() { return false; }
 };
 
 /// Corners lie on whole subpixels, and nothing is carried from pixel to pixel or from line to line: each lane can find
@@ -101,6 +85,7 @@ public:
     [[gnu::always_inline]] float stored(double depth) const { return m_encoding.stored(depth); }
     bool                         comparesByEnds() const { return hasExactDepths(); }
 
+    /// Nodes whose whole rectangle has fewer pixels are dropped.
     double smallestNode() const { return smallestNodeOf(m_approximation.small); }
 
 private:

@@ -194,9 +194,9 @@ public:
             hn::StoreU(kept, I64(), row);
 
             if constexpr (kShading == ShadingMoment::BeforeTest)
-                fragments.shade(U32(), narrowed(hn::RebindMask(I64(), covered)), x, y);
+                fragments.shade(U32(), narrowed(hn::RebindMask(I64(), covered)), narrowed(won), x, y);
             else if constexpr (kShading == ShadingMoment::AfterTest)
-                if (!hn::AllFalse(I64(), won)) fragments.shade(U32(), narrowed(won), x, y);
+                if (!hn::AllFalse(I64(), won)) fragments.shade(U32(), narrowed(won), narrowed(won), x, y);
             return kept;
         }
     }
@@ -237,7 +237,7 @@ private:
             kept = hn::IfThenElse(won, offered, held);
             hn::StoreU(kept, I64(), row);
             if constexpr (Fragments::kMoment != ShadingMoment::Never)
-                if (!hn::AllFalse(I64(), exists)) fragments.shade(U32(), narrowed(exists), x, y);
+                if (!hn::AllFalse(I64(), exists)) fragments.shade(U32(), narrowed(exists), narrowed(won), x, y);
         }
 
         return kept;

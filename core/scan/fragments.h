@@ -1,8 +1,9 @@
 // What the depth test does with a fragment besides testing it: nothing, or shading it before or after the test.
 //
-// Interface  shade(u32, wanted, x, y): of the pixels x, x + 1, ... of line y those in `wanted` are shaded. If
-//            kPatterned: discarded(d64, x, y): those that do not exist; moves(): whether depth is changed;
-//            moved(d64, depth, x, y): what it becomes, which is never nearer (core/scan/pattern-inl.h)
+// Interface  shade(u32, wanted, won, x, y): of the pixels x, x + 1, ... of line y those in `wanted` are shaded, and
+//            those in `won` get their colours. If kPatterned: discarded(d64, x, y): those that do not exist; moves():
+//            whether depth is changed; moved(d64, depth, x, y): what it becomes, which is never nearer
+//            (core/scan/pattern-inl.h)
 // Written    where shading is known (core/shade/fragment-inl.h); scan conversion only says when
 #pragma once
 

@@ -89,31 +89,23 @@ struct Shading {
 };
 
 /// What a stream method does with the fragments of one triangle if they are shaded as they come
-/// (core/scan/fragments.h).
+/// (core/scan/fragments.h): they wait in the queue, where lanes of different triangles are shaded side by side.
 template <ShadingMoment kWhen>
-class ShadedFragments {
+class QueuedFragments {
 public:
-    static constexpr ShadingMoment kMoment    = kWhen;
-    static constexpr bool          kPatterned = false;
+    static constexpr ShadingMoment kMoment = kWhen;
 
-    ShadedFragments(const Shading& shading, std::uint32_t rank) : m_shading(shading), m_rank(rank) {}
+    QueuedFragments(const Shading& shading, std::uint32_t rank) : m_shading(shading), m_rank(rank) {}
 
-    /// Of the pixels x, x + 1, ... of line y, the first of which exists, those in `wanted`. What lies right of the
-    /// picture has no colour.
-    template <class U32>
-    void shade(U32 u32, hn::Mask<U32> wanted, int x, int y) const
-    {
-        const auto first = static_cast<std::uint32_t>(x) + (static_cast<std::uint32_t>(y) << 16);
-        const auto exist = hn::FirstN(u32, static_cast<std::size_t>(m_shading.painter.colour.width - x));
-        shade(u32, hn::And(wanted, exist), countFrom(u32, first));
-    }
-    /// Of these pixels, x + 65536 y each.
+    const Shading& shading() const { return m_shading; }
+    std::uint32_t  rank() const { return m_rank; }
+
+    /// Of these pixels, x + 65536 y each, those in `wanted`.
     template <class U32>
     HWY_INLINE void shade(U32 u32, hn::Mask<U32> wanted, hn::Vec<U32> pixels) const
     {
         m_shading.add(u32, wanted, pixels, hn::Set(u32, m_rank));
     }
-
     void shade(std::uint32_t pixel) const
     {
         FragmentQueue& queue = m_shading.queue;
@@ -126,6 +118,58 @@ private:
     const Shading& m_shading;
     std::uint32_t  m_rank;
 };
+
+/// The same of a triangle that fills most lanes by itself: its fragments are shaded where they are tested. A colour
+/// that is stored here is never overwritten by one that waits, whose triangle has lost the pixel.
+template <ShadingMoment kWhen>
+class ShadedFragments {
+public:
+    static constexpr ShadingMoment kMoment    = kWhen;
+    static constexpr bool          kPatterned = false;
+
+    explicit ShadedFragments(const QueuedFragments<kWhen>& of)
+        : m_shading(of.shading()), m_rank(of.rank()), m_base(m_shading.painter.baseColour(m_rank))
+    {}
+
+    /// Of the pixels x, x + 1, ... of line y, the first of which exists, those in `wanted` are shaded, and those that
+    /// have `won`, some of them, get their colours. What lies right of the picture has none.
+    template <class U32>
+    void shade(U32 u32, hn::Mask<U32> wanted, hn::Mask<U32> won, int x, int y) const
+    {
+        const Painter& painter = m_shading.painter;
+        const int      exist   = painter.colour.width - x;
+        const auto     inside  = hn::FirstN(u32, static_cast<std::size_t>(exist));
+        m_shading.tally.add(Unit::Fragments, hn::CountTrue(u32, hn::And(wanted, inside)));
+        auto colours = hn::Set(u32, m_base);
+        if (painter.operations != 0)
+            colours = shaded(u32, colours, hn::Set(u32, m_rank),
+                             countFrom(u32, static_cast<std::uint32_t>(x) + (static_cast<std::uint32_t>(y) << 16)),
+                             painter.operations);
+        std::uint32_t* at = painter.colour.row(y).data() + x;
+        if (static_cast<int>(hn::Lanes(u32)) <= exist) {
+            hn::StoreU(hn::IfThenElse(won, colours, hn::LoadU(u32, at)), u32, at);
+            return;
+        }
+        HWY_ALIGN std::array<std::uint32_t, hn::MaxLanes(U32())> colour, kept;
+        hn::Store(colours, u32, colour.data());
+        hn::Store(hn::VecFromMask(u32, won), u32, kept.data());
+        for (std::size_t lane = 0; lane < static_cast<std::size_t>(exist); ++lane)
+            if (kept[lane] != 0) at[lane] = colour[lane];
+    }
+
+private:
+    const Shading& m_shading;
+    std::uint32_t  m_rank;
+    std::uint32_t  m_base;  // colour
+};
+
+/// The fragments of a triangle that is drawn by itself.
+inline UnshadedFragments drawnAlone(const UnshadedFragments& fragments) { return fragments; }
+template <ShadingMoment kWhen>
+ShadedFragments<kWhen> drawnAlone(const QueuedFragments<kWhen>& fragments)
+{
+    return ShadedFragments<kWhen>(fragments);
+}
 
 }  // namespace zscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,7 +1,6 @@
 // The contract of the shortcuts: no set of them changes a bit of the picture.
 //
-// Pipelines  every preset, exact and by every approximation of numbers that lanes can follow; and those that depend on
-//            which nodes are visited
+// Pipelines  every composed preset, exact and with one approximation
 // Sets       any; each one alone with what it needs; each one left out with what needs it
 #include <gtest/gtest.h>
 

@@ -249,7 +249,7 @@ void Examiner::ask(const QStringList& files, bool isNew, std::optional<CompareSh
 void Examiner::judged(const std::shared_ptr<const TheirPicture>& theirs, const Question& question)
 {
     m_files = question.files;
-    // Whoever has gone elsewhere meanwhile is left there.
+    // A user who has opened another scene or view in the meantime keeps it.
     const bool isThere = m_session.now().camera == question.camera && m_session.now().scene == question.scene;
     if (isThere && !(theirs->camera() == question.camera)) {
         m_session.setPictureSize(theirs->camera().width, theirs->camera().height);

@@ -41,7 +41,7 @@ public:
     void cancel();
     /// To the scene and the camera by which B was judged.
     void goBack();
-    /// Asks whoever shows dialogs for files.
+    /// Wants a dialog that asks for files.
     void chooseFiles() { emit filesWanted(); }
     void chooseReport() { emit reportWanted(); }
     /// The page of `check --report`, written in the background; Session::noticed() says when it is there.

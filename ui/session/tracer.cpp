@@ -196,7 +196,7 @@ void Tracer::judged(const std::shared_ptr<const TheirTrace>& trace, const Questi
     m_wanted.reset();
     m_events.reset();
     show({});
-    // Whoever has gone elsewhere meanwhile is left there.
+    // A user who has opened another scene or view in the meantime keeps it.
     const bool isThere = m_session.now().camera == question.request.camera && m_session.now().scene == question.scene;
     if (question.isNew && isThere) {
         m_session.setPipeline(trace->pipeline);

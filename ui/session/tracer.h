@@ -59,7 +59,7 @@ public:
     void cancel();
     /// To the scene, the camera and the algorithm of the judgement.
     void goBack();
-    /// Asks whoever shows dialogs for a file.
+    /// Wants a dialog that asks for a file.
     void chooseFile() { emit fileWanted(); }
 
     const TheirTrace*                 trace() const { return m_trace.get(); }
