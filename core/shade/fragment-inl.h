@@ -119,8 +119,8 @@ private:
     std::uint32_t  m_rank;
 };
 
-/// The same of a triangle that fills most lanes by itself: its fragments are shaded where they are tested. A colour
-/// that is stored here is never overwritten by one that waits, whose triangle has lost the pixel.
+/// The same of a triangle that fills most lanes by itself: its fragments are shaded where they are tested, unless that
+/// is dear. A colour that is stored here is never overwritten by one that waits, whose triangle has lost the pixel.
 template <ShadingMoment kWhen>
 class ShadedFragments {
 public:
@@ -139,6 +139,11 @@ public:
         const Painter& painter = m_shading.painter;
         const int      exist   = painter.colour.width - x;
         const auto     inside  = hn::FirstN(u32, static_cast<std::size_t>(exist));
+        if (painter.operations >= kWorthWaiting) {
+            const auto first = static_cast<std::uint32_t>(x) + (static_cast<std::uint32_t>(y) << 16);
+            m_shading.add(u32, hn::And(wanted, inside), countFrom(u32, first), hn::Set(u32, m_rank));
+            return;
+        }
         m_shading.tally.add(Unit::Fragments, hn::CountTrue(u32, hn::And(wanted, inside)));
         auto colours = hn::Set(u32, m_base);
         if (painter.operations != 0)
@@ -158,6 +163,9 @@ public:
     }
 
 private:
+    /// Operations per fragment from which the wider lanes of the queue win more than waiting costs.
+    static constexpr int kWorthWaiting = 400;
+
     const Shading& m_shading;
     std::uint32_t  m_rank;
     std::uint32_t  m_base;  // colour
