@@ -61,8 +61,13 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
     request.pictures = picturesOf(options, suite);
     request.progress = session.progress();
 
+    if (options.shortcuts) {
+        const Result<Shortcuts> shortcuts = shortcutsOf(*options.shortcuts);
+        if (!shortcuts) return shortcuts.error();
+        request.shortcuts = *shortcuts;
+    }
     const std::string byDefault  = suite ? fmt::format("{}", fmt::join(suite->algorithms, ",")) : "all";
-    const auto        algorithms = algorithmsOf(options.algorithms.value_or(byDefault));
+    const auto        algorithms = algorithmsToTime(options.algorithms.value_or(byDefault), request.shortcuts);
     if (!algorithms) return algorithms.error();
     for (const NamedPipeline& each : *algorithms) request.algorithms.push_back({each.name, each.pipeline, each.claim});
     if (suite) request.threads.assign(suite->threads.begin(), suite->threads.end());
@@ -81,11 +86,6 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
             if (!simd) return simd.error();
             request.simd.push_back(*simd);
         }
-    }
-    if (options.shortcuts) {
-        const Result<Shortcuts> shortcuts = shortcutsOf(*options.shortcuts);
-        if (!shortcuts) return shortcuts.error();
-        request.shortcuts = *shortcuts;
     }
     if (options.frames) {
         const auto frames = wholeNumber(*options.frames, "--frames", 1, kMaxFrames);

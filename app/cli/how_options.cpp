@@ -174,6 +174,14 @@ Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words)
     return algorithms;
 }
 
+Result<std::vector<NamedPipeline>> algorithmsToTime(std::string_view words, Shortcuts shortcuts)
+{
+    auto algorithms = algorithmsOf(words);
+    if (algorithms && words == "all" && shortcuts == Shortcuts::All)
+        std::erase_if(*algorithms, [](const NamedPipeline& each) { return !hasFastText(each.pipeline); });
+    return algorithms;
+}
+
 Result<int> threadsOf(std::string_view word)
 {
     const auto threads = wholeNumber(word, "--threads", 0, kMaxThreads);

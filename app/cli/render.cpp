@@ -92,7 +92,7 @@ Json jsonOf(const OverRender& figures)
             {"fragments", figures.ofFragments()}};
 }
 
-/// null for a sweep, which never draws a triangle at a time.
+/// null for a method that does not draw triangle after triangle, as a sweep.
 Json missedCullsOf(const std::optional<CullAudit>& culls)
 {
     if (!culls) return nullptr;
@@ -121,6 +121,8 @@ Json statsOf(const std::string& algorithm, const Scene& scene, const Drawn& draw
         {"why", report.why.empty() ? Json(nullptr) : Json(report.why)},
         {"threads", drawn.report.threads},
         {"simd", wordOf(drawn.report.simd)},
+        {"shortcuts", wordOf(drawn.report.shortcuts)},
+        {"why_plain", drawn.report.whyPlain.empty() ? Json(nullptr) : Json(drawn.report.whyPlain)},
         {"scene",
          {{"name", scene.name},
           {"triangles", scene.triangleCount()},
@@ -147,6 +149,7 @@ std::string summaryOf(const std::string& algorithm, const Scene& scene, const Dr
                                    grouped(coveredPixels(visible)), drawn.report.frameMs, drawn.report.threads,
                                    drawn.report.threads == 1 ? "" : "s", wordOf(drawn.report.simd));
     if (!drawn.report.why.empty()) text += drawn.report.why + "\n";
+    if (!drawn.report.whyPlain.empty()) text += drawn.report.whyPlain + "\n";
     Table stages({{"stage", Table::Align::Left}, {"ms"}, {"why", Table::Align::Left}});
     for (const StageTime& stage : drawn.report.stages)
         stages.row({std::string(wordOf(stage.stage)), stage.ran ? fmt::format("{:.3f}", stage.ms) : "-", stage.why});

@@ -35,6 +35,8 @@ bool drawsPatchedBatches(const DrawRequest& request);
 
 /// Whether the frame is drawn by the plain text of core/method and core/plain.
 bool isPlain(const DrawRequest& request);
+/// Why it is although the request asks for all shortcuts, in one sentence; empty: it is not, or none were asked for.
+std::string whyPlain(const DrawRequest& request);
 
 /// How the frame's depths are stored at full speed: where nothing but the triangles' own depths is compared, above the
 /// last picture of `visible`, so that what that left need not be emptied (core/base/depth_format.h).

@@ -310,6 +310,8 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     report.stages  = stageTimes(request, stageMs, builtMs, report.frameMs);
     report.threads = plan->threads;
     report.simd    = plan->simd;
+    if (isPlain) report.shortcuts = Shortcuts::None;
+    report.whyPlain = whyPlain(request);
     for (const Tally& each : tallies) report.tally.add(each);
     std::uint64_t scratchBytes = 0;
     for (const StripeScratch& scratch : m_workspace->scratch) scratchBytes += scratch.bytes();

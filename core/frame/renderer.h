@@ -2,7 +2,7 @@
 //
 // Promise    the picture depends on scene, camera, face culling and the pipeline's approximations only: never on
 //            threads, lanes or order (but what cells=one-level leaves out depends on where the stripes begin). No
-//            allocation per frame once the sizes have settled
+//            allocation per frame of the fast text once the sizes have settled
 // Threads    draw() is called from one thread at a time and uses OpenMP inside: the picture is cut into stripes
 //            of whole lines, and each stripe is drawn from start to finish by one thread
 #pragma once
@@ -42,8 +42,8 @@ std::span<const SimdEntry> simdTargets();
 Simd             resolved(Simd simd);
 std::string_view wordOf(Simd simd);
 
-/// Which text draws: the fast one (All), or the plain one of core/method and core/plain (None). The picture has the
-/// same bits.
+/// Which text draws: the fast one (All) where the method has one, or the plain one of core/method and core/plain (None).
+/// The picture has the same bits.
 enum class Shortcuts { All, None };
 
 constexpr std::string_view wordOf(Shortcuts shortcuts) { return shortcuts == Shortcuts::All ? "all" : "none"; }
@@ -77,6 +77,10 @@ struct FrameReport {
     Tally                   tally;   // what this very run did, in its own units
     int                     threads = 1;
     Simd                    simd    = Simd::Scalar;
+
+    // The text that drew. Where plain text did although all shortcuts were asked for: why, in one sentence.
+    Shortcuts   shortcuts = Shortcuts::All;
+    std::string whyPlain;
 
     // Of a pipeline that is measured (the preset `auto`); else empty.
     std::string_view chosen;           // the preset that drew this frame

@@ -100,7 +100,7 @@ private:
         if (!first) return first.error();
         row.threads   = first->threads;
         row.simd      = first->simd;
-        row.shortcuts = m_request.shortcuts;
+        row.shortcuts = first->shortcuts;
         if (const auto done = judge(algorithm, row); !done) return done.error();
         bool isTrial = first->isTrial;
         for (int frame = 0; frame < m_request.warmUp || isTrial; ++frame) {
@@ -229,6 +229,7 @@ Result<std::vector<BenchRow>> bench(const BenchRequest& request)
 {
     assert(request.frames >= 1 && request.leastMs >= 0 && request.warmUp >= 0 && request.rounds >= 1
            && request.rounds <= request.frames);
+    if (const auto why = whyNotOnEqualTerms(request.algorithms, request.shortcuts)) return Error{Trouble::Usage, *why};
     return Bench(request).run();
 }
 

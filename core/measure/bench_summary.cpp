@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include <fmt/format.h>
+
 #include "core/measure/face_figures.h"
 #include "core/measure/verify.h"
 
@@ -54,6 +56,16 @@ void summarise(std::vector<FrameReport> reports, BenchRow& row)
         const auto quantile       = [&times](double p) { return times[quantileRank(times.size(), p)]; };
         row.stageQuartiles[stage] = {quantile(0.25), quantile(0.5), quantile(0.75)};
     }
+}
+
+std::optional<std::string> whyNotOnEqualTerms(std::span<const BenchAlgorithm> algorithms, Shortcuts shortcuts)
+{
+    if (shortcuts == Shortcuts::None) return std::nullopt;
+    const auto isPlain = [](const BenchAlgorithm& each) { return !hasFastText(each.pipeline); };
+    const auto plain   = std::ranges::find_if(algorithms, isPlain);
+    if (plain == algorithms.end() || std::ranges::all_of(algorithms, isPlain)) return std::nullopt;
+    return fmt::format("{} has no fast text, and the others have one: compare their times with --shortcuts none",
+                       plain->name);
 }
 
 DrawRequest drawRequestOf(const BenchRequest& request, std::shared_ptr<const PreparedScene> scene,
