@@ -1,8 +1,8 @@
 // The plain methods, one row each: what the choice on the axis "scan" is called, what can be asked of it, and which
 // function draws by it. Everything else reads this table and knows no method by name.
 //
-// Growing    a method that stands alone is a file in core/method and a row here. The row makes its preset, its steps and
-//            its words: nothing else in core knows of it. It has no fast text, and says why
+// Growing    a method that stands alone is a file in core/method and a row here. The row makes its preset, its steps
+//            and its words: nothing else in core knows of it. It has no fast text, and says why
 // Fast text  a method with one has an enumerator in enum Scan (same order) and a case in drivers-inl.h; its presets are
 //            in presets.h, because it can be composed with other choices
 #pragma once

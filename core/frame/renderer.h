@@ -42,8 +42,8 @@ std::span<const SimdEntry> simdTargets();
 Simd             resolved(Simd simd);
 std::string_view wordOf(Simd simd);
 
-/// Which text draws: the fast one (All) where the method has one, or the plain one of core/method and core/plain (None).
-/// The picture has the same bits.
+/// Which text draws: the fast one (All) where the method has one, or the plain one of core/method and core/plain
+/// (None). The picture has the same bits.
 enum class Shortcuts { All, None };
 
 constexpr std::string_view wordOf(Shortcuts shortcuts) { return shortcuts == Shortcuts::All ? "all" : "none"; }

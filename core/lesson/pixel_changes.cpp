@@ -72,8 +72,8 @@ private:
     std::vector<PixelChange> m_changes;
 };
 
-/// Knows which steps hit a breakpoint, and ends the run when it has heard enough. Of events that a method has for itself
-/// it takes what they mean: a test at a pixel.
+/// Knows which steps hit a breakpoint, and ends the run when it has heard enough. Of events that a method has for
+/// itself it takes what they mean: a test at a pixel.
 class BreakpointRecorder final : public Meanings {
 public:
     BreakpointRecorder(Grain grain, std::optional<StepIndex> from, std::span<const Breakpoint> breakpoints,
