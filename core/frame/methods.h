@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "core/frame/pipeline.h"
+#include "core/method/ray_casting.h"
 #include "core/plain/parts.h"
 #include "core/plain/work.h"
 
@@ -86,6 +87,11 @@ inline constexpr std::array kMethods{
     MethodEntry{{"sweep-polygons", "The same with whole faces as they were read, not their triangles"},
                 "sweep", true, true, true, grains::kIntervals, misfitOfSweep, drawFacesByIntervals, stages::kFaces,
                 Claim::ExactByFace},
+    MethodEntry{{"ray-casting", "Ray casting: one ray through every pixel's centre, through a bounding volume hierarchy"},
+                "rays", false, false, false, grains::kQuestions, misfitOfWhole, drawByWhole,
+                {stages::kCleared, "the triangles of every node in view", "one ray for every pixel"},
+                Claim::Exact, plain::castRays, Order::Bvh,
+                "Ray casting has no fast text: it is here to prove the picture by another way, and plain text draws it."},
 };
 // clang-format on
 
