@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "core/frame/pipeline.h"
+#include "core/method/painter.h"
 #include "core/method/ray_casting.h"
 #include "core/plain/parts.h"
 #include "core/plain/work.h"
@@ -92,6 +93,12 @@ inline constexpr std::array kMethods{
                 {stages::kCleared, "the triangles of every node in view", "one ray for every pixel"},
                 Claim::Exact, plain::castRays, Order::Bvh,
                 "Ray casting has no fast text: it is here to prove the picture by another way, and plain text draws it."},
+    MethodEntry{{"painter", "Painter's algorithm: triangles sorted by depth and painted over each other, farthest first"},
+                "stream", false, false, false, grains::kTriangles, misfitOfWhole, drawByWhole,
+                {"the picture starts from background", "all triangles, before the first is painted",
+                 "the triangles, from the farthest to the nearest"},
+                Claim::Approximate, plain::paint, Order::Submitted,
+                "The painter's algorithm has no fast text: it is here to show what a depth test is for, and plain text draws it."},
 };
 // clang-format on
 
