@@ -17,6 +17,7 @@
 #include "core/frame/pipeline.h"
 #include "core/method/painter.h"
 #include "core/method/ray_casting.h"
+#include "core/method/warnock.h"
 #include "core/plain/parts.h"
 #include "core/plain/work.h"
 
@@ -99,6 +100,12 @@ inline constexpr std::array kMethods{
                  "the triangles, from the farthest to the nearest"},
                 Claim::Approximate, plain::paint, Order::Submitted,
                 "The painter's algorithm has no fast text: it is here to show what a depth test is for, and plain text draws it."},
+    MethodEntry{{"warnock", "Area subdivision: a window is divided in four until one triangle or none decides it"},
+                "areas", false, false, false, grains::kQuestions, misfitOfWhole, drawByWhole,
+                {"the picture starts from background", "all triangles, before the first window",
+                 "windows, divided until they are simple"},
+                Claim::Exact, plain::subdivide, Order::Submitted,
+                "Area subdivision has no fast text: it is here to prove the picture by another way, and plain text draws it."},
 };
 // clang-format on
 
