@@ -89,23 +89,28 @@ inline constexpr std::array kMethods{
     MethodEntry{{"sweep-polygons", "The same with whole faces as they were read, not their triangles"},
                 "sweep", true, true, true, grains::kIntervals, misfitOfSweep, drawFacesByIntervals, stages::kFaces,
                 Claim::ExactByFace},
-    MethodEntry{{"ray-casting", "Ray casting: one ray through every pixel's centre, through a bounding volume hierarchy"},
+    MethodEntry{{"ray-casting", "Ray casting: one ray through every pixel's centre, "
+                                "through a bounding volume hierarchy"},
                 "rays", false, false, false, grains::kQuestions, misfitOfWhole, drawByWhole,
                 {stages::kCleared, "the triangles of every node in view", "one ray for every pixel"},
                 Claim::Exact, plain::castRays, Order::Bvh,
-                "Ray casting has no fast text: it is here to prove the picture by another way, and plain text draws it."},
-    MethodEntry{{"painter", "Painter's algorithm: triangles sorted by depth and painted over each other, farthest first"},
+                "Ray casting has no fast text: it is here to prove the picture by another way, and plain text "
+                "draws it."},
+    MethodEntry{{"painter", "Painter's algorithm: triangles sorted by depth and painted over each other, "
+                            "farthest first"},
                 "stream", false, false, false, grains::kTriangles, misfitOfWhole, drawByWhole,
                 {"the picture starts from background", "all triangles, before the first is painted",
                  "the triangles, from the farthest to the nearest"},
                 Claim::Approximate, plain::paint, Order::Submitted,
-                "The painter's algorithm has no fast text: it is here to show what a depth test is for, and plain text draws it."},
+                "The painter's algorithm has no fast text: it is here to show what a depth test is for, and "
+                "plain text draws it."},
     MethodEntry{{"warnock", "Area subdivision: a window is divided in four until one triangle or none decides it"},
                 "areas", false, false, false, grains::kQuestions, misfitOfWhole, drawByWhole,
                 {"the picture starts from background", "all triangles, before the first window",
                  "windows, divided until they are simple"},
                 Claim::Exact, plain::subdivide, Order::Submitted,
-                "Area subdivision has no fast text: it is here to prove the picture by another way, and plain text draws it."},
+                "Area subdivision has no fast text: it is here to prove the picture by another way, and plain "
+                "text draws it."},
 };
 // clang-format on
 
