@@ -63,8 +63,13 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
     request.pictures = picturesOf(options, suite);
     request.progress = session.progress();
 
+    if (options.shortcuts) {
+        const Result<ShortcutSet> shortcuts = shortcutsOf(*options.shortcuts);
+        if (!shortcuts) return shortcuts.error();
+        request.shortcuts = *shortcuts;
+    }
     const std::string byDefault  = suite ? fmt::format("{}", fmt::join(suite->algorithms, ",")) : "all";
-    const auto        algorithms = algorithmsOf(options.algorithms.value_or(byDefault));
+    const auto        algorithms = algorithmsToTime(options.algorithms.value_or(byDefault), request.shortcuts);
     if (!algorithms) return algorithms.error();
     for (const NamedPipeline& each : *algorithms) request.algorithms.push_back({each.name, each.pipeline, each.claim});
     if (suite) request.threads.assign(suite->threads.begin(), suite->threads.end());
@@ -83,11 +88,6 @@ Result<BenchRequest> requestOf(const BenchOptions& options, const Suite* suite, 
             if (!simd) return simd.error();
             request.simd.push_back(*simd);
         }
-    }
-    if (options.shortcuts) {
-        const Result<ShortcutSet> shortcuts = shortcutsOf(*options.shortcuts);
-        if (!shortcuts) return shortcuts.error();
-        request.shortcuts = *shortcuts;
     }
     if (options.ladder) {
         if (options.shortcuts)

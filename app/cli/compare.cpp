@@ -30,9 +30,14 @@ Result<CompareRequest> requestOf(const CompareOptions& options, Session& session
 {
     CompareRequest request;
     request.progress = session.progress();
+    if (options.shortcuts) {
+        const Result<ShortcutSet> shortcuts = shortcutsOf(*options.shortcuts);
+        if (!shortcuts) return shortcuts.error();
+        request.shortcuts = *shortcuts;
+    }
     if (!options.algorithms)
         return Error{Trouble::Usage, "--algorithms is missing: name two or more, see 'zscope-cli list algorithms'"};
-    const auto algorithms = algorithmsOf(*options.algorithms);
+    const auto algorithms = algorithmsToTime(*options.algorithms, request.shortcuts);
     if (!algorithms) return algorithms.error();
     if (algorithms->size() < 2) return Error{Trouble::Usage, "--algorithms wants two or more to compare: A,B[,C...]"};
     for (const NamedPipeline& each : *algorithms) request.algorithms.push_back({each.name, each.pipeline, each.claim});
@@ -50,11 +55,6 @@ Result<CompareRequest> requestOf(const CompareOptions& options, Session& session
         const Result<Simd> simd = simdOf(*options.simd);
         if (!simd) return simd.error();
         request.simd = *simd;
-    }
-    if (options.shortcuts) {
-        const Result<ShortcutSet> shortcuts = shortcutsOf(*options.shortcuts);
-        if (!shortcuts) return shortcuts.error();
-        request.shortcuts = *shortcuts;
     }
     if (options.frames) {
         const auto frames = wholeNumber(*options.frames, "--frames", 1, kMaxFrames);

@@ -63,7 +63,7 @@ Result<std::vector<BenchAlgorithm>> algorithmsFor(const ExperimentScene& scene, 
         const int          line = scene.choices.empty() ? part.algorithmLines[i] : scene.line;
         std::string        all  = word;
         for (const std::string& choice : scene.choices) all += '+' + choice;
-        const auto named = algorithmsOf(all);
+        const auto named = algorithmsToTime(all, part.shortcuts);
         if (!named) return at(file, line, named.error());
         for (const NamedPipeline& each : *named) {
             if (const auto why = explainInvalid(each.pipeline))

@@ -177,6 +177,14 @@ Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words)
     return algorithms;
 }
 
+Result<std::vector<NamedPipeline>> algorithmsToTime(std::string_view words, ShortcutSet shortcuts)
+{
+    auto algorithms = algorithmsOf(words);
+    if (algorithms && words == "all" && shortcuts.has(Shortcut::Lanes))
+        std::erase_if(*algorithms, [](const NamedPipeline& each) { return !hasFastText(each.pipeline); });
+    return algorithms;
+}
+
 Result<int> threadsOf(std::string_view word)
 {
     const auto threads = wholeNumber(word, "--threads", 0, kMaxThreads);

@@ -24,7 +24,7 @@ constexpr std::string_view titleOf(Grain grain)
         "A stage of the frame is complete",
         "A node has been decided on",
         "A triangle has been drawn",
-        "The pyramid has been asked about a node or a triangle",
+        "A question has been answered: to the pyramid about a node or a triangle, or one of the method's own",
         "A line of the sweep",
         "The pixels between two neighbouring edges have been decided",
         "A run of pixels of one line",

@@ -110,6 +110,8 @@ private:
 
 /// "zbuffer,scanline" or "all".
 Result<std::vector<NamedPipeline>> algorithmsOf(std::string_view words);
+/// The same for times side by side: "all" leaves out what would be drawn by plain text beside fast text.
+Result<std::vector<NamedPipeline>> algorithmsToTime(std::string_view words, ShortcutSet shortcuts);
 /// 0: one per core.
 Result<int>           threadsOf(std::string_view word);
 Result<Simd>          simdOf(std::string_view word);

@@ -93,7 +93,7 @@ Json jsonOf(const OverRender& figures)
             {"fragments", figures.ofFragments()}};
 }
 
-/// null for a sweep, which never draws a triangle at a time.
+/// null for a method that does not draw triangle after triangle, as a sweep.
 Json missedCullsOf(const std::optional<CullAudit>& culls)
 {
     if (!culls) return nullptr;
@@ -152,6 +152,8 @@ std::string summaryOf(const std::string& algorithm, const Scene& scene, const Dr
                                    grouped(coveredPixels(visible)), drawn.report.frameMs, drawn.report.threads,
                                    drawn.report.threads == 1 ? "" : "s", wordOf(drawn.report.simd));
     if (!drawn.report.why.empty()) text += drawn.report.why + "\n";
+    if (const std::string_view why = whyPlain(drawn.report.pipeline); !why.empty() && !drawn.report.shortcuts.isEmpty())
+        text += fmt::format("No shortcut applies: {}.\n", why);
     Table stages({{"stage", Table::Align::Left}, {"ms"}, {"why", Table::Align::Left}});
     for (const StageTime& stage : drawn.report.stages)
         stages.row({std::string(wordOf(stage.stage)), stage.ran ? fmt::format("{:.3f}", stage.ms) : "-", stage.why});

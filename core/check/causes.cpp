@@ -47,7 +47,8 @@ constexpr Pipeline kTriangleByTriangle{.cull = Cull::Triangles, .upkeep = Upkeep
 /// Pictures of a preset do not depend on what came before, so one frame shows the mistake.
 bool isOfOneFrame(const Preset& preset)
 {
-    return preset.pipeline.coherence == Coherence::None && preset.pipeline.chooser == Chooser::Composed;
+    return preset.pipeline.coherence == Coherence::None && preset.pipeline.chooser == Chooser::Composed
+           && hasFastText(preset.pipeline);
 }
 
 /// The gallery's own preset comes first.

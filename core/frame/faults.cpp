@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/frame/methods.h"
+
 namespace zscope {
 
 namespace {
@@ -14,11 +16,12 @@ bool findsIntervals(const Pipeline& p) { return p.scan == Scan::SweepIntervals |
 bool asksThePyramid(const Pipeline& p) { return asksNodes(p.cull) || asksTriangles(p.cull); }
 bool asksForNodes(const Pipeline& p) { return asksNodes(p.cull); }
 bool setsUpTriangles(const Pipeline&) { return true; }
-bool drawsTriangles(const Pipeline& p) { return !drawsFaces(p); }
-bool testsEveryPixel(const Pipeline& p) { return !findsIntervals(p); }
-bool goesByLines(const Pipeline& p) { return p.scan != Scan::HalfSpace; }
+bool isComposed(const Pipeline& p) { return !methodOf(p).whole; }
+bool drawsTriangles(const Pipeline& p) { return isComposed(p) && !drawsFaces(p); }
+bool testsEveryPixel(const Pipeline& p) { return isComposed(p) && !findsIntervals(p); }
+bool goesByLines(const Pipeline& p) { return methodOf(p).stepsAlongLines; }
 bool draws(const Pipeline&) { return true; }
-bool drawsInTurn(const Pipeline& p) { return p.chooser == Chooser::Composed && !drawsLineByLine(p); }
+bool drawsInTurn(const Pipeline& p) { return p.chooser == Chooser::Composed && drawsBatchByBatch(p); }
 bool boundsByBoxes(const Pipeline& p) { return p.chooser == Chooser::Composed && testsHalfSpaces(p); }
 bool hasPrepass(const Pipeline& p) { return p.depth == DepthMoment::Prepass; }
 bool drawsAsSubmitted(const Pipeline& p)

@@ -10,6 +10,7 @@
 #include "core/base/thread_count.h"
 #include "core/frame/auto_choice.h"
 #include "core/frame/shortcuts.h"
+#include "core/frame/methods.h"
 #include "core/geometry/face_batches.h"
 
 namespace zscope {
@@ -189,32 +190,27 @@ StageReason reasonForShade(const DrawRequest& request)
 StageReason reasonFor(Stage stage, const DrawRequest& request)
 {
     const Pipeline& pipeline = request.pipeline;
-    const bool      sweeps   = drawsLineByLine(pipeline);
-    const bool      byFaces  = drawsFaces(pipeline);
+    const auto&     clauses  = methodOf(pipeline).stages;
     switch (stage) {
         case Stage::Clear:
-            return sweeps ? StageReason{true, "buffers sized; each line is cleared when the sweep reaches it"}
-                          : StageReason{true, "a z-buffer starts from background"};
+            return {true, std::string(clauses.clear)};
         case Stage::Transform:
             return {true, "every batch that may reach the picture"};
         case Stage::Cull:
             return {true, asksNodes(pipeline.cull) ? "nodes against the frustum and the pyramid"
                                                    : "boxes against the frustum"};
         case Stage::Setup:
-            return {true, byFaces  ? "faces and the edge table"
-                          : sweeps ? "triangles and the edge table"
-                                   : "triangles of every batch"};
+            return {true, std::string(clauses.setUp)};
         case Stage::Prepass:
             return reasonForPrepass(pipeline.depth);
         case Stage::Build:
-            if (byFaces) return {true, "whole faces, cut into batches on the first frame and kept"};
+            if (drawsFaces(pipeline)) return {true, "whole faces, cut into batches on the first frame and kept"};
             if (drawsPatchedBatches(request)) return {true, "batches patch by patch, made on the first frame and kept"};
             return pipeline.order != Order::Submitted
                        ? StageReason{true, "the hierarchy's nodes, when first entered; kept between frames"}
                        : StageReason{false, "no hierarchy is visited"};
         case Stage::Raster:
-            return {true, (sweeps ? "the sweep, line by line" : "the pixels of every triangle")
-                              + aboutPatterns(*request.scene, pipeline.depth)};
+            return {true, std::string(clauses.raster) + aboutPatterns(*request.scene, pipeline.depth)};
         case Stage::Upkeep:
             return reasonForUpkeep(pipeline);
         case Stage::Shade:

@@ -131,6 +131,8 @@ std::string nameOf(const Pipeline& pipeline)
 std::string_view familyOf(const Pipeline& pipeline) { return methodOf(pipeline).family; }
 bool             drawsLineByLine(const Pipeline& pipeline) { return methodOf(pipeline).drawsLineByLine; }
 bool             drawsFaces(const Pipeline& pipeline) { return methodOf(pipeline).drawsFaces; }
+bool drawsBatchByBatch(const Pipeline& pipeline) { return !drawsLineByLine(pipeline) && !methodOf(pipeline).whole; }
+std::string_view whyNoFastText(const Pipeline& pipeline) { return methodOf(pipeline).whyNoFastText; }
 Grain            ownGrainOf(const Pipeline& pipeline) { return methodOf(pipeline).grains.front(); }
 
 Claim claimOf(const Pipeline& pipeline)
@@ -138,7 +140,7 @@ Claim claimOf(const Pipeline& pipeline)
     if (!pipeline.usesExactRules() || pipeline.coherence == Coherence::LastPyramid
         || pipeline.transparency != BlendOrder::Sorted)
         return Claim::Approximate;
-    return drawsFaces(pipeline) ? Claim::ExactByFace : Claim::Exact;
+    return methodOf(pipeline).claim;
 }
 
 std::vector<Grain> grainsOf(const Pipeline& pipeline)
@@ -218,6 +220,23 @@ std::optional<std::string> misfitOfSweep(const Pipeline& pipeline)
     if (shadesFragments(pipeline.depth))
         return "A sweep decides each line once and shades it once: choose depth=deferred";
     if (pipeline.coherence != Coherence::None) return "A sweep visits no nodes to remember: choose coherence=none";
+    return std::nullopt;
+}
+
+std::optional<std::string> misfitOfWhole(const Pipeline& pipeline)
+{
+    const Order order = methodOf(pipeline).order;
+    if (pipeline.order != order)
+        return order == Order::Submitted ? "This method orders the scene itself: choose order=submitted"
+                                         : "This method visits a bounding volume hierarchy: choose order=bvh";
+    if (asksThePyramid(pipeline) || pipeline.upkeep != Upkeep::None)
+        return "This method asks no pyramid: choose cull=frustum and upkeep=none";
+    if (shadesFragments(pipeline.depth))
+        return "This method is shaded when the picture is finished: choose depth=deferred";
+    if (pipeline.coherence != Coherence::None)
+        return "This method begins every frame from nothing: choose coherence=none";
+    if (pipeline.approximation.snap == SnapBits::Twelve)
+        return "This method tests large triangles in whole steps of 1/256 pixel: choose scan=half-space for 12 bits";
     return std::nullopt;
 }
 

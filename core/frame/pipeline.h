@@ -1,8 +1,8 @@
 // An algorithm is a composition of choices, one per axis; a preset is a composition that has a textbook name.
 //
 // Words      axes, choices and presets are named by the words that the command line and the window use
-// Growing    a choice is one header in its folder and one line in registry.h (methods.h on the axis "scan"); a preset
-//            one line in presets.h
+// Growing    a choice is one header in its folder and one line in registry.h; a preset one line in presets.h; a method
+//            that stands alone, with its preset, one row in methods.h
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ enum class Cull { Frustum, Nodes, Triangles, NodesAndTriangles };
 enum class Upkeep { None, OnQuery, AfterPrepass, Pushed, PushedFarthest, Masked };
 /// What a triangle is to the pyramid when it is asked about.
 enum class TriangleQuery { Box, Triangle };
-/// How triangles become pixels.
+/// How triangles become pixels: a row of core/frame/methods.h. Those with a fast text have names here, and come first.
 enum class Scan { HalfSpace, EdgeWalk, SweepZLine, SweepIntervals, SweepPolygons };
 /// When depth is tested, and with it when fragments are shaded.
 enum class DepthMoment { Deferred, Late, Early, ZCull, Prepass };
@@ -113,12 +113,18 @@ std::string nameOf(const Pipeline& pipeline);
 /// Of a measured pipeline, what follows speaks of the z-buffer, with which it begins where little is in view; what a
 /// larger scene begins with may have more grains, see repeatable() in core/frame/frame_plan.h.
 
-/// The word for methods of its kind: "stream" draws triangle after triangle, "sweep" the scene line by line.
+/// The word for methods of its kind: "stream" draws triangle after triangle, "sweep" the scene line by line. Others
+/// have families of their own.
 std::string_view familyOf(const Pipeline& pipeline);
 /// It draws the scene line by line, with an edge table and active edges, not triangle after triangle.
 bool drawsLineByLine(const Pipeline& pipeline);
 /// It draws whole faces as they were read, so that the ids in its pictures are those of faces' first triangles.
 bool drawsFaces(const Pipeline& pipeline);
+/// Its run can begin again before any batch; else only once everything is set up.
+bool drawsBatchByBatch(const Pipeline& pipeline);
+/// Why no shortcuts draw it, in one clause; empty: there is a fast text of it.
+std::string_view whyNoFastText(const Pipeline& pipeline);
+inline bool      hasFastText(const Pipeline& pipeline) { return whyNoFastText(pipeline).empty(); }
 /// The coarsest grain of the method itself: that in which a lecture would step through it.
 Grain ownGrainOf(const Pipeline& pipeline);
 /// What it promises of its pictures: nothing but figures as soon as an approximation or a fault is chosen.

@@ -153,7 +153,7 @@ void sweepLines(Work& work, void (*fill)(Work&, const Parts&), void (*resolveLin
     if (!work.observer || !work.observer->isOnTheWay()) fill(work, parts);  // else the table is still full
     if (work.isCancelled()) return;  // to sort the edges of millions of triangles takes seconds
     work.tally.add(Unit::Edges, work.scratch.edges.edgeCount());
-    if (!work.leavesOut(Checkpoint::EdgeTable)) work.tell(EdgeTableReady{work.scratch.edges});
+    if (!work.leavesOut(Checkpoint::AllSetUp)) work.tell(EdgeTableReady{work.scratch.edges});
     work.clock.lap(Stage::Setup);
     settingUp.finish(sentenceOfEdgeTable, work.scratch.edges.edgeCount());
 
@@ -210,6 +210,19 @@ void drawFacesByIntervals(const Pipeline&, Work& work)
 {
     const auto fill = [](Work& into, const Parts&) { fillEdgeTableWithFaces(into); };
     sweepLines(work, fill, resolveByIntervals);
+}
+
+void drawByWhole(const Pipeline& pipeline, Work& work)
+{
+    const InStage clearing(work, Stage::Clear);
+    clear(work);
+    work.clock.lap(Stage::Clear);
+    clearing.finish();
+
+    const InStage drawing(work, Stage::Raster);
+    methodOf(pipeline).whole(work, plainParts());
+    work.clock.lap(Stage::Raster);
+    drawing.finish();
 }
 
 void drawPlainly(const Pipeline& pipeline, Work& work) { methodOf(pipeline).draw(pipeline, work); }

@@ -1,13 +1,15 @@
-// Compositions that have a textbook name.
+// Compositions that have a textbook name. A method that stands alone is its own preset: its row in methods.h is enough.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
+#include "core/frame/methods.h"
 #include "core/frame/pipeline.h"
 
 namespace zscope {
 
-inline constexpr std::array kPresets{
+inline constexpr std::array kComposedPresets{
     Preset{"zbuffer", "Z-buffer: every triangle, every pixel it covers", {}},
     Preset{"edge-walk", "Z-buffer with edges walked from line to line", {.scan = Scan::EdgeWalk}},
     Preset{
@@ -58,5 +60,19 @@ inline constexpr std::array kPresets{
            "frames fastest",
            {.chooser = Chooser::Measured}},
 };
+
+inline constexpr std::array kPresets = [] {
+    constexpr auto kAlone = static_cast<std::size_t>(
+        std::ranges::count_if(kMethods, [](const MethodEntry& row) { return row.whole != nullptr; }));
+    std::array<Preset, kComposedPresets.size() + kAlone> all;
+    auto                                                 to = std::ranges::copy(kComposedPresets, all.begin()).out;
+    for (std::size_t i = 0; i < kMethods.size(); ++i) {
+        const MethodEntry& row = kMethods[i];
+        if (!row.whole) continue;
+        const Pipeline pipeline{.order = row.order, .scan = static_cast<Scan>(i)};
+        *to++ = {row.choice.word, row.choice.title, pipeline, row.claim};
+    }
+    return all;
+}();
 
 }  // namespace zscope

@@ -2,7 +2,7 @@
 //
 // Promise    the picture depends on scene, camera, face culling and the pipeline's approximations only: never on
 //            threads, lanes or order (but what cells=one-level leaves out depends on where the stripes begin). No
-//            allocation per frame once the sizes have settled
+//            allocation per frame of the fast text once the sizes have settled
 // Threads    draw() is called from one thread at a time and uses OpenMP inside: the picture is cut into stripes
 //            of whole lines, and each stripe is drawn from start to finish by one thread
 #pragma once

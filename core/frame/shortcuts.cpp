@@ -260,6 +260,7 @@ std::string wordsOf(ShortcutSet set)
 std::string_view whyPlain(const Pipeline& pipeline)
 {
     if (!pipeline.fault.isEmpty()) return "a faulty pipeline runs the plain text";
+    if (const std::string_view why = whyNoFastText(pipeline); !why.empty()) return why;
     const Approximation& of = pipeline.approximation;
     if (of.cells != CellDescent::Descend)
         return "such questions are answered by what has been drawn before, and so by the plain text's order alone";

@@ -29,12 +29,12 @@ void CheckpointKeeper::beginAt(const KeptState& from, const Checkpoints& checkpo
 
 bool CheckpointKeeper::passesBy(Checkpoint at)
 {
-    if (m_isSweep && at == Checkpoint::Batch) return false;  // the edge table is half full
+    if (!m_byBatches && at == Checkpoint::Batch) return false;  // what is being set up is half complete
     const std::uint64_t place = m_places++;
     if (m_from) {
         if (place < m_from->place) return true;
         restore();
-    } else if (m_keepsIn && (m_events >= m_nextAt || at == Checkpoint::EdgeTable)) {
+    } else if (m_keepsIn && (m_events >= m_nextAt || at == Checkpoint::AllSetUp)) {
         keep(place);
     }
     return false;

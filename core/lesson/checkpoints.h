@@ -101,8 +101,8 @@ struct RunInWork {
 /// What keeps the checkpoints of a run, or sends it to one of them; hears each event first.
 class CheckpointKeeper {
 public:
-    /// `isSweep`: the checkpoints of the pipeline are the lines of a sweep, not batches.
-    CheckpointKeeper(const RunInWork& run, bool isSweep) : m_run(run), m_isSweep(isSweep) {}
+    /// `byBatches`: the run can begin again before any batch; else only where everything is set up.
+    CheckpointKeeper(const RunInWork& run, bool byBatches) : m_run(run), m_byBatches(byBatches) {}
 
     /// Keeps one every `events` events, in at most `bytes`.
     void keepIn(Checkpoints& checkpoints, std::uint64_t events, std::size_t bytes);
@@ -125,7 +125,7 @@ private:
     void restore();
 
     RunInWork     m_run;
-    bool          m_isSweep;
+    bool          m_byBatches;
     std::uint64_t m_places = 0;  // passed
     std::uint64_t m_events = 0;  // heard
 

@@ -157,11 +157,11 @@ void PixelHistories::of(TriangleId polygon, const PixelBox& pixels, const Outcom
         forEachOf(polygon, &pixels, noteAt);
 }
 
-void PixelHistories::below(const NodePlace& place, const Outcome& outcome, const Make& make)
+void PixelHistories::below(const NodePlace& place, const Outcome& outcome, const Make& make, const PixelBox* pixels)
 {
     if (outcome.effect == Effect::Passes || !counts(outcome.effect)) return;
     forEachBelow(m_scene, place, m_ids, [&](std::uint32_t id) {
-        forEachOf(TriangleId{id}, nullptr, [&](History& history, std::size_t candidate, PixelPosition at) {
+        forEachOf(TriangleId{id}, pixels, [&](History& history, std::size_t candidate, PixelPosition at) {
             Event event = eventOf(outcome, make(history.candidates[candidate].drawnAs, at));
             event.node  = nameOf(place);
             note(history, candidate, std::move(event));
@@ -228,11 +228,7 @@ void TriangleHistory::of(TriangleId polygon, const PixelBox& pixels, const Outco
     if (polygon != m_drawnAs || outcome.effect == Effect::Overtaken || !counts(outcome.effect)) return;
     count(pixels, outcome);
     if (m_isPrepass && outcome.effect != Effect::Wins) return;
-    if (!outcome.isOfAll) {
-        const std::pair key(outcome.word, m_isPrepass);
-        if (std::ranges::find(m_noted, key) != m_noted.end()) return;
-        m_noted.push_back(key);
-    }
+    if (!isToBeNoted(outcome)) return;
     const PixelPosition at{pixels.x0, pixels.y0};
     Event               event = eventOf(outcome, make(polygon, at));
     event.pixels              = event.pixels.value_or(pixels);
@@ -240,10 +236,21 @@ void TriangleHistory::of(TriangleId polygon, const PixelBox& pixels, const Outco
     note(std::move(event));
 }
 
-void TriangleHistory::below(const NodePlace& place, const Outcome& outcome, const Make& make)
+bool TriangleHistory::isToBeNoted(const Outcome& outcome)
+{
+    if (outcome.isOfAll) return true;
+    const std::pair key(outcome.word, m_isPrepass);
+    if (std::ranges::find(m_noted, key) != m_noted.end()) return false;
+    m_noted.push_back(key);
+    return true;
+}
+
+void TriangleHistory::below(const NodePlace& place, const Outcome& outcome, const Make& make, const PixelBox* pixels)
 {
     if (!counts(outcome.effect) || !holds(place)) return;
-    Event event = eventOf(outcome, make(m_drawnAs, {}));
+    if (pixels) count(*pixels, outcome);
+    if (!isToBeNoted(outcome)) return;
+    Event event = eventOf(outcome, make(m_drawnAs, pixels ? PixelPosition{pixels->x0, pixels->y0} : PixelPosition()));
     event.node  = nameOf(place);
     note(std::move(event));
 }

@@ -101,7 +101,7 @@ public:
 
     bool asksAbout(const PixelBox& pixels) const override;
     void of(TriangleId polygon, const PixelBox& pixels, const Outcome& outcome, const Make& make) override;
-    void below(const NodePlace& place, const Outcome& outcome, const Make& make) override;
+    void below(const NodePlace& place, const Outcome& outcome, const Make& make, const PixelBox* pixels) override;
     void remark(const PixelBox& pixels, const Remark& make) override;
 
     /// What one pixel has seen.
@@ -150,7 +150,7 @@ public:
 
     bool asksAbout(const PixelBox&) const override { return true; }
     void of(TriangleId polygon, const PixelBox& pixels, const Outcome& outcome, const Make& make) override;
-    void below(const NodePlace& place, const Outcome& outcome, const Make& make) override;
+    void below(const NodePlace& place, const Outcome& outcome, const Make& make, const PixelBox* pixels) override;
     void remark(const PixelBox&, const Remark&) override {}
 
     std::vector<Event>& events() { return m_events; }
@@ -160,6 +160,8 @@ public:
 private:
     bool holds(const NodePlace& place) const;
     void note(Event event);
+    /// False if an event of this word need not be noted again.
+    bool isToBeNoted(const Outcome& outcome);
     void count(const PixelBox& pixels, const Outcome& outcome);
     void setUp(const TriangleSetUp& e) override;
 

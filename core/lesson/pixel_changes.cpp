@@ -8,6 +8,7 @@
 #include "core/frame/frame_plan.h"
 #include "core/frame/observed_run.h"
 #include "core/geometry/geometry_events.h"
+#include "core/lesson/run_telling.h"
 #include "core/lesson/step_state.h"
 #include "core/method/intervals.h"
 #include "core/plain/active_edges.h"
@@ -71,12 +72,13 @@ private:
     std::vector<PixelChange> m_changes;
 };
 
-/// Knows which steps hit a breakpoint, and ends the run when it has heard enough.
-class BreakpointRecorder {
+/// Knows which steps hit a breakpoint, and ends the run when it has heard enough. Of events that a method has for
+/// itself it takes what they mean: a test at a pixel.
+class BreakpointRecorder final : public Meanings {
 public:
     BreakpointRecorder(Grain grain, std::optional<StepIndex> from, std::span<const Breakpoint> breakpoints,
-                       Direction direction, const Scene& scene, bool byFace)
-        : m_grain(grain), m_from(from), m_direction(direction)
+                       Direction direction, const Scene& scene, bool byFace, const Telling& telling)
+        : m_grain(grain), m_from(from), m_direction(direction), m_telling(telling)
     {
         for (std::size_t i = 0; i < breakpoints.size(); ++i) {
             Breakpoint one = breakpoints[i];
@@ -93,8 +95,23 @@ public:
     void hear(const Heard& heard)
     {
         passOn(heard, *this, Events());
+        if (!isOneOf(heard, Events())) heard.mean(*this);
         if (heard.isStepOf(m_grain)) step();
     }
+
+    bool asksAbout(const PixelBox&) const override { return true; }
+    void of(TriangleId polygon, const PixelBox& pixels, const Outcome& outcome, const Make&) override
+    {
+        if (!isTest(outcome.effect)) return;
+        onTriangle(polygon);
+        for (int y = pixels.y0; y < pixels.y1; ++y) {
+            onLine(y);
+            onPixel(y, pixels.x0, pixels.x1);
+        }
+    }
+    void           below(const NodePlace&, const Outcome&, const Make&, const PixelBox*) override {}
+    void           remark(const PixelBox&, const Remark&) override {}
+    const Telling& telling() const override { return m_telling; }
 
     void observe(const NodeRecalled& e) { onNode(e.place); }
     void observe(const NodeJudged& e) { onNode(e.place); }
@@ -189,6 +206,7 @@ private:
     Grain                      m_grain;
     std::optional<StepIndex>   m_from;
     Direction                  m_direction;
+    const Telling&             m_telling;
     std::vector<Breakpoint>    m_breakpoints;
     std::vector<FaceOf>        m_faces;              // of triangles that are drawn as part of a face
     const plain::EdgeTable*    m_table   = nullptr;  // of the run; outlives it
@@ -199,7 +217,7 @@ private:
     std::optional<Stop>        m_found;
 };
 
-Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to run this frame"}; }
+Error tooLittleToRun() { return {Trouble::Limit, "there is not enough memory to run this frame"}; }
 
 bool wasCancelled(const DrawRequest& request) { return request.cancel && request.cancel->load(); }
 
@@ -220,7 +238,7 @@ try {
     if (wasCancelled(request)) return Error{Trouble::Cancelled, "the search was cancelled"};
     return std::move(changes.changes());
 } catch (const std::bad_alloc&) {
-    return outOfMemory();
+    return tooLittleToRun();
 }
 
 Result<std::optional<Stop>> nextStop(const DrawRequest& asked, Grain grain, std::optional<StepIndex> from,
@@ -230,8 +248,10 @@ try {
     if (const auto error = cannotLook(request, grain)) return *error;
     Frame              frame;
     plain::Scratch     scratch;
+    TriangleRecorder   triangle;
+    RunTelling         telling(request, frame, triangle);
     BreakpointRecorder recorder(grain, from, breakpoints, direction, request.scene->scene(),
-                                drawsFaces(request.pipeline));
+                                drawsFaces(request.pipeline), telling);
     try {
         Listening listening(recorder);
         drawObserved(request, frame, scratch, listening);
@@ -239,7 +259,7 @@ try {
     if (wasCancelled(request)) return Error{Trouble::Cancelled, "the search was cancelled"};
     return recorder.found();
 } catch (const std::bad_alloc&) {
-    return outOfMemory();
+    return tooLittleToRun();
 }
 
 }  // namespace zscope

@@ -64,7 +64,7 @@ public:
     Run(const DrawRequest& request, Grain grain, std::uint64_t step, plain::Scratch& memory)
         : recorders(request.camera.width, request.camera.height), stages(recorders.steps),
           telling(request, frame, recorders.triangle), stop(grain, step, &telling), scratch(memory),
-          keeper({recorders, frame, scratch, stop, grain}, drawsLineByLine(repeatable(request).pipeline))
+          keeper({recorders, frame, scratch, stop, grain}, drawsBatchByBatch(repeatable(request).pipeline))
     {
         scratch.pyramid = {};  // what coherence would take over
         scratch.memory  = {};

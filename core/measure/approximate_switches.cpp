@@ -21,7 +21,8 @@ std::vector<BenchAlgorithm> presetsToTime()
 {
     std::vector<BenchAlgorithm> all;
     for (const Preset& preset : presets())
-        if (!explainInvalid(preset.pipeline)) all.push_back({std::string(preset.name), preset.pipeline, preset.claim});
+        if (!explainInvalid(preset.pipeline) && hasFastText(preset.pipeline))
+            all.push_back({std::string(preset.name), preset.pipeline, preset.claim});
     return all;
 }
 
@@ -37,7 +38,8 @@ std::vector<BenchAlgorithm> approximateSwitches(Pipeline base)
         for (const ChoiceEntry& choice : axis.choices) {
             std::optional<Pipeline> with = switched(base, axis.word, choice.word);
             for (const Preset& preset : presets())
-                if (!with) with = switched(preset.pipeline, axis.word, choice.word);
+                if (!with && hasFastText(preset.pipeline) && hasFastText(base))
+                    with = switched(preset.pipeline, axis.word, choice.word);
             if (with) all.push_back(named(*with));
         }
     }

@@ -230,6 +230,7 @@ Result<std::vector<BenchRow>> bench(const BenchRequest& request)
 {
     assert(request.frames >= 1 && request.leastMs >= 0 && request.warmUp >= 0 && request.rounds >= 1
            && request.rounds <= request.frames);
+    if (const auto why = whyNotOnEqualTerms(request.algorithms, request.shortcuts)) return Error{Trouble::Usage, *why};
     return Bench(request).run();
 }
 

@@ -130,7 +130,11 @@ PairedRatio pairedRatio(std::span<const double> roundMs, std::span<const double>
 /// Position in `count` sorted values of their quantile p in (0, 1]: nearest rank.
 std::size_t quantileRank(std::size_t count, double p);
 
-/// Errors: what the renderer refuses, Limit, Cancelled.
+/// Why times of these algorithms may not stand side by side, in one sentence: plain text draws some of them, fast text
+/// the others.
+std::optional<std::string> whyNotOnEqualTerms(std::span<const BenchAlgorithm> algorithms, ShortcutSet shortcuts);
+
+/// Errors: Usage (not on equal terms), what the renderer refuses, Limit, Cancelled.
 Result<std::vector<BenchRow>> bench(const BenchRequest& request);
 
 /// A header and one line per row, the columns as the command line promises them; one more, `shaded`, if a row is not.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include <fmt/format.h>
+
 #include "core/frame/shortcuts.h"
 #include "core/measure/face_figures.h"
 #include "core/measure/verify.h"
@@ -73,6 +75,18 @@ std::vector<BenchAlgorithm> ladderOf(const BenchAlgorithm& algorithm)
     std::vector<BenchAlgorithm> all;
     for (const ShortcutSet set : rungs) all.push_back({algorithm.name, algorithm.pipeline, algorithm.claim, set});
     return all;
+}
+
+std::optional<std::string> whyNotOnEqualTerms(std::span<const BenchAlgorithm> algorithms, ShortcutSet shortcuts)
+{
+    const auto standsAlone = [](const BenchAlgorithm& each) { return !hasFastText(each.pipeline); };
+    const auto isFast      = [&](const BenchAlgorithm& each) {
+        return !standsAlone(each) && each.shortcuts.value_or(shortcuts).has(Shortcut::Lanes);
+    };
+    const auto plain = std::ranges::find_if(algorithms, standsAlone);
+    if (plain == algorithms.end() || std::ranges::none_of(algorithms, isFast)) return std::nullopt;
+    return fmt::format("{} has no fast text, and the others have one: compare their times with --shortcuts none",
+                       plain->name);
 }
 
 DrawRequest drawRequestOf(const BenchRequest& request, std::shared_ptr<const PreparedScene> scene,

@@ -99,6 +99,7 @@ try {
     }
     Comparison             comparison;
     std::optional<Picture> first;
+    const bool             onEqualTerms = !whyNotOnEqualTerms(request.algorithms, request.shortcuts);
     for (const BenchAlgorithm& algorithm : request.algorithms) {
         request.progress.at(
             static_cast<double>(comparison.algorithms.size()) / static_cast<double>(request.algorithms.size()),
@@ -112,7 +113,7 @@ try {
         draw.pipeline    = algorithm.pipeline;
         draw.threads     = request.threads;
         draw.simd        = request.simd;
-        draw.shortcuts   = request.shortcuts;
+        draw.shortcuts   = onEqualTerms ? request.shortcuts : ShortcutSet();
         draw.memoryLimit = request.memoryLimit;
         draw.cancel      = request.progress.cancel;
         if (const auto done = drawTimed(draw, std::max(1, request.frames), compared); !done) return done.error();

@@ -3,6 +3,7 @@
 //
 // Equal      the same id, depth bits and colour at every pixel; where either of two draws whole faces, the same face at
 //            every pixel: their depths and colours are those of faces
+// Text       one of the algorithms has no fast text: plain text draws all of them
 // Times      of `frames` frames after one that warms up; the stages are those of the median frame and add up to it.
 //            A measured choice goes through its trials first
 // Counters   from a run of its own

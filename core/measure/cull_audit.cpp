@@ -196,7 +196,7 @@ private:
 
 }  // namespace
 
-bool canAuditCulls(const Pipeline& pipeline) { return !drawsLineByLine(pipeline); }
+bool canAuditCulls(const Pipeline& pipeline) { return familyOf(pipeline) == "stream"; }
 
 Result<CullAudit> auditCulls(const DrawRequest& request, const VisibilityBuffer& finished,
                              std::span<const std::int64_t> visible)

@@ -96,7 +96,7 @@ private:
                 if (!report) return report.error();
                 run.row.threads   = report->threads;
                 run.row.simd      = report->simd;
-                run.row.shortcuts = m_request.shortcuts;
+                run.row.shortcuts = report->shortcuts;
                 if (!m_request.verify) continue;
                 if (const auto done = judge(run, frame); !done) return done.error();
             }
@@ -227,6 +227,7 @@ private:
 Result<std::vector<BenchRow>> benchPath(const BenchRequest& request, const PathRequest& path)
 {
     assert(!path.cameras.empty() && request.rounds >= 1);
+    if (const auto why = whyNotOnEqualTerms(request.algorithms, request.shortcuts)) return Error{Trouble::Usage, *why};
     return PathBench(request, path).run();
 }
 

@@ -18,8 +18,8 @@ SpoiltTest spoiltTest(const ChosenRules& rules)
 DepthTest::DepthTest(Work& work, const Pass& pass, const DepthPlane& plane, TriangleId id, bool patterned)
     : m_work(work), m_pass(pass), m_plane(plane), m_rank(id.value + 1), m_empty(work.stripe.visible.empty()),
       m_shading(work.stripe.painter ? pass.shading : ShadingMoment::Never),
-      m_nearerWins(pass.keep != Keep::Equal && !work.rules.firstComerKeepsTie()  // a fault
-                   && !work.rules.drawsOver())                                   // a fault
+      m_nearerWins(pass.keep != Keep::Equal && pass.keep != Keep::Over && !work.rules.firstComerKeepsTie()  // a fault
+                   && !work.rules.drawsOver())                                                             // a fault
 {
     if (patterned) m_pattern = patternPlaneOf(work.stripe.scene.scene(), work.stripe.projection, id);
 }
@@ -93,9 +93,10 @@ bool DepthTest::wins(PixelKey fragment, PixelKey held) const
     return m_nearerWins ? fragment > held : winsByItsRule(fragment, held);
 }
 
-/// After a pre-pass, and with a fault.
+/// After a pre-pass, of a painter, and with a fault.
 bool DepthTest::winsByItsRule(PixelKey fragment, PixelKey held) const
 {
+    if (m_pass.keep == Keep::Over) return fragment > keyOf(m_empty, 0);
     if (m_pass.keep == Keep::Nearest && m_work.rules.drawsOver())  // a fault
         return fragment > keyOf(m_empty, 0) && rankOf(fragment) > rankOf(held);
     const bool firstComerStays = m_work.rules.firstComerKeepsTie() && m_pass.keep != Keep::DepthOnly;  // a fault

@@ -7,6 +7,7 @@
 //            test
 // Patterns   a fragment in a hole does not exist; a relief moves it back. If it loses where its triangle is, it loses
 //            anywhere behind, so the pattern is looked up only for fragments that pass (shading first looks up all)
+// Painter    of fragments that are painted over each other the last is seen: no depth is compared
 // Numbers    approximations: float32 in place of float64, or a depth that is carried along the line by adding a
 // Source     docs/correctness.md, Depth and the winner
 #pragma once

@@ -31,7 +31,7 @@ public:
     private:
         void skip()
         {
-            while (m_line < m_work.stripe.endRow && m_work.leavesOut(Checkpoint::Line)) ++m_line;
+            while (m_line < m_work.stripe.endRow && m_work.leavesOut(Checkpoint::Piece)) ++m_line;
         }
 
         Work& m_work;

@@ -103,8 +103,9 @@ public:
     virtual bool asksAbout(const PixelBox& pixels) const = 0;
     /// Of one polygon at these pixels.
     virtual void of(TriangleId polygon, const PixelBox& pixels, const Outcome& outcome, const Make& make) = 0;
-    /// Of everything below a node, everywhere.
-    virtual void below(const NodePlace& node, const Outcome& outcome, const Make& make) = 0;
+    /// Of everything below a node, at these pixels; nullptr: everywhere.
+    virtual void below(const NodePlace& node, const Outcome& outcome, const Make& make,
+                       const PixelBox* pixels = nullptr) = 0;
     /// Of the pixels themselves: said behind what a test decides there. Without a capital and without a stop.
     virtual void remark(const PixelBox& pixels, const Remark& make) = 0;
 

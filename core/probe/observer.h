@@ -84,9 +84,9 @@ struct Heard {
 };
 
 enum class Checkpoint {
-    Batch,      // before the vertices of a batch are transformed
-    EdgeTable,  // every bucket of the edge table is filled
-    Line,       // before a line is swept
+    Batch,     // before the vertices of a batch are transformed
+    AllSetUp,  // every bucket of the edge table is filled
+    Piece,     // everything is set up, and a part of the picture is next: a line, a triangle, a window
 };
 
 class Observer {

@@ -27,6 +27,12 @@ void passOn(const Heard& heard, Recorder& recorder, Wants<Events...>)
     (observes(heard.template as<Events>()) || ...);
 }
 
+template <class... Events>
+bool isOneOf(const Heard& heard, Wants<Events...>)
+{
+    return (heard.template as<Events>() || ...);
+}
+
 template <class Recorder>
 void passOn(const Heard& heard, Recorder& recorder)
 {

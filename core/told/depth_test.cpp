@@ -43,8 +43,10 @@ std::string testOf(const PixelTested& p, const Telling& telling)
     if (p.keep == Keep::Equal && p.rivalRank == 0)
         return who + " is farther than the depth that the pre-pass kept and is hidden";
     if (p.rivalRank == 0 && p.won) return who + " takes it from the background";
-    if (p.rivalRank == 0) return who + " lies beyond the far plane and is not kept";
+    if (p.rivalRank == 0 || (p.keep == Keep::Over && !p.won)) return who + " lies beyond the far plane and is not kept";
     const std::string rival = fmt::format("{} {}", name, withCommas(p.rivalRank - 1));
+    if (p.keep == Keep::Over)
+        return who + fmt::format(" is painted over {} at {:.7g}: no depth is compared", rival, p.rivalDepth);
     if (p.depth == p.rivalDepth) {
         return who
                + (p.won ? fmt::format(" is as near as {} and takes it: on equal depth the lower id wins", rival)
@@ -72,6 +74,9 @@ std::string wonBy(const PixelTested& e, const std::string& who, const Telling& t
                            e.depth);
     if (e.rivalRank == 0) return fmt::format("{}, near/z {:.9g}, takes the pixel from the background.", who, e.depth);
     const std::string rival = telling.nameOf(rivalOf(e));
+    if (e.keep == Keep::Over)
+        return fmt::format("{}, near/z {:.9g}, is painted over {} at {:.9g}: no depth is compared.", who, e.depth,
+                           rival, e.rivalDepth);
     if (e.spoilt.drawsOver)
         return fmt::format("{} comes after {} in the file and is drawn over it without a test (a fault).", who, rival);
     if (e.depth == e.rivalDepth)
@@ -101,7 +106,7 @@ std::string lostBy(const PixelTested& e, const std::string& who, const Telling& 
             e.rivalDepth <= telling.background()
                 ? std::string("the background, which is all there is")
                 : fmt::format("the depth {:.9g} that the pre-pass kept", e.rivalDepth));
-    if (e.rivalDepth <= telling.background() && e.rivalRank == 0)
+    if (e.keep == Keep::Over || (e.rivalDepth <= telling.background() && e.rivalRank == 0))
         return fmt::format("{}, near/z {:.9g}, lies beyond the far plane and is not kept.", who, e.depth);
     const std::string holder = e.rivalRank != 0           ? "of " + telling.nameOf(rivalOf(e))
                                : e.spoilt.keepsLastDepths ? std::string("that the frame before has left")
@@ -117,6 +122,9 @@ std::string lostBy(const PixelTested& e, const std::string& who, const Telling& 
 std::string overtakenBy(const PixelTested& e, const std::string& who, const Telling& telling)
 {
     const std::string winner = capital(telling.nameOf(e.triangle));
+    if (e.keep == Keep::Over)
+        return fmt::format("{}, near/z {:.9g}, is painted over {} at {:.9g}: no depth is compared.", winner, e.depth,
+                           who, e.rivalDepth);
     if (e.spoilt.drawsOver)
         return fmt::format("{} comes after {} in the file and is drawn over it without a test (a fault).", winner, who);
     if (e.depth == e.rivalDepth)
@@ -128,6 +136,7 @@ std::string overtakenBy(const PixelTested& e, const std::string& who, const Tell
 /// What a fragment that lost comes to.
 PixelFate fateOf(const PixelTested& e, const Telling& telling)
 {
+    if (e.keep == Keep::Over) return fates::kBeyondFar;
     if (e.depth > e.rivalDepth) return fates::kHole;  // after a pre-pass that left it out
     if (e.rivalRank == 0 && e.rivalDepth <= telling.background()) return fates::kBeyondFar;
     return e.depth == e.rivalDepth ? fates::kLostTie : fates::kFarther;

@@ -115,6 +115,10 @@
         <translation>像素原为背景：第一个覆盖它的三角形得到它。</translation>
     </message>
     <message>
+        <source>Painted over what was there: no depth is compared.</source>
+        <translation>覆盖在已有内容之上：不比较深度。</translation>
+    </message>
+    <message>
         <source>Equal depth, and the lower number wins: the pixel changes hands.</source>
         <translation>深度相等，编号小者胜：像素易主。</translation>
     </message>

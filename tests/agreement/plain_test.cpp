@@ -39,7 +39,7 @@ TEST_P(PlainText, DrawsWhatShortcutsDraw)
         const Soup soup  = makeSoup(GetParam(), seed, width, height);
         const auto scene = std::make_shared<const PreparedScene>(soup.scene);
         for (const Preset& preset : presets()) {
-            if (preset.pipeline.chooser == Chooser::Measured) continue;
+            if (preset.pipeline.chooser == Chooser::Measured || !hasFastText(preset.pipeline)) continue;
             expectSame({.scene       = scene,
                         .camera      = soup.camera,
                         .faceCulling = seed % 3 == 0 ? FaceCulling::Back : FaceCulling::None,
@@ -77,8 +77,8 @@ TEST_P(PlainText, DrawsWhatShortcutsDrawByApproximateNumbers)
         for (const Preset& preset : presets())
             for (const Setting& choice : kNumbers) {
                 const auto pipeline = withChoice(preset.pipeline, choice.axis, choice.word);
-                if (preset.pipeline.chooser == Chooser::Measured || preset.pipeline.cull != Cull::Frustum || !pipeline
-                    || explainInvalid(*pipeline))
+                if (preset.pipeline.chooser == Chooser::Measured || !hasFastText(preset.pipeline)
+                    || preset.pipeline.cull != Cull::Frustum || !pipeline || explainInvalid(*pipeline))
                     continue;
                 expectSame({.scene = scene, .camera = soup.camera, .pipeline = *pipeline}, soup.what);
                 ++drawn;
@@ -96,7 +96,7 @@ TEST(PlainTextOnGenerated, DrawsWhatShortcutsDraw)
         const auto   scene  = std::make_shared<const PreparedScene>(loaded);
         const Camera camera = cameraFor(*loaded, 120, 75);
         for (const Preset& preset : presets())
-            if (preset.pipeline.chooser != Chooser::Measured)
+            if (preset.pipeline.chooser != Chooser::Measured && hasFastText(preset.pipeline))
                 expectSame({.scene = scene, .camera = camera, .pipeline = preset.pipeline}, word);
     }
 }

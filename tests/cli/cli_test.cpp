@@ -424,7 +424,8 @@ TEST_F(Cli, ListsAreTheRegistries)
         EXPECT_EQ(algorithms[i]["title"], preset.title);
         EXPECT_EQ(algorithms[i]["exact"], preset.isExact());
         EXPECT_EQ(algorithms[i]["exact_by_face"], preset.claim != Claim::Approximate);
-        EXPECT_EQ(algorithms[i]["family"], drawsLineByLine(preset.pipeline) ? "sweep" : "stream");
+        EXPECT_EQ(algorithms[i]["family"], familyOf(preset.pipeline));
+        EXPECT_EQ(algorithms[i]["family"] == "sweep", drawsLineByLine(preset.pipeline));
         EXPECT_EQ(algorithms[i]["grains"].size(), grainsOf(preset.pipeline).size());
     }
     for (const char* list : {"algorithms", "choices", "scenes", "layers", "grains", "simd", "suites"}) {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/frame/pipeline.h"
 #include "tests/cli/run_cli.h"
 
 namespace zscope::cli_test {
@@ -222,7 +223,11 @@ TEST_F(Cli, VerifyJudgesTheColoursOfEveryShadingCost)
         const Answer answer = run({"verify", "builtin:glass", "--size", "160x90", "--algorithm", "all", "--set",
                                    std::string("shading-cost=") + cost, "--json"});
         EXPECT_EQ(answer.status, 0) << cost;
-        for (const json& row : json::parse(answer.out)) EXPECT_EQ(row["wrong_colours"], 0) << cost << ": " << row;
+        for (const json& row : json::parse(answer.out)) {
+            const std::string name = row["algorithm"];
+            if (findPreset(name.substr(0, name.find('+')))->claim == Claim::Approximate) continue;
+            EXPECT_EQ(row["wrong_colours"], 0) << cost << ": " << row;
+        }
     }
     const Answer wrong = run({"verify", "builtin:glass", "--size", "160x90", "--algorithm", "all", "--set",
                               "transparency=back-then-front", "--json"});

@@ -313,9 +313,10 @@ TEST_F(Cli, VerifyFindsNoDifferenceAndSaysSoInJson)
     ASSERT_EQ(rows.size(), presets().size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const json& row = rows[i];
+        EXPECT_EQ(row["exact"], presets()[i].isExact());
+        if (presets()[i].claim == Claim::Approximate) continue;
         for (const char* figure : {"holes", "spills", "false_culls"})
             EXPECT_EQ(row[figure], 0) << row["algorithm"] << ' ' << figure;
-        EXPECT_EQ(row["exact"], presets()[i].isExact());
         if (!presets()[i].isExact()) continue;  // by face: depth is a figure
         for (const char* figure : {"wrong_surface", "depth_bits_differ", "max_depth_steps", "lost_triangles"})
             EXPECT_EQ(row[figure], 0) << row["algorithm"] << ' ' << figure;

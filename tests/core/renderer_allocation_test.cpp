@@ -78,6 +78,7 @@ Cost costOfSettledFrame(const Preset& preset, int size, int triangles)
 TEST(RendererAllocation, ASettledFrameAllocatesNothingThatGrowsWithSceneOrPicture)
 {
     for (const Preset& preset : presets()) {
+        if (!hasFastText(preset.pipeline)) continue;
         const Cost small = costOfSettledFrame(preset, 16, 10), large = costOfSettledFrame(preset, 200, 1000);
         if (preset.pipeline.chooser == Chooser::Composed) {  // else times decide which method it is
             EXPECT_EQ(small.count, large.count) << preset.name;

@@ -328,7 +328,14 @@ TEST(ApproximateSwitches, AreEveryChoiceOfEveryKindAloneAndCanRun)
     }
 }
 
-TEST(ApproximateSwitches, StandBesideEveryPresetThatCanRun) { EXPECT_EQ(presetsToTime().size(), presets().size()); }
+TEST(ApproximateSwitches, StandBesideEveryPresetThatFastTextDraws)
+{
+    for (const Preset& preset : presets()) {
+        const auto all = presetsToTime();
+        EXPECT_EQ(std::ranges::find(all, preset.name, &BenchAlgorithm::name) != all.end(), hasFastText(preset.pipeline))
+            << preset.name;
+    }
+}
 
 }  // namespace
 }  // namespace zscope::tests

@@ -78,7 +78,7 @@ TEST(ScratchMemory, MayHoldAnythingBeforeItsFirstFrame)
         for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back})
             for (const SimdEntry& target : simdTargets())
                 for (const Preset& preset : presets()) {
-                    if (!target.available || !preset.pipeline.usesExactRules()) continue;
+                    if (!target.available || !hasFastText(preset.pipeline)) continue;
                     SoiledScratch clean(0), high(0xA5), low(0x5A);
                     const Picture wanted = drawn(subject, preset.pipeline, target.target, culling, *clean);
                     for (const SoiledScratch* soiled : {&high, &low})

@@ -475,7 +475,10 @@ TEST(Replay, CancellingEndsARunOfOneLargeMeshSoon)
         const Result<std::uint64_t>         count = replay.count(Grain::Pixel);
         const std::chrono::duration<double> took  = std::chrono::steady_clock::now() - start;
         owner.join();
-        ASSERT_FALSE(count.ok()) << preset.name;
+        if (count.ok()) {  // one triangle decided the whole picture: it was over before
+            EXPECT_LT(took.count(), 1.0) << preset.name;
+            continue;
+        }
         EXPECT_EQ(count.error().kind, Trouble::Cancelled) << preset.name;
         EXPECT_LT(took.count(), 30.0) << preset.name;
     }

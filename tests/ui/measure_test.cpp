@@ -21,6 +21,7 @@
 #include <QSpinBox>
 #include <QTableView>
 
+#include "core/measure/approximate_switches.h"
 #include "core/scene/camera_path.h"
 #include "tests/ui/measuring_desk.h"
 #include "tests/ui/ui_test.h"
@@ -65,15 +66,15 @@ private slots:
         QVERIFY(desk.open("builtin:cubes"));
         QVERIFY(desk.said().contains("Nothing has been timed on this view yet"));
         QVERIFY(desk.measure(MeasurePanel::What::Presets, 3));
-        QCOMPARE(desk.runs()->model()->rowCount(), static_cast<int>(presets().size()));
-        QCOMPARE(desk.chart().points().size(), presets().size());
+        QCOMPARE(desk.runs()->model()->rowCount(), static_cast<int>(presetsToTime().size()));
+        QCOMPARE(desk.chart().points().size(), presetsToTime().size());
         QSet<QString> names;
         for (const Run& run : desk.measurer().runsOf(viewOf(desk.session))) {
             names << QString::fromStdString(run.row.algorithm);
             QCOMPARE(run.row.wrongPixels.value_or(1), std::uint64_t{0});
             QVERIFY(run.row.q1Ms <= run.row.medianMs && run.row.medianMs <= run.row.q3Ms);
         }
-        QCOMPARE(names.size(), static_cast<qsizetype>(presets().size()));
+        QCOMPARE(names.size(), static_cast<qsizetype>(presetsToTime().size()));
         const SpeedErrorChart& chart   = desk.chart();
         const double           bandTop = chart.yAxis->coordToPixel(chart.errorScale().bandTop);
         for (std::size_t i = 0; i < chart.points().size(); ++i) QVERIFY(chart.placeOf(i).y() > bandTop);
@@ -239,7 +240,7 @@ private slots:
         QVERIFY(!desk.measurer().isRunning());
         QVERIFY(desk.button("Measure")->isEnabled());
         const int kept = desk.runs()->model()->rowCount();
-        QVERIFY(kept >= 1 && kept < static_cast<int>(presets().size()));
+        QVERIFY(kept >= 1 && kept < static_cast<int>(presetsToTime().size()));
         QVERIFY(desk.measure(MeasurePanel::What::This, 1));
         QVERIFY(desk.runs()->model()->rowCount() >= kept);
     }

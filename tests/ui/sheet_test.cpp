@@ -10,6 +10,7 @@
 #include <QSignalSpy>
 #include <QTimer>
 
+#include "core/measure/approximate_switches.h"
 #include "core/measure/compare.h"
 #include "core/measure/comparison_sheet.h"
 #include "tests/ui/desk.h"
@@ -59,7 +60,7 @@ private slots:
         std::size_t likely = 0;
         const auto  all    = SheetMaker::choices(desk.session, likely);
         QCOMPARE(likely, std::size_t{2});  // A and B
-        QCOMPARE(all.size(), presets().size());
+        QCOMPARE(all.size(), presetsToTime().size());
         const std::vector pair{all[0], all[1]};
         QSignalSpy made(&desk.window.sheets(), &SheetMaker::made), failed(&desk.window.sheets(), &SheetMaker::failed);
         for (const char* language : {"english", "chinese"}) {

@@ -31,6 +31,8 @@ void tellPixel(const PixelState& pixel, DepthTestContents& told)
                            : DepthTestWords::tr("It lies beyond the far plane: the pixel stays background.");
     else if (!pixel.rival)
         told.verdict = DepthTestWords::tr("The pixel was background: the first triangle to cover it owns it.");
+    else if (pixel.keep == Keep::Over && pixel.won)
+        told.verdict = DepthTestWords::tr("Painted over what was there: no depth is compared.");
     else if (pixel.depth == pixel.rivalDepth)
         told.verdict = pixel.won
                            ? DepthTestWords::tr("Equal depth, and the lower number wins: the pixel changes hands.")
