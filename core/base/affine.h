@@ -3,12 +3,15 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include <glm/vec3.hpp>
 
 namespace zscope {
 
 using glm::dvec3;
+
+inline bool isFinite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Rows of the matrix: p' = (row . p) + offset, per row ((m0*x + m1*y) + m2*z) + m3.
 struct Affine {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -31,7 +32,7 @@ struct LargePages {
     {
         const bool        isLarge   = count >= kLeast / sizeof(T);
         const std::size_t alignment = isLarge ? kPage : std::max(alignof(T), alignof(std::max_align_t));
-        if (count > (~std::size_t{0} - kPage) / sizeof(T)) throw std::bad_alloc();
+        if (count > (std::size_t{PTRDIFF_MAX} - kPage) / sizeof(T)) throw std::bad_alloc();
         const std::size_t bytes = (count * sizeof(T) + alignment - 1) / alignment * alignment;
         void* const       block = std::aligned_alloc(alignment, bytes);
         if (!block) throw std::bad_alloc();

@@ -35,6 +35,11 @@ struct Error {
     }
 };
 
+inline Error inputError(std::string sentence, std::string file = {}, int line = 0)
+{
+    return {Trouble::Input, std::move(sentence), std::move(file), line};
+}
+
 /// Something that was left out or mended while reading, worth telling; never fatal.
 struct Warning {
     std::string file;

@@ -18,11 +18,6 @@ struct Input {
     Conventions         given;
 };
 
-Error refused(std::string sentence, const std::string& file = {})
-{
-    return {Trouble::Input, std::move(sentence), file};
-}
-
 Result<std::vector<Camera>> camerasFor(const CheckRequest& request, const std::optional<Dump>& dump)
 {
     if (request.camera) return std::vector{*request.camera};
@@ -31,9 +26,9 @@ Result<std::vector<Camera>> camerasFor(const CheckRequest& request, const std::o
         if (!matrices) return matrices.error();
         return camerasOf(*matrices, request.width, request.height, *request.matrix);
     }
-    if (!dump) return refused("no camera is given: neither its ten numbers, nor matrices, nor a dump");
+    if (!dump) return inputError("no camera is given: neither its ten numbers, nor matrices, nor a dump");
     if (!dump->view || !dump->projection)
-        return refused("the dump holds no view and projection, and no camera is given", *request.dump);
+        return inputError("the dump holds no view and projection, and no camera is given", *request.dump);
     const CameraMatrices matrices{dump->view, dump->projection, {}, dump->order, dump->range};
     return camerasOf(matrices, dump->width, dump->height, *request.dump);
 }
@@ -41,7 +36,7 @@ Result<std::vector<Camera>> camerasFor(const CheckRequest& request, const std::o
 /// Two files that hold the same: which one is meant cannot be known.
 Error givenTwice(std::string_view what)
 {
-    return refused(fmt::format("the {} are given twice: by a file and by the dump", what));
+    return inputError(fmt::format("the {} are given twice: by a file and by the dump", what));
 }
 
 Result<Input> inputOf(const CheckRequest& request)
@@ -58,9 +53,9 @@ Result<Input> inputOf(const CheckRequest& request)
     const int width = cameras->front().width, height = cameras->front().height;
     if (dump) {
         if (dump->width != width || dump->height != height)
-            return refused(fmt::format("the dump has {}x{} pixels, and the camera's picture has {}x{}", dump->width,
-                                       dump->height, width, height),
-                           *request.dump);
+            return inputError(fmt::format("the dump has {}x{} pixels, and the camera's picture has {}x{}", dump->width,
+                                          dump->height, width, height),
+                              *request.dump);
         if (dump->depth && request.depth) return givenTwice("depths");
         if (dump->ids && request.ids) return givenTwice("ids");
         input.files.depth = std::move(dump->depth);
@@ -74,7 +69,7 @@ Result<Input> inputOf(const CheckRequest& request)
         input.files.depth  = *std::move(depth);
         const auto meaning = request.given.depth;
         if (meaning && input.files.depth->resolution.format == DepthNumberFormat::Fixed && !fitsFractions(*meaning))
-            return refused(
+            return inputError(
                 fmt::format("integers are fractions of their largest value and cannot mean '{}'", wordOf(*meaning)),
                 *request.depth);
     }
@@ -89,7 +84,7 @@ Result<Input> inputOf(const CheckRequest& request)
         input.files.picture = *std::move(picture);
     }
     if (!input.files.depth && !input.files.ids && !input.files.picture)
-        return refused("nothing is given to be checked: name depth, ids, a picture or a dump");
+        return inputError("nothing is given to be checked: name depth, ids, a picture or a dump");
     return input;
 }
 

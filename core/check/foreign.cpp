@@ -14,8 +14,6 @@
 namespace zscope::check {
 namespace {
 
-Error refused(std::string sentence, const std::string& file) { return {Trouble::Input, std::move(sentence), file}; }
-
 /// No file of so many pixels is larger, headers included; those of another size are read as well, to say so.
 std::uint64_t mostBytesOf(int width, int height)
 {
@@ -28,7 +26,8 @@ Result<std::string> bytesOf(const std::string& path, std::uint64_t most)
 {
     Result<std::string> bytes = readRegularFile(path, most);
     if (bytes || bytes.error().kind != Trouble::Limit) return bytes;
-    return refused(fmt::format("the file has more than {} MiB, too many for a picture of this size", most >> 20), path);
+    return inputError(fmt::format("the file has more than {} MiB, too many for a picture of this size", most >> 20),
+                      path);
 }
 
 /// Little-endian numbers in the camera's size, and nothing else.
@@ -38,9 +37,9 @@ Result<Grid<Value>> rawOf(std::string_view bytes, const std::string& file, int w
     Grid<Value>       grid(width, height);
     const std::size_t wanted = grid.values().size() * sizeof(T);
     if (bytes.size() != wanted)
-        return refused(fmt::format("the file has {} bytes, and {}x{} numbers of {} bytes take {}", bytes.size(), width,
-                                   height, sizeof(T), wanted),
-                       file);
+        return inputError(fmt::format("the file has {} bytes, and {}x{} numbers of {} bytes take {}", bytes.size(),
+                                      width, height, sizeof(T), wanted),
+                          file);
     for (std::size_t i = 0; i < grid.values().size(); ++i)
         grid.values()[i] = static_cast<Value>(numberAt<T>(bytes, i * sizeof(T), ByteOrder::Little));
     return grid;
@@ -75,7 +74,7 @@ Result<ForeignDepth> readDepth(const std::string& path, int width, int height)
         Result<NpyGrid> grid = npyGridOf(*bytes, path, width, height);
         if (!grid) return grid.error();
         if (grid->numbers.kind == 'i')
-            return refused("depth must be floats or unsigned integers, and these are signed ones", path);
+            return inputError("depth must be floats or unsigned integers, and these are signed ones", path);
         ForeignDepth depth{std::move(grid->reals), resolutionOf(grid->numbers)};
         if (depth.resolution.format == DepthNumberFormat::Fixed)
             for (double& value : depth.values.values()) value /= depth.resolution.steps;
@@ -97,7 +96,7 @@ Result<ForeignDepth> readDepth(const std::string& path, int width, int height)
         if (!values) return values.error();
         return ForeignDepth{*std::move(values), {}};
     }
-    return refused("depth is read from .npy, .pfm, .png and .raw", path);
+    return inputError("depth is read from .npy, .pfm, .png and .raw", path);
 }
 
 Result<ForeignIds> readIds(const std::string& path, int width, int height)
@@ -107,7 +106,7 @@ Result<ForeignIds> readIds(const std::string& path, int width, int height)
     if (hasEnding(path, ".npy")) {
         Result<NpyGrid> grid = npyGridOf(*bytes, path, width, height);
         if (!grid) return grid.error();
-        if (grid->numbers.kind == 'f') return refused("ids must be integers, and these are floats", path);
+        if (grid->numbers.kind == 'f') return inputError("ids must be integers, and these are floats", path);
         return ForeignIds{std::move(grid->wholes)};
     }
     if (hasEnding(path, ".png")) {
@@ -123,7 +122,7 @@ Result<ForeignIds> readIds(const std::string& path, int width, int height)
         if (!values) return values.error();
         return ForeignIds{*std::move(values)};
     }
-    return refused("ids are read from .npy, .png and .raw", path);
+    return inputError("ids are read from .npy, .png and .raw", path);
 }
 
 Result<Grid<std::uint32_t>> readPicture(const std::string& path, int width, int height)
@@ -144,27 +143,27 @@ Result<Dump> dumpOf(std::string_view bytes, const std::string& file)
 {
     constexpr std::size_t   kWords = 9, kStart = 8 + kWords * 4;
     constexpr std::uint32_t kMark = 0x01020304, kDepth = 1, kIds = 2, kView = 4, kProjection = 8;
-    if (!bytes.starts_with("ZSDUMP1\n")) return refused("this is no dump of zscope_dump.h", file);
-    if (bytes.size() < kStart) return refused("the dump ends in its header", file);
+    if (!bytes.starts_with("ZSDUMP1\n")) return inputError("this is no dump of zscope_dump.h", file);
+    if (bytes.size() < kStart) return inputError("the dump ends in its header", file);
     const ByteOrder order =
         numberAt<std::uint32_t>(bytes, 8, ByteOrder::Little) == kMark ? ByteOrder::Little : ByteOrder::Big;
     std::array<std::uint32_t, kWords> words{};
     for (std::size_t i = 0; i < kWords; ++i) words[i] = numberAt<std::uint32_t>(bytes, 8 + 4 * i, order);
     const auto [mark, width, height, contents, rows, matrixOrder, range, idsFrom, reserved] = words;
     if (mark != kMark || reserved != 0 || contents >= 16 || rows > 2 || matrixOrder > 2 || range > 3 || idsFrom > 2)
-        return refused("the dump's header cannot be read", file);
+        return inputError("the dump's header cannot be read", file);
     if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide)
-        return refused(fmt::format("the dump's picture must be from 1x1 to {0}x{0} pixels, not {1}x{2}",
-                                   kMaxPictureSide, width, height),
-                       file);
-    if ((contents & (kDepth | kIds)) == 0) return refused("the dump holds neither depth nor ids", file);
+        return inputError(fmt::format("the dump's picture must be from 1x1 to {0}x{0} pixels, not {1}x{2}",
+                                      kMaxPictureSide, width, height),
+                          file);
+    if ((contents & (kDepth | kIds)) == 0) return inputError("the dump holds neither depth nor ids", file);
 
     const std::size_t pixels   = std::size_t{width} * height;
     const std::size_t matrices = (contents & kView ? 1u : 0u) + (contents & kProjection ? 1u : 0u);
     const std::size_t grids    = (contents & kDepth ? 1u : 0u) + (contents & kIds ? 1u : 0u);
     const std::size_t wanted   = kStart + matrices * 16 * 8 + grids * pixels * 4;
     if (bytes.size() != wanted)
-        return refused(fmt::format("the dump has {} bytes, and its header says {}", bytes.size(), wanted), file);
+        return inputError(fmt::format("the dump has {} bytes, and its header says {}", bytes.size(), wanted), file);
 
     Dump        dump;
     std::size_t at = kStart;

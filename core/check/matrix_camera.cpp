@@ -134,16 +134,11 @@ std::optional<Camera> withRange(const Perspective& p, DepthRange range)
     return camera;
 }
 
-Error refused(std::string sentence, const std::string& file, int line = 0)
-{
-    return {Trouble::Input, std::move(sentence), file, line};
-}
-
 Result<Matrix> matrixOf(const JsonValue& value, const std::string& file, std::string_view key)
 {
     const JsonValue::Array* numbers = value.array();
     if (!numbers || numbers->size() != 16)
-        return refused(fmt::format("'{}' must be a list of sixteen numbers", key), file, value.line);
+        return inputError(fmt::format("'{}' must be a list of sixteen numbers", key), file, value.line);
     Matrix matrix{};
     for (std::size_t i = 0; i < 16; ++i) {
         const Result<double> real = realOf((*numbers)[i], file, key);
@@ -161,8 +156,8 @@ Result<CameraMatrices> matricesOf(const std::string& json, const std::string& fi
     if (!document) return document.error();
     const JsonValue::Object* members = document->object();
     if (!members)
-        return refused("the matrices must be an object with 'view' and 'projection', or 'clip_from_world'", file,
-                       document->line);
+        return inputError("the matrices must be an object with 'view' and 'projection', or 'clip_from_world'", file,
+                          document->line);
     CameraMatrices matrices;
     for (const auto& [key, value] : *members) {
         const std::string* text = value.text();
@@ -174,16 +169,16 @@ Result<CameraMatrices> matricesOf(const std::string& json, const std::string& fi
                                    : matrices.clipFromWorld) = *matrix;
         } else if (key == "order") {
             if (!text || (*text != "rows" && *text != "columns"))
-                return refused("'order' must be \"rows\" or \"columns\"", file, value.line);
+                return inputError("'order' must be \"rows\" or \"columns\"", file, value.line);
             matrices.order = *text == "rows" ? MatrixOrder::Rows : MatrixOrder::Columns;
         } else if (key == "depth") {
             if (!text || (*text != "-1..1" && *text != "0..1" && *text != "reversed"))
-                return refused("'depth' must be \"-1..1\", \"0..1\" or \"reversed\"", file, value.line);
+                return inputError("'depth' must be \"-1..1\", \"0..1\" or \"reversed\"", file, value.line);
             matrices.range = *text == "-1..1"  ? DepthRange::MinusOneToOne
                              : *text == "0..1" ? DepthRange::ZeroToOne
                                                : DepthRange::Reversed;
         } else {
-            return refused(
+            return inputError(
                 fmt::format("matrices have no '{}'; they have view, projection, clip_from_world, order and depth",
                             key.substr(0, 60)),
                 file, value.line);
@@ -191,8 +186,8 @@ Result<CameraMatrices> matricesOf(const std::string& json, const std::string& fi
     }
     const bool isPair = matrices.view && matrices.projection;
     if (matrices.clipFromWorld ? matrices.view || matrices.projection : !isPair)
-        return refused("the matrices must be 'view' and 'projection', or 'clip_from_world' alone", file,
-                       document->line);
+        return inputError("the matrices must be 'view' and 'projection', or 'clip_from_world' alone", file,
+                          document->line);
     return matrices;
 }
 
@@ -216,7 +211,7 @@ Result<std::vector<Camera>> camerasOf(const CameraMatrices& matrices, int width,
         matrices.order.value_or(orderOf(matrices, decomposed(clipBy(MatrixOrder::Rows), width, height),
                                         decomposed(clipBy(MatrixOrder::Columns), width, height)));
     const Decomposed d = decomposed(clipBy(order), width, height);
-    if (!d.why.empty()) return refused(d.why, file);
+    if (!d.why.empty()) return inputError(d.why, file);
 
     std::vector<DepthRange> ranges{DepthRange::MinusOneToOne, DepthRange::ZeroToOne};
     const bool              looksAlongPlusZ = matrices.projection && rowsOf(*matrices.projection, order)[3][2] > 0;
@@ -227,7 +222,7 @@ Result<std::vector<Camera>> camerasOf(const CameraMatrices& matrices, int width,
     std::vector<Camera> cameras;
     for (const DepthRange range : ranges)
         if (const auto camera = withRange(d.perspective, range)) cameras.push_back(*camera);
-    if (cameras.empty()) return refused("no near and far plane follow from the matrix's depths", file);
+    if (cameras.empty()) return inputError("no near and far plane follow from the matrix's depths", file);
     return cameras;
 }
 

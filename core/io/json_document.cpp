@@ -10,22 +10,11 @@
 
 namespace zscope {
 
-namespace {
-
-std::string shown(std::string_view text) { return quotable(text, 60); }
-
-Error inputError(const JsonValue& value, const std::string& file, std::string sentence)
-{
-    return {Trouble::Input, std::move(sentence), file, value.line};
-}
-
-}  // namespace
-
 Result<double> realFromText(std::string_view text)
 {
     const auto wrong = [text] {
         return Error{Trouble::Input,
-                     fmt::format("'{}' is not a number: write a decimal, a C hex float, or inf", shown(text))};
+                     fmt::format("'{}' is not a number: write a decimal, a C hex float, or inf", quotable(text, 60))};
     };
     std::string_view digits   = text;
     const bool       negative = digits.starts_with('-');
@@ -46,7 +35,7 @@ Result<double> realFromText(std::string_view text)
     const auto answer =
         std::from_chars(digits.data(), end, value, hex ? std::chars_format::hex : std::chars_format::general);
     if (answer.ec == std::errc::result_out_of_range)
-        return Error{Trouble::Input, fmt::format("the number '{}' is beyond the range of float64", shown(text))};
+        return Error{Trouble::Input, fmt::format("the number '{}' is beyond the range of float64", quotable(text, 60))};
     if (answer.ec != std::errc{} || answer.ptr != end) return wrong();
     return negative ? -value : value;
 }
@@ -58,10 +47,10 @@ Result<double> realOf(const JsonValue& value, const std::string& file, std::stri
     if (const auto* large = std::get_if<std::uint64_t>(&value.value)) return static_cast<double>(*large);
     if (const auto* text = value.text()) {
         Result<double> real = realFromText(*text);
-        if (!real) return inputError(value, file, fmt::format("'{}': {}", what, real.error().sentence));
+        if (!real) return errorAt(value, file, fmt::format("'{}': {}", what, real.error().sentence));
         return real;
     }
-    return inputError(value, file, fmt::format("'{}' must be a number", what));
+    return errorAt(value, file, fmt::format("'{}' must be a number", what));
 }
 
 Result<std::int64_t> wholeOf(const JsonValue& value, const std::string& file, std::string_view what, std::int64_t min,
@@ -69,7 +58,7 @@ Result<std::int64_t> wholeOf(const JsonValue& value, const std::string& file, st
 {
     const auto* whole = std::get_if<std::int64_t>(&value.value);
     if (!whole || *whole < min || *whole > max)
-        return inputError(value, file, fmt::format("'{}' must be a whole number from {} to {}", what, min, max));
+        return errorAt(value, file, fmt::format("'{}' must be a whole number from {} to {}", what, min, max));
     return *whole;
 }
 

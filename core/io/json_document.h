@@ -47,6 +47,11 @@ struct JsonMember {
 Result<JsonValue> parseJson(std::string_view text, const std::string& file, std::uint64_t memoryLimit = 0,
                             int firstLine = 1);
 
+inline Error errorAt(const JsonValue& value, const std::string& file, std::string sentence)
+{
+    return inputError(std::move(sentence), file, value.line);
+}
+
 /// A real: a JSON number, or a string holding a decimal, a C hex float, or "inf"; correctly rounded.
 /// `what` names the value in errors.
 Result<double> realOf(const JsonValue& value, const std::string& file, std::string_view what);

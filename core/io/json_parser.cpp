@@ -19,8 +19,6 @@ namespace zscope {
 
 namespace {
 
-std::string shown(std::string_view text) { return quotable(text, 60); }
-
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$'; }
 
@@ -95,7 +93,7 @@ private:
                 if (!readKey(member.first)) return false;
                 skipBlanks();
                 if (!takes(':'))
-                    return strange(fmt::format("a colon is missing after the key '{}'", shown(member.first)));
+                    return strange(fmt::format("a colon is missing after the key '{}'", quotable(member.first, 60)));
                 skipBlanks();
                 if (!readValue(member.second)) return false;
                 skipBlanks();
@@ -128,7 +126,7 @@ private:
         if (!atEnd() && next() == '"') return readText(key);
         if (atEnd()) return unclosed();
         if (next() == '}' && m_comma && wasJust(*m_comma)) return wrongAt(*m_comma, "no comma may stand before '}'");
-        if (isLetter(next())) return stray(fmt::format("the key '{}' needs double quotes", shown(word())));
+        if (isLetter(next())) return stray(fmt::format("the key '{}' needs double quotes", quotable(word(), 60)));
         const bool isDecimalComma =
             isDigit(next()) && m_comma && m_comma->at + 1 == m_at && m_at >= 2 && isDigit(m_text[m_at - 2]);
         if (isDecimalComma) return wrongAt(*m_comma, "a decimal has a point, not a comma");
@@ -238,9 +236,9 @@ private:
         for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
         const bool isLikeNumber =
             !isLetter(small.empty() ? '+' : small.front()) || small == "nan" || small == "inf" || small == "infinity";
-        return stray(isLikeNumber
-                         ? fmt::format("'{}' is no number of JSON", shown(written))
-                         : fmt::format("'{}' is no value of JSON: a text stands in double quotes", shown(written)));
+        return stray(isLikeNumber ? fmt::format("'{}' is no number of JSON", quotable(written, 60))
+                                  : fmt::format("'{}' is no value of JSON: a text stands in double quotes",
+                                                quotable(written, 60)));
     }
 
     bool readNumber(JsonValue& value, std::string_view written)
@@ -262,8 +260,9 @@ private:
         } else if (roundsToZero(written)) {
             value.value = written.front() == '-' ? -0.0 : 0.0;
         } else {
-            m_error = Error{Trouble::Input, fmt::format("the number {} is beyond the largest float64", shown(written)),
-                            m_file, m_line};
+            m_error =
+                Error{Trouble::Input, fmt::format("the number {} is beyond the largest float64", quotable(written, 60)),
+                      m_file, m_line};
             return false;
         }
         return true;
@@ -413,8 +412,9 @@ private:
         std::ranges::sort(keys);
         const auto twice = std::ranges::adjacent_find(keys, {}, &std::pair<std::string_view, int>::first);
         if (twice == keys.end()) return true;
-        m_error = Error{Trouble::Input, fmt::format("the key '{}' is given twice in one object", shown(twice->first)),
-                        m_file, std::next(twice)->second};
+        m_error =
+            Error{Trouble::Input, fmt::format("the key '{}' is given twice in one object", quotable(twice->first, 60)),
+                  m_file, std::next(twice)->second};
         return false;
     }
 

@@ -46,8 +46,6 @@ const char* kindOf(mode_t mode)
     return "a device";
 }
 
-Error inputError(std::string sentence, const std::string& path) { return {Trouble::Input, std::move(sentence), path}; }
-
 std::string megabytes(std::uint64_t bytes)
 {
     return bytes >= (1u << 20) ? fmt::format("{} MiB", bytes >> 20) : fmt::format("{} bytes", bytes);

@@ -10,7 +10,7 @@ namespace {
 /// So many bytes at the start show how the others lie.
 constexpr std::size_t kSample = 256;
 
-enum class Encoding { Bytes, Utf16, Utf32 };
+enum class Encoding { Utf8, Utf16, Utf32 };
 
 /// From where the zero bytes are. ASCII has one in each two bytes of UTF-16, always the same one, and three in each
 /// four of UTF-32. A quarter of the characters is enough, since names and texts may be Chinese, of which some have a
@@ -29,10 +29,10 @@ Encoding encodingOf(std::string_view bytes)
         both += isFirst && isSecond;
         fours += i % 2 == 1 && (isFirst && isSecond) != (bytes[2 * i - 2] == 0 && bytes[2 * i - 1] == 0);
     }
-    if (pairs < 2) return Encoding::Bytes;
+    if (pairs < 2) return Encoding::Utf8;
     if (both == 0 && std::max(first, second) * 4 >= pairs && std::max(first, second) >= 2 * std::min(first, second))
-        return std::max(first, second) >= 2 ? Encoding::Utf16 : Encoding::Bytes;
-    return both == pairs / 2 && fours == both && first + second == pairs - both ? Encoding::Utf32 : Encoding::Bytes;
+        return std::max(first, second) >= 2 ? Encoding::Utf16 : Encoding::Utf8;
+    return both == pairs / 2 && fours == both && first + second == pairs - both ? Encoding::Utf32 : Encoding::Utf8;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ Encoding encodingOf(std::string_view bytes)
 std::optional<std::string> encodingTrouble(std::string_view bytes)
 {
     switch (encodingOf(bytes)) {
-        case Encoding::Bytes:
+        case Encoding::Utf8:
             return std::nullopt;
         case Encoding::Utf16:
             return "the text is UTF-16; save it as UTF-8 or plain ASCII";

@@ -22,8 +22,8 @@ namespace zscope {
 
 namespace {
 
-Error wasCancelled() { return {Trouble::Cancelled, "the explanation was cancelled"}; }
-Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to explain this frame"}; }
+Error explainingWasCancelled() { return {Trouble::Cancelled, "the explanation was cancelled"}; }
+Error tooLittleToExplain() { return {Trouble::Limit, "there is not enough memory to explain this frame"}; }
 
 /// Looks at how a run is told, before it costs anything.
 std::optional<Error> cannotExplain(const DrawRequest& request, std::span<const PixelPosition> pixels)
@@ -54,7 +54,7 @@ Result<Done> runWith(const ObservedMethod* method, const DrawRequest& request, O
     plain::Scratch scratch;
     Listening      listening(run.steps, run.triangle, recorder);
     drawObserved(method, request, run.frame, scratch, listening);
-    if (request.cancel && request.cancel->load()) return wasCancelled();
+    if (request.cancel && request.cancel->load()) return explainingWasCancelled();
     return Done{};
 }
 
@@ -202,7 +202,7 @@ try {
     }
     return all;
 } catch (const std::bad_alloc&) {
-    return outOfMemory();
+    return tooLittleToExplain();
 }
 
 Result<PixelExplanation> explainPixel(const DrawRequest& request, PixelPosition pixel, const Progress& progress)
@@ -286,7 +286,7 @@ try {
     e.sentence = sentenceOf(e, request.pipeline);
     return e;
 } catch (const std::bad_alloc&) {
-    return outOfMemory();
+    return tooLittleToExplain();
 }
 
 }  // namespace zscope

@@ -54,8 +54,8 @@ Error noSuchStep(Grain grain, StepIndex step, std::uint64_t count)
     return {Trouble::Usage, "there is no step " + std::to_string(step.value) + ": the last of grain '"
                                 + std::string(wordOf(grain)) + "' is " + std::to_string(count - 1)};
 }
-Error outOfMemory() { return {Trouble::Limit, "there is not enough memory to step through this frame"}; }
-Error wasCancelled() { return {Trouble::Cancelled, "stepping was cancelled"}; }
+Error tooLittleToStep() { return {Trouble::Limit, "there is not enough memory to step through this frame"}; }
+Error steppingWasCancelled() { return {Trouble::Cancelled, "stepping was cancelled"}; }
 
 /// One run with everything that observes it. It stays where it is: its parts know each other.
 class Run final : public Observer {
@@ -140,7 +140,7 @@ std::optional<Error> Replay::survey(Grain grain)
     Run  run(m_request, Grain::Frame, StopAt::kNever, survey->scratch);
     run.keeper.keepIn(survey->checkpoints, m_spacing.events, m_spacing.bytes);
     run.perform(m_request, m_method);
-    if (isCancelled()) return wasCancelled();
+    if (isCancelled()) return steppingWasCancelled();
     survey->steps  = run.recorders.steps;
     survey->stages = run.stages.take();
     m_survey       = std::move(survey);
@@ -159,7 +159,7 @@ std::optional<Error> Replay::runTo(Grain grain, StepIndex step)
     auto run = std::make_unique<Run>(m_request, grain, step.value, from ? m_survey->scratch : m_survey->before);
     if (from) run->keeper.beginAt(*from, m_survey->checkpoints);
     run->perform(m_request, m_method);
-    if (isCancelled()) return wasCancelled();
+    if (isCancelled()) return steppingWasCancelled();
     if (run->frame.colour.height() == 0) shadePicture(m_request, run->frame);
     m_survey->latest = std::move(run);
     return std::nullopt;
@@ -171,7 +171,7 @@ Result<std::uint64_t> Replay::count(Grain grain)
         if (const auto error = survey(grain)) return *error;
         return m_survey->steps.seen(grain);
     } catch (const std::bad_alloc&) {
-        return outOfMemory();
+        return tooLittleToStep();
     }
 }
 
@@ -197,7 +197,7 @@ Result<std::uint64_t> Replay::eventsBy(Grain other, Grain grain, StepIndex step)
         if (const auto error = cannotStep(m_request, other)) return *error;
         return m_survey->latest->recorders.steps.seen(other);
     } catch (const std::bad_alloc&) {
-        return outOfMemory();
+        return tooLittleToStep();
     }
 }
 
@@ -224,7 +224,7 @@ Result<StepState> Replay::at(Grain grain, StepIndex step)
                 " (auto has measured nothing here: its steps are those of " + nameOf(pipeline) + ", its first choice.)";
         return state;
     } catch (const std::bad_alloc&) {
-        return outOfMemory();
+        return tooLittleToStep();
     }
 }
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/base/grouped.h"
+#include "core/probe/words.h"
 #include "core/measure/record.h"
 
 namespace zscope {
@@ -25,7 +25,6 @@ constexpr std::array<std::uint32_t, kStages.size()> kStageColours{0xFF999999u, 0
                                                                   0xFF009E73u, 0xFFCCCCCCu};
 
 /// As the window writes it.
-std::string number(std::uint64_t value) { return grouped(value, ','); }
 
 /// Differences must not fade in a smaller picture: where one pixel stands for several, one that differs is shown.
 Grid<std::uint32_t> shrunk(const Grid<std::uint32_t>& differences, int width, int height)
@@ -57,8 +56,8 @@ struct Line {
 std::string figureLine(const ErrorFigures& f)
 {
     if (f.isExact()) return "same to the bit";
-    return fmt::format("{} holes, {} spills, {} other, {} steps", number(f.holes), number(f.spills),
-                       number(f.wrongSurface()), number(f.maxDepthSteps));
+    return fmt::format("{} holes, {} spills, {} other, {} steps", withCommas(f.holes), withCommas(f.spills),
+                       withCommas(f.wrongSurface()), withCommas(f.maxDepthSteps));
 }
 
 std::vector<Line> figuresOf(const ComparedAlgorithm& a, bool isFirst)
@@ -79,7 +78,7 @@ std::vector<Line> figuresOf(const ComparedAlgorithm& a, bool isFirst)
     else
         lines.push_back({"First: "
                          + (a.coloursDiffer > 0 && a.againstFirst.isExact()
-                                ? fmt::format("{} other colours", number(a.coloursDiffer))
+                                ? fmt::format("{} other colours", withCommas(a.coloursDiffer))
                                 : figureLine(a.againstFirst))});
     return lines;
 }
@@ -223,7 +222,7 @@ private:
         for (const std::string& name : m_counters) {
             const std::uint64_t count = countOf(a, name);
             m_canvas.name(x, y + kSmall, name, kSmall, count > 0 ? kInk : kPale);
-            writeToTheRight(x, y, count > 0 ? number(count) : "-", count > 0 ? kInk : kPale);
+            writeToTheRight(x, y, count > 0 ? withCommas(count) : "-", count > 0 ? kInk : kPale);
             y += kLine;
         }
     }
@@ -253,7 +252,7 @@ SheetWords sheetWordsOf(const Comparison& comparison, const Scene& scene, const 
 {
     const FrameReport& report = comparison.algorithms.front().report;
     const std::size_t  count  = scene.triangleCount();
-    return {.scene   = fmt::format("{}   {} triangle{}   {}x{}", scene.name, number(count), count == 1 ? "" : "s",
+    return {.scene   = fmt::format("{}   {} triangle{}   {}x{}", scene.name, withCommas(count), count == 1 ? "" : "s",
                                    camera.width, camera.height),
             .machine = fmt::format("{}, {} cores; {} thread{}, {}; ZScope " ZSCOPE_VERSION "; scene {}",
                                    processorName(), std::thread::hardware_concurrency(), report.threads,

@@ -14,11 +14,6 @@ namespace {
 
 constexpr double kDegreesPerRadian = 180 / 3.141592653589793;
 
-Error wrong(const JsonValue& value, const std::string& file, std::string sentence)
-{
-    return {Trouble::Input, std::move(sentence), file, value.line};
-}
-
 ViewRequest requestOf(const CameraPath& path, const CameraKey& key, int width, int height)
 {
     ViewRequest view;
@@ -35,7 +30,7 @@ ViewRequest requestOf(const CameraPath& path, const CameraKey& key, int width, i
 
 Result<bool> truthOf(const JsonValue& value, const std::string& file, std::string_view what)
 {
-    if (!value.truth()) return wrong(value, file, fmt::format("'{}' is true or false", what));
+    if (!value.truth()) return errorAt(value, file, fmt::format("'{}' is true or false", what));
     return *value.truth();
 }
 
@@ -45,30 +40,31 @@ public:
 
     Result<CameraPath> read(const JsonValue& document)
     {
-        if (!document.object()) return wrong(document, m_file, "a camera path is an object with 'keys'");
+        if (!document.object()) return errorAt(document, m_file, "a camera path is an object with 'keys'");
         CameraPath       path;
         const JsonValue* keys = nullptr;
         for (const auto& [name, value] : *document.object()) {
             if (name == "unit") {
                 if (!value.text() || (*value.text() != "world" && *value.text() != "scene"))
-                    return wrong(value, m_file, "'unit' is \"world\" or \"scene\"");
+                    return errorAt(value, m_file, "'unit' is \"world\" or \"scene\"");
                 path.inScene = *value.text() == "scene";
             } else if (name == "near" || name == "far") {
                 const Result<double> real = realOf(value, m_file, name);
                 if (!real) return real.error();
                 if (!(*real > 0) || (name == "near" && !std::isfinite(*real)))
-                    return wrong(value, m_file, fmt::format("'{}' must be above 0", name));
+                    return errorAt(value, m_file, fmt::format("'{}' must be above 0", name));
                 (name == "near" ? path.near : path.far) = *real;
             } else if (name == "keys") {
                 keys = &value;
             } else {
-                return wrong(
+                return errorAt(
                     value, m_file,
                     fmt::format("a camera path has no '{}': it has unit, near, far and keys", name.substr(0, 60)));
             }
         }
-        if (!keys) return wrong(document, m_file, "'keys' is missing");
-        if (!keys->array() || keys->array()->empty()) return wrong(*keys, m_file, "'keys' is a list that is not empty");
+        if (!keys) return errorAt(document, m_file, "'keys' is missing");
+        if (!keys->array() || keys->array()->empty())
+            return errorAt(*keys, m_file, "'keys' is a list that is not empty");
         for (const JsonValue& each : *keys->array()) {
             const auto key = keyFrom(each, path);
             if (!key) return key.error();
@@ -80,7 +76,7 @@ public:
 private:
     Result<CameraKey> keyFrom(const JsonValue& value, const CameraPath& path) const
     {
-        if (!value.object()) return wrong(value, m_file, "a key frame is an object with frame, eye and target");
+        if (!value.object()) return errorAt(value, m_file, "a key frame is an object with frame, eye and target");
         CameraKey key{.line = value.line};
         bool      hasFrame = false, hasEye = false, hasTarget = false;
         for (const auto& [name, member] : *value.object()) {
@@ -104,21 +100,21 @@ private:
                 if (!truth) return truth.error();
                 key.isCut = *truth;
             } else {
-                return wrong(member, m_file,
-                             fmt::format("a key frame has no '{}': it has frame, eye, target, up, fov and cut",
-                                         name.substr(0, 60)));
+                return errorAt(member, m_file,
+                               fmt::format("a key frame has no '{}': it has frame, eye, target, up, fov and cut",
+                                           name.substr(0, 60)));
             }
         }
         for (const auto& [has, name] :
              {std::pair{hasFrame, "frame"}, std::pair{hasEye, "eye"}, std::pair{hasTarget, "target"}})
-            if (!has) return wrong(value, m_file, fmt::format("the key frame's '{}' is missing", name));
+            if (!has) return errorAt(value, m_file, fmt::format("the key frame's '{}' is missing", name));
         if (path.keys.empty() && key.frame != 0)
-            return wrong(value, m_file, fmt::format("the first key frame is frame 0, not {}", key.frame));
+            return errorAt(value, m_file, fmt::format("the first key frame is frame 0, not {}", key.frame));
         if (path.keys.empty() && key.isCut)
-            return wrong(value, m_file, "the first key frame has nothing before it to cut from");
+            return errorAt(value, m_file, "the first key frame has nothing before it to cut from");
         if (!path.keys.empty() && key.frame <= path.keys.back().frame)
-            return wrong(value, m_file,
-                         fmt::format("frames must rise, and {} comes after {}", key.frame, path.keys.back().frame));
+            return errorAt(value, m_file,
+                           fmt::format("frames must rise, and {} comes after {}", key.frame, path.keys.back().frame));
         // Any box will do: what is wrong with a key alone is found here, where its line is known.
         Bounds anyBox;
         anyBox.include({-1, -1, -1});
@@ -126,10 +122,10 @@ private:
         CameraPath depthless = path;
         depthless.near = depthless.far = std::nullopt;
         if (const auto camera = makeCamera(requestOf(depthless, key, 1, 1), anyBox); !camera)
-            return wrong(value, m_file, camera.error().sentence);
+            return errorAt(value, m_file, camera.error().sentence);
         // Frames between this key and the next aim at a target as far away.
         if (!std::isfinite(dotAsWritten(key.target - key.eye, key.target - key.eye)))
-            return wrong(value, m_file, "eye and target are too far apart");
+            return errorAt(value, m_file, "eye and target are too far apart");
         return key;
     }
 
@@ -216,7 +212,7 @@ Result<CameraPath> cameraPathFromJson(const std::string& text, const std::string
     if (!document) return document.error();
     Result<CameraPath> path = PathReader(file).read(*document);
     if (path && path->near && path->far && !(*path->near < *path->far))
-        return wrong(*document, file, "'near' must be less than 'far'");
+        return errorAt(*document, file, "'near' must be less than 'far'");
     return path;
 }
 

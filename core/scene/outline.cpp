@@ -35,8 +35,6 @@ dvec3 newellNormal(std::span<const dvec3> positions, std::span<const std::uint32
     return sum;
 }
 
-bool isFinite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 /// The power of two that brings the largest coordinate near one.
 double scaleToOne(std::span<const dvec3> positions, std::span<const std::uint32_t> outline)
 {

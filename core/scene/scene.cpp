@@ -101,8 +101,6 @@ std::string digestOf(const Scene& scene)
     return digest.text();
 }
 
-bool isFinite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 bool isFinite(const Affine& matrix)
 {
     return std::ranges::all_of(matrix.rows, [](const auto& row) {

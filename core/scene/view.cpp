@@ -25,8 +25,6 @@ constexpr dvec3 kDefaultDirection{0, -0.3, -1};
 
 Error usage(std::string sentence) { return {Trouble::Usage, std::move(sentence)}; }
 
-bool isFinite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// v / |v|. The power of two taken out first changes no bit of the answer and keeps the squares from vanishing.

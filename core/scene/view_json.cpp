@@ -11,16 +11,11 @@ namespace zscope {
 
 namespace {
 
-Error wrong(const JsonValue& value, const std::string& file, std::string sentence)
-{
-    return {Trouble::Input, std::move(sentence), file, value.line};
-}
-
 /// [W, H] or "WxH".
 Result<std::array<int, 2>> sizeOf(const JsonValue& value, const std::string& file)
 {
     const auto refused = [&] {
-        return wrong(
+        return errorAt(
             value, file,
             fmt::format("'size' must be [width, height] or \"WIDTHxHEIGHT\", each from 1 to {}", kMaxPictureSide));
     };
@@ -74,7 +69,7 @@ Result<dvec3> vectorOf(const JsonValue& value, const std::string& file, std::str
 Result<Camera> cameraOf(const JsonValue& document, const std::string& file)
 {
     const JsonValue::Object* members = document.object();
-    if (!members) return wrong(document, file, "a camera must be an object with its ten numbers");
+    if (!members) return errorAt(document, file, "a camera must be an object with its ten numbers");
 
     Camera camera;
     struct Vector {
@@ -110,10 +105,10 @@ Result<Camera> cameraOf(const JsonValue& document, const std::string& file)
             if (!whole) return whole.error();
             *w->to = static_cast<int>(*whole);
         } else {
-            return wrong(value, file,
-                         fmt::format("a camera has no '{}'; it has eye, right, up, forward, focal, near, far, "
-                                     "width and height",
-                                     key.substr(0, 60)));
+            return errorAt(value, file,
+                           fmt::format("a camera has no '{}'; it has eye, right, up, forward, focal, near, far, "
+                                       "width and height",
+                                       key.substr(0, 60)));
         }
     }
     if (met < vectors.size() + reals.size() + wholes.size()) {
@@ -121,20 +116,20 @@ Result<Camera> cameraOf(const JsonValue& document, const std::string& file)
             return std::ranges::find(*members, key, &JsonValue::Member::first) != members->end();
         };
         for (const Vector& v : vectors)
-            if (!has(v.key)) return wrong(document, file, fmt::format("the camera's '{}' is missing", v.key));
+            if (!has(v.key)) return errorAt(document, file, fmt::format("the camera's '{}' is missing", v.key));
         for (const Real& r : reals)
-            if (!has(r.key)) return wrong(document, file, fmt::format("the camera's '{}' is missing", r.key));
+            if (!has(r.key)) return errorAt(document, file, fmt::format("the camera's '{}' is missing", r.key));
         for (const Whole& w : wholes)
-            if (!has(w.key)) return wrong(document, file, fmt::format("the camera's '{}' is missing", w.key));
+            if (!has(w.key)) return errorAt(document, file, fmt::format("the camera's '{}' is missing", w.key));
     }
-    if (const auto why = explainInvalid(camera)) return wrong(document, file, *why);
+    if (const auto why = explainInvalid(camera)) return errorAt(document, file, *why);
     return camera;
 }
 
 Result<ViewRequest> viewOf(const JsonValue& document, const std::string& file)
 {
     const JsonValue::Object* members = document.object();
-    if (!members) return wrong(document, file, "a camera must be an object of view options, or of its ten numbers");
+    if (!members) return errorAt(document, file, "a camera must be an object of view options, or of its ten numbers");
     ViewRequest view;
     if (isExactForm(*members)) {
         const Result<Camera> camera = cameraOf(document, file);
@@ -170,13 +165,13 @@ Result<ViewRequest> viewOf(const JsonValue& document, const std::string& file)
             view.height = (*size)[1];
         } else if (key == "cull") {
             if (!value.text() || (*value.text() != "none" && *value.text() != "back"))
-                return wrong(value, file, "'cull' must be \"none\" or \"back\"");
+                return errorAt(value, file, "'cull' must be \"none\" or \"back\"");
             view.faceCulling = *value.text() == "back" ? FaceCulling::Back : FaceCulling::None;
         } else {
-            return wrong(value, file,
-                         fmt::format("a view has no '{}'; it has size, eye, target, up, fov, near, far and "
-                                     "cull, or the ten numbers of a camera",
-                                     key.substr(0, 60)));
+            return errorAt(value, file,
+                           fmt::format("a view has no '{}'; it has size, eye, target, up, fov, near, far and "
+                                       "cull, or the ten numbers of a camera",
+                                       key.substr(0, 60)));
         }
     }
     return view;
