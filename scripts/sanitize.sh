@@ -36,5 +36,5 @@ for preset in window-tsan window-asan; do
 done
 
 # Kernels compiled for one lane only: the same pictures and the same steps.
-build_preset scalar agreement_tests replay_tests
-run_tests scalar -R 'Agreement|Replay|SweepState' -E 'NOT_BUILT|OnTheSharedModels'
+build_preset plain agreement_tests replay_tests
+run_tests plain -R 'Agreement|Replay|SweepState' -E 'NOT_BUILT|OnTheSharedModels'

@@ -24,7 +24,8 @@ public:
     static constexpr std::uint32_t kSampled = 8;
 
     /// `first`: answers that are waited for.
-    explicit SampledQuestions(std::uint32_t first = kFirst) : m_first(first) {}
+    explicit SampledQuestions(std::uint32_t first) : m_first(first) {}
+    SampledQuestions() : SampledQuestions(kFirst) {}
 
     /// Whether the next question is to be asked.
     bool isWorthIt()

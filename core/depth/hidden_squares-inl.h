@@ -127,12 +127,8 @@ private:
     /// Bit i: row[i] is nearer than the whole batch.
     std::uint32_t nearerThanBatch(const PixelKey* row) const
     {
-        const std::int32_t nearest = inOrder(std::bit_cast<std::int32_t>(m_nearest));
-        std::uint32_t      bits    = 0;
-#if HWY_TARGET == HWY_SCALAR
-        for (int i = 0; i < kGroup; ++i)
-            bits |= static_cast<std::uint32_t>(static_cast<std::int32_t>(row[i] >> 32) > nearest) << i;
-#else
+        const std::int32_t                  nearest = inOrder(std::bit_cast<std::int32_t>(m_nearest));
+        std::uint32_t                       bits    = 0;
         const hn::ScalableTag<std::int32_t> d;
         const hn::ScalableTag<PixelKey>     keys;
         for (std::size_t i = 0; i < kGroup; i += hn::Lanes(d)) {
@@ -145,7 +141,6 @@ private:
             std::memcpy(&mask, stored.data(), sizeof mask);
             bits |= std::uint32_t{mask} << i;
         }
-#endif
         return bits;
     }
 
@@ -295,14 +290,9 @@ private:
     {
         // of sides 1, 2, ...
         HWY_ALIGN static constexpr std::array<std::uint8_t, 16> kLevels{0, 1, 2, 3, 4, 4, 5, 5, 6, 6, 6, 6, 7, 7, 7, 7};
-#if HWY_TARGET == HWY_SCALAR
-        // a box that nobody asks about may have any side
-        return hn::Set(D(), kLevels[static_cast<std::size_t>(std::max(hn::GetLane(side), 1) - 1)]);
-#else
-        const hn::Repartition<std::uint8_t, D> u8;
+        const hn::Repartition<std::uint8_t, D>                  u8;
         return hn::BitCast(
             D(), hn::TableLookupBytes(hn::LoadDup128(u8, kLevels.data()), hn::BitCast(u8, side - hn::Set(D(), 1))));
-#endif
     }
 
     static constexpr unsigned kLastBit = HiddenSquares::kWordPixels - 1;

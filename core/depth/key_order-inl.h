@@ -27,9 +27,6 @@ namespace zscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Whether numbers are compared faster than integers.
-inline constexpr bool kComparesAsFloats = HWY_TARGET != HWY_SCALAR;
-
 /// True if all keys are normal that a buffer with this background may hold, by exact rules.
 inline bool areNormal(float empty) { return empty >= std::numeric_limits<float>::min(); }
 
@@ -54,13 +51,9 @@ HWY_INLINE Keys nearerOf(Keys a, Keys b)
 template <class Keys>
 HWY_INLINE Keys fartherOf(Keys a, Keys b)
 {
-#if HWY_TARGET == HWY_SCALAR
-    return hn::Min(a, b);
-#else
     const hn::DFromV<Keys>                              keys;
     const hn::Repartition<std::int32_t, decltype(keys)> halves;
     return hn::BitCast(keys, hn::Min(hn::BitCast(halves, a), hn::BitCast(halves, b)));
-#endif
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -12,6 +12,7 @@ void VisibilityBuffer::resize(int width, int height, const DepthEncoding& encodi
     const bool isSame      = isSameSize && encoding.empty == m_encoding.empty && !emptiesMore,
                isAbove     = isSameSize && encoding.isAbove(m_encoding);
     m_encoding             = encoding;
+    m_colours              = {};
     if (isSame) return;
     if (isAbove) {  // what was drawn lies below the background now; what planes lie over may be anything
         for (Tile& tile : m_tiles.values())
@@ -50,6 +51,13 @@ void VisibilityBuffer::clearTile(int x, int y)
     const int left = x * kTileWidth, width = std::min(kTileWidth, static_cast<int>(m_stride) - left);
     for (int line = y * kTileLines; line < std::min((y + 1) * kTileLines, m_height); ++line)
         std::fill_n(row(line) + left, width, background());
+}
+
+void VisibilityBuffer::clearColours(int x, int y)
+{
+    const PixelBox tile = pixelsOf(x, y);
+    for (int line = tile.y0; line < tile.y1; ++line)
+        std::fill_n(m_colours.row(line).data() + tile.x0, tile.x1 - tile.x0, m_backgroundColour);
 }
 
 void VisibilityBuffer::storePixels(const PixelBox& tile, const TilePlane& plane)

@@ -41,6 +41,14 @@ class VisibilityBuffer {
 public:
     static constexpr int kTileWidth = 64, kTileLines = 8;
 
+    /// Pixels of this picture get the colour of background when their tile is first drawn to, but not if it is kept as a
+    /// plane. For colours that are stored as pixels are won. Until the next resize().
+    void colourOpened(GridView<std::uint32_t> colours, std::uint32_t background)
+    {
+        m_colours          = colours;
+        m_backgroundColour = background;
+    }
+
     /// Begins a picture. The contents are undefined until clearRows() has run over all rows, or emptyRows() and
     /// finishRows().
     void resize(int width, int height, const DepthEncoding& encoding);
@@ -160,10 +168,12 @@ private:
     {
         Tile& tile = m_tiles.at(x, y);
         if (tile == Tile::Stale) clearTile(x, y);
+        if (tile < Tile::Drawn && m_colours.data) clearColours(x, y);
         if (tile == Tile::Plane) store(pixelsOf(x, y), m_planes.at(x, y));
         tile = Tile::Drawn;
     }
     void clearTile(int x, int y);
+    void clearColours(int x, int y);
     void storePixels(const PixelBox& tile, const TilePlane& plane);
 
     PixelBox pixelsOf(int x, int y) const
@@ -186,8 +196,10 @@ private:
     std::size_t                                   m_stride = 0;  // >= m_width + kRowPadding
     DepthEncoding                                 m_encoding;
     Grid<Tile>                                    m_tiles;
-    Grid<TilePlane>                               m_planes;  // of tiles that are kept as one
-    std::vector<CacheLine, LargePages<CacheLine>> m_keys;    // m_stride * m_height of them, rounded up to even rows
+    Grid<TilePlane>                               m_planes;   // of tiles that are kept as one
+    GridView<std::uint32_t>                       m_colours;  // see colourOpened()
+    std::uint32_t                                 m_backgroundColour = 0;
+    std::vector<CacheLine, LargePages<CacheLine>> m_keys;  // m_stride * m_height of them, rounded up to even rows
 };
 
 /// The reported picture, as the files ids.npy and depth.npy hold it.

@@ -50,11 +50,10 @@ private:
     }
 };
 
-/// Blends the stripe's transparent surfaces over `colour`. `rules` without a fault: faults belong to the opaque
-/// picture.
-void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order,
-                 const LaneRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
-                 GridView<std::uint32_t> colour)
+/// Blends the stripe's transparent surfaces over `colour`.
+inline void blendStripe(const TransparentSurfaces& surfaces, const ColourTable& colours, BlendOrder order,
+                        const LaneRules& rules, const Stripe& stripe, StripeScratch& scratch, StageClock& clock,
+                        GridView<std::uint32_t> colour)
 {
     BlendScratch& blend = scratch.blend;
     blend.edges.clear(stripe.firstRow, stripe.endRow, stripe.visible.width(),

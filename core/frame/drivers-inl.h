@@ -19,6 +19,7 @@
 #include "core/scan/half_space-inl.h"
 #include "core/scan/pattern-inl.h"
 #include "core/shade/fragment-inl.h"
+#include "core/shade/shade-inl.h"
 #include "core/sweep/enter_edges-inl.h"
 #include "core/sweep/intervals-inl.h"
 #include "core/sweep/sweep-inl.h"
@@ -30,9 +31,10 @@ namespace zscope::HWY_NAMESPACE {
 
 /// What a pass over the triangles is for.
 struct Pass {
-    Keep          keep    = Keep::Nearest;
-    ShadingMoment shading = ShadingMoment::Never;
-    Pyramid*      tiles   = nullptr;  // compared before their fragments; nullptr: no tile is
+    Keep          keep           = Keep::Nearest;
+    ShadingMoment shading        = ShadingMoment::Never;
+    Pyramid*      tiles          = nullptr;  // compared before their fragments; nullptr: no tile is
+    bool          isAfterPrepass = false;    // only fragments with the depths that were left win
 };
 
 /// Turns each triangle of a batch into pixels as soon as it is set up, unless the pyramid says it is hidden.
@@ -65,19 +67,21 @@ private:
     {
         const auto unshaded = [](std::uint32_t) { return UnshadedFragments(); };
         if (pass.keep == Keep::DepthOnly) return convert<Keep::DepthOnly>(triangles, unshaded, depths);
-        if (pass.shading == ShadingMoment::Never)
-            return pass.keep == Keep::Equal ? convert<Keep::Equal>(triangles, unshaded, depths)
-                                            : convert<Keep::Nearest>(triangles, unshaded, depths);
+        if (pass.shading == ShadingMoment::Never) return convert<Keep::Nearest>(triangles, unshaded, depths);
 
         const Shading shading{*stripe.painter, stripe.visible, scratch.fragments, scratch.tally};
-        const auto early = [&](std::uint32_t rank) { return QueuedFragments<ShadingMoment::AfterTest>(shading, rank); };
-        const auto late = [&](std::uint32_t rank) { return QueuedFragments<ShadingMoment::BeforeTest>(shading, rank); };
-        const DrawnTriangles all = pass.keep == Keep::Equal ? convert<Keep::Equal>(triangles, early, depths)
-                                   : pass.shading == ShadingMoment::BeforeTest
-                                       ? convert<Keep::Nearest>(triangles, late, depths)
-                                       : convert<Keep::Nearest>(triangles, early, depths);
+        if (shading.painter.operations == 0) return shadeBy<FreeFragmentsOf>(shading, triangles, depths);
+        const DrawnTriangles all = shadeBy<QueuedFragmentsOf>(shading, triangles, depths);
         shading.flush();
         return all;
+    }
+
+    template <template <ShadingMoment> class FragmentsOf, class Rules>
+    DrawnTriangles shadeBy(const Shading& shading, TriangleList& triangles, const Rules& depths) const
+    {
+        if (pass.shading == ShadingMoment::BeforeTest)
+            return convert<Keep::Nearest>(triangles, FragmentsOf<ShadingMoment::BeforeTest>{shading}, depths);
+        return convert<Keep::Nearest>(triangles, FragmentsOf<ShadingMoment::AfterTest>{shading}, depths);
     }
 
     /// fragmentsOf(rank): what becomes of a triangle's fragments besides their test (core/scan/fragments.h).
@@ -93,7 +97,7 @@ private:
             for (std::size_t i = 0; i < triangles.count; ++i)
                 if (isWorthAsking(triangles, i)) dropIfHidden(triangles, i, all);
 
-        if (drawsWindows() && !needsEachAtOnce() && (!asksInTurn || asksOfAskedNodes())) {
+        if (drawsWindows() && !needsEachAtOnce() && (!asksInTurn || asksOfAskedNodes() || pass.isAfterPrepass)) {
             drawTogether<kKeep>(triangles, asksInTurn, fragmentsOf, depths, all);
             all.drawn = static_cast<std::uint32_t>(triangles.count) - all.hidden;
             return all;
@@ -147,13 +151,22 @@ private:
     }
 
     /// Of the compact triangles those are dropped that all the tiles under their boxes hide. Of a batch all are asked
-    /// about before any is drawn, so that a stale tile is brought up to date once.
+    /// about before any is drawn, so that a stale tile is brought up to date once; or none, where most of a batch is
+    /// seldom hidden: a look at a tile takes as long as the pixels of some triangles.
     template <class Rules>
     void dropHiddenInTiles(TriangleList& triangles, const Rules& depths) const
     {
-        for (std::size_t i = 0; i < triangles.count; ++i)
-            if (!triangles.isAlone(i) && areTilesHiding(triangles.box(i), depths.stored(triangles.nearest[i])))
-                triangles.kind[i] |= TriangleList::kHidden;
+        const bool samples = stripe.shortcuts.has(Shortcut::SkippedQuestions);
+        if (samples && !scratch.questions.isWorthIt()) return;
+        std::size_t asked = 0, hidden = 0;
+        for (std::size_t i = 0; i < triangles.count; ++i) {
+            if (triangles.isAlone(i)) continue;
+            ++asked;
+            if (!areTilesHiding(triangles.box(i), depths.stored(triangles.nearest[i]))) continue;
+            triangles.kind[i] |= TriangleList::kHidden;
+            ++hidden;
+        }
+        scratch.questions.answered(2 * hidden > asked);
     }
 
     bool areTilesHiding(const PixelBox& box, float nearest) const
@@ -222,14 +235,19 @@ private:
     template <Keep kKeep, class Fragments, class Rules>
     void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Rules& depths) const
     {
-        const bool       waits = occlusion.afterDrawing == AfterDrawing::MarkStale && !pass.tiles;
-        const TileUpkeep upkeep{
-            waits ? occlusion.pyramid : nullptr,
-            stripe.shortcuts.has(Shortcut::TilePlanes) && (waits || occlusion.afterDrawing == AfterDrawing::Nothing),
-            stripe.shortcuts};
+        Pyramid* const waiting = markedStale();
+        // Fragments that wait to be shaded look up who holds their pixel; late ones are shaded even if they are hidden.
+        const bool allWait =
+            Fragments::kMoment != ShadingMoment::Never && stripe.painter->operations >= Shading::kWorthWaiting;
+        ShortcutSet shortcuts = stripe.shortcuts;
+        if constexpr (Fragments::kMoment == ShadingMoment::BeforeTest) shortcuts.remove(Shortcut::StoredTiles);
+        const TileUpkeep upkeep{waiting,
+                                !allWait && shortcuts.has(Shortcut::TilePlanes)
+                                    && (waiting || occlusion.afterDrawing == AfterDrawing::Nothing),
+                                shortcuts};
         if constexpr (std::is_same_v<Scan, HalfSpace>) {
             if constexpr (kKeep == Keep::Nearest) {
-                if (pass.tiles)
+                if (pass.tiles && !shortcuts.has(Shortcut::StoredTiles))
                     return HalfSpace::fillByTiles<kKeep>(triangle, *pass.tiles, Untold{}, fragments, stripe.visible,
                                                          depths);
             }
@@ -245,7 +263,11 @@ private:
     /// more than the pixels that it could save.
     bool asksOfAskedNodes() const { return occlusion.asksNodes && occlusion.afterDrawing == AfterDrawing::MarkStale; }
 
-    bool skipsQuestions() const { return asksOfAskedNodes() && stripe.shortcuts.has(Shortcut::SkippedQuestions); }
+    /// After a pre-pass the pixels that a question could save are only compared for equality, nearly for nothing.
+    bool skipsQuestions() const
+    {
+        return (asksOfAskedNodes() || pass.isAfterPrepass) && stripe.shortcuts.has(Shortcut::SkippedQuestions);
+    }
 
     /// Whether any of a batch is asked about; if so, isWorthAsking() says which.
     bool asksTriangles(const TriangleList& triangles) const
@@ -258,13 +280,16 @@ private:
 
     bool isWorthAsking(const TriangleList& triangles, std::size_t i) const
     {
-        return !skipsQuestions() || !triangles.is(TriangleList::kCompact, i)
-               || triangles.box(i).area() >= kWorthAskingOne;
+        if (!skipsQuestions()) return true;
+        if (triangles.is(TriangleList::kCompact, i) && triangles.box(i).area() < kWorthAskingOne) return false;
+        return !pass.isAfterPrepass || scratch.questions.isWorthIt();
     }
 
     void dropIfHidden(TriangleList& triangles, std::size_t i, DrawnTriangles& all) const
     {
-        if (!isHidden(triangles, i)) return;
+        const bool hidden = isHidden(triangles, i);
+        if (pass.isAfterPrepass) scratch.questions.answered(hidden);
+        if (!hidden) return;
         triangles.kind[i] |= TriangleList::kHidden;
         ++all.hidden;
         all.hiddenPixels += triangles.box(i).area();
@@ -365,9 +390,10 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                             : pipeline.depth == DepthMoment::Late ? ShadingMoment::BeforeTest
                                                                   : ShadingMoment::AfterTest;
 
+    scratch.questions = SampledQuestions();
     scratch.pyramid.readTilesBy(leastKeyOfTile);
     stripe.visible.emptyRows(stripe.firstRow, stripe.endRow);  // the last picture is forgotten
-    if (stripe.painter) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
+    if (stripe.painter && !stripe.painter->painted.data) clearColours(*stripe.painter, stripe.firstRow, stripe.endRow);
     const bool asksLast  = pipeline.coherence == Coherence::LastPyramid;
     const bool mayLook   = mayAskPixels(pipeline, shading, rules) && std::is_same_v<Scan, HalfSpace>;
     const bool continues = asksLast && scratch.pyramid.continues(stripe.visible, stripe.firstRow, stripe.endRow);
@@ -393,10 +419,10 @@ void drawStream(const Pipeline& pipeline, const Stripe& stripe, StripeScratch& s
                               .asksByShape   = pipeline.query == TriangleQuery::Triangle,
                               .asksPixels    = mayLook && stripe.shortcuts.has(Shortcut::HiddenSquares),
                               .afterDrawing  = asksLast ? AfterDrawing::Nothing : afterDrawing(pipeline)};
-    const Pass      pass{.keep    = hasPrepass ? Keep::Equal : Keep::Nearest,
-                         .shading = shading,
-                         .tiles   = hasTiles ? &scratch.pyramid : nullptr};
+    const Pass pass{.shading = shading, .tiles = hasTiles ? &scratch.pyramid : nullptr, .isAfterPrepass = hasPrepass};
     drawPass<Scan>(pipeline, pass, stripe, scratch, occlusion, clock, rules);
+    if (stripe.painter && stripe.painter->painted.data)
+        colourUnopened(*stripe.painter, stripe.visible, stripe.firstRow, stripe.endRow);
     if (asksLast) {
         scratch.pyramid.reset(stripe.visible, stripe.firstRow, stripe.endRow);
         scratch.pyramid.complete();

@@ -9,8 +9,8 @@
 #include "core/base/memory.h"
 #include "core/base/thread_count.h"
 #include "core/frame/auto_choice.h"
-#include "core/frame/shortcuts.h"
 #include "core/frame/methods.h"
+#include "core/frame/shortcuts.h"
 #include "core/geometry/face_batches.h"
 
 namespace zscope {
@@ -233,7 +233,8 @@ bool drawsPatchedBatches(const DrawRequest& request)
 
 bool isPlain(const DrawRequest& request)
 {
-    return !request.shortcuts.has(Shortcut::Lanes) || !whyPlain(request.pipeline).empty();
+    return !request.shortcuts.has(Shortcut::Lanes) || resolved(request.simd) == Simd::Scalar
+           || !whyPlain(request.pipeline).empty();
 }
 
 DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& visible)
@@ -242,11 +243,9 @@ DepthEncoding encodingOf(const DrawRequest& request, const VisibilityBuffer& vis
     const DepthEncoding plain(request.pipeline.approximation.format, camera.near, camera.far);
     if (isPlain(request) || !request.shortcuts.has(Shortcut::StackedDepths)) return plain;
     // Faces and reliefs know depths of one scale only, a pyramid that is kept for the next frame holds those of this
-    // one, what is blended is compared with what memory holds, and a fragment that is shaded where it wins must not win
-    // over less than the background.
+    // one, and what is blended is compared with what memory holds.
     const bool isOne = drawsFaces(request.pipeline) || patternedTrianglesOf(*request.scene).any()
-                       || request.pipeline.coherence == Coherence::LastPyramid || toBeBlended(request)
-                       || (request.shade && shadesFragments(request.pipeline.depth));
+                       || request.pipeline.coherence == Coherence::LastPyramid || toBeBlended(request);
     const LaneRules rules(request.pipeline.approximation, camera);
     if (isOne || !rules.hasExactDepths() || rules.usesFloat32Vertices()) return plain;
     return plain.empty >= std::numeric_limits<float>::min() && isFarFromLimits(camera, request.scene->scene().bounds)

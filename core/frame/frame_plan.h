@@ -33,7 +33,7 @@ StageReason reasonFor(Stage stage, const DrawRequest& request);
 /// Whether the frame, at full speed, draws batches that stand patch by patch (PatchedBatches).
 bool drawsPatchedBatches(const DrawRequest& request);
 
-/// Whether the frame is drawn by the plain text of core/method and core/plain.
+/// Whether the frame is drawn by the plain text of core/method and core/plain: so it is with one lane.
 bool isPlain(const DrawRequest& request);
 
 /// How the frame's depths are stored at full speed: where nothing but the triangles' own depths is compared, above the

@@ -3,12 +3,12 @@
 #include <optional>
 
 #include "core/base/memory.h"
-#include "core/frame/blend.h"
 #include "core/frame/frame_events.h"
 #include "core/frame/frame_plan.h"
 #include "core/frame/kernels.h"
 #include "core/frame/plain_stripe.h"
 #include "core/geometry/displacement.h"
+#include "core/plain/shading.h"
 #include "core/plain/work.h"
 
 namespace zscope {
@@ -27,7 +27,12 @@ Painter painterOf(const DrawRequest& request, Frame& frame)
 
 void shadePicture(const DrawRequest& request, Frame& frame)
 {
-    kernelsOf(resolved(Simd::Auto)).shadeRows(painterOf(request, frame), frame.visible, 0, request.camera.height);
+    const Painter painter = painterOf(request, frame);
+    Tally         uncounted;
+    if (const Kernels* kernels = kernelsOf(resolved(Simd::Auto)))
+        kernels->shadeRows(painter, frame.visible, 0, request.camera.height);
+    else
+        plain::shadeLines(painter, frame.visible, 0, request.camera.height, uncounted);
 }
 
 void drawObserved(const DrawRequest& asked, Frame& frame, plain::Scratch& scratch, Observer& observer,

@@ -11,7 +11,6 @@
 
 #include "core/base/memory.h"
 #include "core/frame/auto_choice.h"
-#include "core/frame/blend.h"
 #include "core/frame/frame_plan.h"
 #include "core/frame/kernels.h"
 #include "core/frame/observed_run.h"
@@ -188,24 +187,24 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
 
     const Clock::time_point    start   = Clock::now();
     const Camera&              camera  = request.camera;
-    const Kernels&             kernels = kernelsOf(plan->simd);
+    const Kernels*             kernels = kernelsOf(plan->simd);
     const bool                 isPlain = zscope::isPlain(request);
     const ChosenRules          rules(request.pipeline.approximation, request.pipeline.fault, camera);
     const LaneRules            laneRules(request.pipeline.approximation, camera);  // of what is not plain
     std::vector<StageMs>       stageMs(static_cast<std::size_t>(plan->threads));
     std::vector<double>        stripeMs(static_cast<std::size_t>(plan->threads));
     std::vector<Tally>         tallies(static_cast<std::size_t>(plan->threads));
-    std::atomic<bool>          outOfMemory   = false;
-    const ColourTable*         colours       = nullptr;
-    bool                       shadesByTiles = false;
-    const TransparentSurfaces* transparent   = nullptr;
-    const PatchedBatches*      patched       = nullptr;
-    double                     builtMs       = 0;
-    const ChosenRules          blendRules    = rulesOfBlending(request);
+    std::atomic<bool>          outOfMemory  = false;
+    const ColourTable*         colours      = nullptr;
+    bool                       knowsPainted = false;  // which tiles have colours
+    const TransparentSurfaces* transparent  = nullptr;
+    const PatchedBatches*      patched      = nullptr;
+    double                     builtMs      = 0;
+    const ChosenRules          blendRules   = rulesOfBlending(request);
     DepthEncoding              encoding;
     try {
-        transparent   = toBeBlended(request);
-        shadesByTiles = !transparent && !shadesFragments(request.pipeline.depth);
+        transparent  = toBeBlended(request);
+        knowsPainted = !transparent && !isPlain;
         if (request.shade) colours = &coloursOf(*request.scene);
         const Clock::time_point asked = Clock::now();
         if (drawsPatchedBatches(request)) patched = &patchedBatchesOf(*request.scene);
@@ -218,8 +217,8 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
             frame.colour.reset(camera.width, camera.height);
             frame.painted.reset(frame.visible.tileColumns(), frame.visible.tileRows(), 1);
         }
-        // Who shades early or blends colours pixels whatever tile they lie in.
-        if (!shadesByTiles || isPlain) std::ranges::fill(frame.painted.values(), std::uint8_t{1});
+        // Who blends colours pixels whatever tile they lie in.
+        if (!knowsPainted) std::ranges::fill(frame.painted.values(), std::uint8_t{1});
         if (isPlain) m_workspace->plain.resize(std::max(m_workspace->plain.size(), stageMs.size()));
         m_workspace->scratch.resize(std::max(m_workspace->scratch.size(), stageMs.size()));
         for (StripeScratch& scratch : m_workspace->scratch) scratch.memory.allowWholeNodes();
@@ -238,11 +237,12 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     if (colours)
         painter.emplace(Painter{request.scene->scene(), *colours, frame.colour.view(),
                                 operationsOf(request.pipeline.cost),
-                                shadesByTiles ? frame.painted.view() : GridView<std::uint8_t>{}});
+                                knowsPainted ? frame.painted.view() : GridView<std::uint8_t>{}});
     const bool defers = painter && !shadesFragments(request.pipeline.depth);
     // A picture that is asked for by its colours leaves planes planes: depths and triangles are told when somebody asks
     // for them.
-    const bool needsPixels = !defers || painter->operations != 0 || transparent;
+    const bool needsPixels = !painter || (defers && painter->operations != 0) || transparent;
+    if (knowsPainted && painter && !defers) frame.visible.colourOpened(frame.colour.view(), kBackgroundColour);
     m_workspace->borders.prepare(camera.height, plan->threads);
 
 #pragma omp parallel for num_threads(plan->threads) schedule(static, 1)
@@ -263,30 +263,31 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
                             effectiveMemoryLimit(request.memoryLimit) / static_cast<std::uint64_t>(plan->threads),
                             request.shortcuts};
         try {
-            m_workspace->scratch[index].tally = {};
+            StripeScratch& scratch = m_workspace->scratch[index];
+            scratch.tally          = {};
             if (isPlain) {
                 plain::Work work{stripe, rules, m_workspace->plain[index], clock, tally};
                 drawPlainly(request.pipeline, work);
+                clock.lap(Stage::Raster);
+                if (defers) plain::shadeLines(*painter, frame.visible, first, end, tally);
+                clock.lap(defers ? Stage::Shade : Stage::Other);
+                if (transparent) {
+                    plain::Work blending{stripe, blendRules, m_workspace->plain[index], clock, tally};
+                    blendPlainly(*transparent, *colours, request.pipeline.transparency, blending, frame.colour.view());
+                }
             } else {
-                kernels.drawStripe(request.pipeline, laneRules, stripe, m_workspace->scratch[index], clock);
-            }
-            if (needsPixels && !isPlain) kernels.storePlanes(frame.visible, first, end);
-            clock.lap(Stage::Raster);
-            if (defers && isPlain)
-                plain::shadeLines(*painter, frame.visible, first, end, tally);
-            else if (defers)
-                kernels.shadeRows(*painter, frame.visible, first, end);
-            if (defers && !isPlain)
-                tally.add(Unit::PicturePixels,
-                          static_cast<std::uint64_t>(end - first) * static_cast<std::uint64_t>(frame.visible.width()));
-            if (transparent && isPlain) {
+                kernels->drawStripe(request.pipeline, laneRules, stripe, scratch, clock);
+                if (needsPixels) kernels->storePlanes(frame.visible, first, end);
+                clock.lap(Stage::Raster);
+                if (defers) {
+                    kernels->shadeRows(*painter, frame.visible, first, end);
+                    tally.add(Unit::PicturePixels, static_cast<std::uint64_t>(end - first)
+                                                       * static_cast<std::uint64_t>(frame.visible.width()));
+                }
                 clock.lap(defers ? Stage::Shade : Stage::Other);
-                plain::Work work{stripe, blendRules, m_workspace->plain[index], clock, tally};
-                blendPlainly(*transparent, *colours, request.pipeline.transparency, work, frame.colour.view());
-            } else if (transparent) {
-                clock.lap(defers ? Stage::Shade : Stage::Other);
-                blendStripe(*transparent, *colours, request.pipeline.transparency, laneRules, stripe,
-                            m_workspace->scratch[index], clock, frame.colour.view());
+                if (transparent)
+                    kernels->blendStripe(*transparent, *colours, request.pipeline.transparency, laneRules, stripe,
+                                         scratch, clock, frame.colour.view());
             }
         } catch (const std::bad_alloc&) {
             outOfMemory = true;
@@ -296,8 +297,12 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
         stageMs[index]  = clock.ms();
         stripeMs[index] = msSince(stripeStart);
     }
+    frame.visible.colourOpened({}, 0);
     const bool isCancelled = request.cancel && request.cancel->load();
-    if (isCancelled || outOfMemory) giveBackLarge(m_workspace->scratch);
+    if (isCancelled || outOfMemory) {
+        giveBackLarge(m_workspace->scratch);
+        std::ranges::fill(frame.painted.values(), std::uint8_t{1});  // some tiles have colours that were not noted
+    }
     if (isCancelled) return Error{Trouble::Cancelled, "the frame was cancelled"};
     if (outOfMemory)
         return Error{Trouble::Limit, "drawing this scene with " + nameOf(request.pipeline)
@@ -310,7 +315,7 @@ Result<FrameReport> Renderer::drawComposed(const DrawRequest& request, Frame& fr
     report.stages    = stageTimes(request, stageMs, builtMs, report.frameMs);
     report.threads   = plan->threads;
     report.simd      = plan->simd;
-    report.shortcuts = request.shortcuts;
+    report.shortcuts = plan->simd == Simd::Scalar ? ShortcutSet() : request.shortcuts;
     report.pipeline  = request.pipeline;
     for (const Tally& each : tallies) report.tally.add(each);
     std::uint64_t scratchBytes = 0;

@@ -42,17 +42,9 @@ Reason ofTriangles(const Pipeline& pipeline)
     return {};
 }
 
-Reason ofUnshadedTriangles(const Pipeline& pipeline)
-{
-    if (const Reason why = ofTriangles(pipeline); !why.empty()) return why;
-    if (shadesFragments(pipeline.depth) && pipeline.depth != DepthMoment::Prepass)
-        return "fragments are shaded as they come, so each of them is looked at by itself";
-    return {};
-}
-
 Reason ofPlanes(const Pipeline& pipeline)
 {
-    if (const Reason why = ofUnshadedTriangles(pipeline); !why.empty()) return why;
+    if (const Reason why = ofTriangles(pipeline); !why.empty()) return why;
     if (pipeline.depth == DepthMoment::Prepass) return "after a pre-pass the depth of every pixel is read";
     if (hasOtherDepths(pipeline)) return "planes stand for depths by the definition only";
     if (pipeline.upkeep != Upkeep::None && pipeline.upkeep != Upkeep::OnQuery)
@@ -66,8 +58,6 @@ Reason ofStacking(const Pipeline& pipeline)
         return "only depths by the definition may be scaled by a power of two without losing a bit";
     if (drawsFaces(pipeline)) return "whole faces know depths of one scale only";
     if (pipeline.coherence == Coherence::LastPyramid) return "the last frame's pyramid holds depths of its own scale";
-    if (shadesFragments(pipeline.depth))
-        return "a fragment that is shaded where it wins must not win over less than the background";
     return {};
 }
 
@@ -86,7 +76,9 @@ Reason ofSubmitted(const Pipeline& pipeline)
 Reason ofStoredTiles(const Pipeline& pipeline)
 {
     if (const Reason why = ofTriangles(pipeline); !why.empty()) return why;
-    if (pipeline.upkeep != Upkeep::OnQuery) return "no pyramid waits for a question";
+    if (pipeline.depth == DepthMoment::Late) return "every covered fragment is shaded, so none may be left out";
+    if (pipeline.upkeep != Upkeep::OnQuery && pipeline.depth != DepthMoment::ZCull)
+        return "no pyramid waits for a question";
     return {};
 }
 
@@ -102,6 +94,13 @@ Reason ofNodeQuestions(const Pipeline& pipeline)
     if (!asksNodes(pipeline.cull)) return "the method does not ask the pyramid about nodes";
     if (dependsOnVisit(pipeline)) return "the picture depends on what is asked about nodes";
     return {};
+}
+
+Reason ofQuestions(const Pipeline& pipeline)
+{
+    if (pipeline.upkeep == Upkeep::AfterPrepass && asksTriangles(pipeline.cull)) return {};
+    if (pipeline.depth == DepthMoment::ZCull) return {};
+    return ofNodeQuestions(pipeline);
 }
 
 Reason ofBalls(const Pipeline& pipeline)
@@ -135,7 +134,7 @@ constexpr std::array kShortcuts{
     ShortcutEntry{"windows", "Small triangles of a batch together, in windows of 4 by 4 pixels",
                   ShortcutKind::Replacement, "each triangle by itself, over its box", kLanes, ofTriangles},
     ShortcutEntry{"large-triangles", "Which tiles a large triangle has pixels of first, then tile after tile",
-                  ShortcutKind::Replacement, "each tile of a triangle's box in turn", kLanes, ofUnshadedTriangles},
+                  ShortcutKind::Replacement, "each tile of a triangle's box in turn", kLanes, ofTriangles},
     ShortcutEntry{"wide-tiles", "Triangles beyond the guard band tile by tile, with edges in 128 bits",
                   ShortcutKind::Replacement, "walking along their edges", kLanes, ofTriangles},
     ShortcutEntry{"tile-planes", "A tile that one triangle covers is kept as that triangle's plane",
@@ -161,7 +160,7 @@ constexpr std::array kShortcuts{
     ShortcutEntry{"node-balls", "A node reaches no farther than a ball around it", ShortcutKind::Filter,
                   "the rectangle of the node's box", kLanes, ofBalls},
     ShortcutEntry{"skipped-questions", "Questions that are seldom answered with \"hidden\" are mostly left out",
-                  ShortcutKind::Order, "a question about each node and triangle", kLanes, ofNodeQuestions},
+                  ShortcutKind::Order, "a question about each node, triangle and tile", kLanes, ofQuestions},
     ShortcutEntry{"nearest-node", "From within a tree's box the nearest of all nodes that wait is next",
                   ShortcutKind::Order, "branch after branch, nearer children first", kLanes, ofNodes},
     ShortcutEntry{"whole-nodes", "Small nodes are drawn with everything below them, not divided", ShortcutKind::Order,

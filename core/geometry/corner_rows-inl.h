@@ -33,9 +33,7 @@ HWY_INLINE CornerColumns cornersAt(const ScreenVertices& vertices, const std::ui
     const auto                    row = [&](int i) {
         return vertices.rows.data() + ScreenVertices::kRow * (isUpper ? pairs[i] >> 16 : pairs[i] & 0xFFFF);
     };
-#if HWY_TARGET == HWY_SCALAR
-    return {hn::LoadU(d64, row(0)), hn::LoadU(d64, row(0) + 1), hn::LoadU(d64, row(0) + 2)};
-#elif HWY_TARGET == HWY_AVX3
+#if HWY_TARGET == HWY_AVX3
     // Two rows per vector, four vertices apart, so that x and d of neighbours meet in the blocks of 128 bits where they
     // belong.
     const hn::Half<decltype(d64)> half;
@@ -66,14 +64,10 @@ HWY_INLINE CornerColumns cornersAt(const ScreenVertices& vertices, const std::ui
 template <class D>
 HWY_INLINE hn::Vec<D> snappedAt(D d, const ScreenVertices& vertices, const std::uint16_t* places)
 {
-#if HWY_TARGET == HWY_SCALAR
-    return hn::Set(d, static_cast<hn::TFromD<D>>(vertices.snapped(*places)));
-#else
     const double* const last = vertices.rows.data() + ScreenVertices::kRow - 1;
     return loadLanes(d, [last, places](std::size_t i) {
         return reinterpret_cast<const hn::TFromD<D>*>(last + ScreenVertices::kRow * std::size_t{places[i]});
     });
-#endif
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -41,30 +41,6 @@ HWY_INLINE V upperHalf(V both)
     return hn::ShiftRight<16>(both);
 }
 
-#if HWY_TARGET == HWY_SCALAR
-/// of(a, b), half by half.
-template <class V, class Of>
-HWY_INLINE V halfByHalf(V a, V b, const Of& of)
-{
-    const std::int32_t x = hn::GetLane(a), y = hn::GetLane(b);
-    return hn::Set(hn::DFromV<V>(), pixelsAndLines(of(pixelsOf(x), pixelsOf(y)), of(linesOf(x), linesOf(y))));
-}
-template <class V>
-HWY_INLINE V minusHalves(V a, V b)
-{
-    return halfByHalf(a, b, [](int x, int y) { return x - y; });
-}
-template <class V>
-HWY_INLINE V leastHalves(V a, V b)
-{
-    return halfByHalf(a, b, [](int x, int y) { return HWY_MIN(x, y); });
-}
-template <class V>
-HWY_INLINE V mostHalves(V a, V b)
-{
-    return halfByHalf(a, b, [](int x, int y) { return HWY_MAX(x, y); });
-}
-#else
 template <class V>
 using Halves = hn::Repartition<std::int16_t, hn::DFromV<V>>;
 template <class V>
@@ -82,17 +58,12 @@ HWY_INLINE V mostHalves(V a, V b)
 {
     return hn::BitCast(hn::DFromV<V>(), hn::Max(hn::BitCast(Halves<V>(), a), hn::BitCast(Halves<V>(), b)));
 }
-#endif
 
 /// a + b, half by half.
 template <class V>
 HWY_INLINE V plusHalves(V a, V b)
 {
-#if HWY_TARGET == HWY_SCALAR
-    return halfByHalf(a, b, [](int x, int y) { return x + y; });
-#else
     return hn::BitCast(hn::DFromV<V>(), hn::BitCast(Halves<V>(), a) + hn::BitCast(Halves<V>(), b));
-#endif
 }
 
 /// The steps of the edge that runs that way: it grows to the right by as much as it falls, down by as much as it runs
@@ -101,33 +72,23 @@ template <class V>
 HWY_INLINE V acrossEdge(V way)
 {
     const hn::DFromV<V> d;
-#if HWY_TARGET == HWY_SCALAR
-    const std::int32_t w = hn::GetLane(way);
-    return hn::Set(d, pixelsAndLines(-linesOf(w), pixelsOf(w)));
-#else
     // The lower half's complement, and one more.
     const auto lower = hn::Set(d, 0xFFFF);
     return minusHalves(
         hn::Xor(hn::BitCast(d, hn::RotateRight<16>(hn::BitCast(hn::RebindToUnsigned<decltype(d)>(), way))), lower),
         lower);
-#endif
 }
 
 /// By how much an edge grows over `way`.
 template <class V>
 HWY_INLINE V growth(V steps, V way)
 {
-    const hn::DFromV<V> d;
-#if HWY_TARGET == HWY_SCALAR
-    const std::int32_t s = hn::GetLane(steps), w = hn::GetLane(way);
-    return hn::Set(d, pixelsOf(s) * pixelsOf(w) + linesOf(s) * linesOf(w));
-#else
+    const hn::DFromV<V>                              d;
     const hn::Repartition<std::int16_t, decltype(d)> i16;
     auto                                             rest = hn::Zero(d);
     const auto                                       sums =
         hn::ReorderWidenMulAccumulate(d, hn::BitCast(i16, steps), hn::BitCast(i16, way), hn::Zero(d), rest);
     return hn::RearrangeToOddPlusEven(sums, rest);
-#endif
 }
 template <class V>
 HWY_INLINE V growth(V steps, int pixels, int lines)
@@ -139,14 +100,9 @@ HWY_INLINE V growth(V steps, int pixels, int lines)
 template <class V>
 HWY_INLINE V upwards(V steps)
 {
-    const hn::DFromV<V> d;
-#if HWY_TARGET == HWY_SCALAR
-    const std::int32_t s = hn::GetLane(steps);
-    return hn::Set(d, pixelsAndLines(HWY_MAX(pixelsOf(s), 0), HWY_MAX(linesOf(s), 0)));
-#else
+    const hn::DFromV<V>                              d;
     const hn::Repartition<std::int16_t, decltype(d)> i16;
     return hn::BitCast(d, hn::Max(hn::BitCast(i16, steps), hn::Zero(i16)));
-#endif
 }
 
 }  // namespace zscope::HWY_NAMESPACE

@@ -19,14 +19,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class D, class AddressOf>
 HWY_INLINE hn::Vec<D> loadLanes(D d, const AddressOf& addressOf, std::size_t first = 0)
 {
-#if HWY_TARGET != HWY_SCALAR
     if constexpr (hn::MaxLanes(d) > 1) {
         const hn::Half<D> half;
         return hn::Combine(d, loadLanes(half, addressOf, first + hn::MaxLanes(half)),
                            loadLanes(half, addressOf, first));
-    } else
-#endif
+    } else {
         return hn::LoadU(d, addressOf(first));
+    }
 }
 
 }  // namespace zscope::HWY_NAMESPACE

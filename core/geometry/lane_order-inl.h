@@ -35,7 +35,7 @@ inline constexpr auto kSetBits = [] {
 template <class D>
 HWY_INLINE hn::Vec<D> keptFirst(D d, hn::Mask<D> kept)
 {
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_AVX3
     return hn::Compress(hn::Iota(d, 0), kept);
 #else
     static_assert(hn::MaxLanes(d) <= 8);

@@ -133,16 +133,12 @@ private:
     std::pair<V, V> positions(std::size_t k, std::uint32_t t) const
     {
         const hn::ScalableTag<std::uint64_t> u64;
-        const auto                           first = snappedAt(u64, m_vertices, corners(k, t));
-#if HWY_TARGET == HWY_SCALAR
-        return {all(ScreenVertices::xOf(hn::GetLane(first))), all(ScreenVertices::yOf(hn::GetLane(first)))};
-#else
-        const auto second = snappedAt(u64, m_vertices, corners(k, t) + hn::MaxLanes(u64));
+        const auto                           first  = snappedAt(u64, m_vertices, corners(k, t));
+        const auto                           second = snappedAt(u64, m_vertices, corners(k, t) + hn::MaxLanes(u64));
         const auto lower  = hn::ConcatEven(D(), hn::BitCast(D(), second), hn::BitCast(D(), first));
         const auto upper  = hn::ConcatOdd(D(), hn::BitCast(D(), second), hn::BitCast(D(), first));
         const auto lowerY = hn::BitCast(D(), hn::ShiftRight<16>(hn::BitCast(hn::RebindToUnsigned<D>(), lower)));
         return {inHalves(lower, upper), hn::Or(lowerY, hn::And(upper, all(-0x10000)))};
-#endif
     }
 
     /// The triangles from t on, as far as they come before `end`.

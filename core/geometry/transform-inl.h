@@ -31,17 +31,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class V>
 HWY_INLINE V snappedBits(V x, V y)
 {
-    const hn::DFromV<V> u64;
-#if HWY_TARGET == HWY_SCALAR
-    return hn::Set(u64, ScreenVertices::snappedBits(static_cast<std::int32_t>(hn::GetLane(x)),
-                                                    static_cast<std::int32_t>(hn::GetLane(y))));
-#else
+    const hn::DFromV<V>                                     u64;
     const hn::Repartition<std::uint8_t, decltype(u64)>      u8;
     HWY_ALIGN static constexpr std::array<std::uint8_t, 16> kPlaces{0, 1, 4,  5,  2,  3,  6,  7,
                                                                     8, 9, 12, 13, 10, 11, 14, 15};
     const auto both = hn::OrAnd(hn::ShiftLeft<32>(y), x, hn::Set(u64, 0xFFFFFFFF));
     return hn::BitCast(u64, hn::TableLookupBytes(hn::BitCast(u8, both), hn::LoadDup128(u8, kPlaces.data())));
-#endif
 }
 
 /// The least and the most of snapped positions, lane by lane.

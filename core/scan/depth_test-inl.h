@@ -108,55 +108,39 @@ private:
     const Rules& m_rules;
 };
 
-/// The lower half of the keys of fragments: the triangle, or nobody if only depths are kept.
+/// The lower half of the keys of fragments: the triangle; if only depths are kept, less than that of any triangle, so
+/// that after a pre-pass the usual test is won by whoever has the depth that was left, the lowest rank of them.
 template <Keep kKeep>
 constexpr PixelKey lowerHalf(std::uint32_t rank)
 {
-    return keyOf(0, kKeep == Keep::DepthOnly ? 0 : rank);
-}
-
-/// Pixels that no triangle has claimed: rank 0.
-inline hn::Mask<I64> isNobodys(Keys held)
-{
-    const auto lower = hn::Set(I64(), 0xFFFFFFFF);
-    return hn::And(held, lower) == lower;
+    return kKeep == Keep::DepthOnly ? 0 : keyOf(0, rank);
 }
 
 /// A mask of colours from one of keys.
 inline hn::Mask<U32> narrowed(hn::Mask<I64> mask)
 {
+#if HWY_TARGET == HWY_AVX3
+    return hn::Mask<U32>::FromBits(mask.raw);
+#else
     const hn::Rebind<std::uint64_t, F64> u64;
     return hn::MaskFromVec(hn::TruncateTo(U32(), hn::BitCast(u64, hn::VecFromMask(I64(), mask))));
+#endif
 }
 
-/// The lanes whose fragment takes the pixel from who holds it. `empty` is the depth of background.
-template <Keep kKeep>
+/// The lanes whose fragment takes the pixel from who holds it. `empty` is the depth of background. `kShades`: who wins
+/// is shaded at once, and so must be nearer than background: what the last picture left is farther (StackedDepths).
+template <bool kShades>
 HWY_INLINE hn::Mask<I64> winners(Keys offered, Keys held, [[maybe_unused]] float empty)
 {
-    if constexpr (kKeep != Keep::Equal) return offered > held;
-    // After a pre-pass: of those with the depth that it left, the lowest rank. A depth that the far test dropped equals
-    // background's.
-    const auto sameDepth = hn::AndNot(hn::Set(I64(), 0xFFFFFFFF), hn::Xor(offered, held)) == hn::Zero(I64());
-    const auto better    = hn::Or(offered > held, isNobodys(held));
-    return hn::And(hn::And(sameDepth, better), offered > hn::Set(I64(), keyOf(empty, 0)));
-}
-
-/// What the pixel holds after the fragment was offered. `kNormal` as in DepthTest. A depth whose sign is negative wins
-/// nowhere.
-template <Keep kKeep, bool kNormal>
-HWY_INLINE Keys keptOf(Keys offered, Keys held, [[maybe_unused]] float empty)
-{
-    if constexpr (kKeep != Keep::Equal)
-        return nearerOf<kNormal>(offered, held);
-    else
-        return hn::IfThenElse(winners<kKeep>(offered, held, empty), offered, held);
+    if constexpr (kShades) return hn::And(offered > held, offered > hn::Set(I64(), keyOf(empty, 0)));
+    return offered > held;
 }
 
 /// The depth test of one triangle. `column` is a*(i + 0.5) per lane, `line` is b*(j + 0.5) + c in every lane.
 /// `kNormal`: so are all keys that the buffer holds (core/depth/key_order-inl.h).
 template <Keep kKeep, class Rules, bool kNormal = false>
 class DepthTest {
-    static_assert(!kNormal || (Rules::kExactDepths && kKeep != Keep::Equal));
+    static_assert(!kNormal || Rules::kExactDepths);
 
 public:
     /// `empty` is the depth of the background of the buffer that is tested against.
@@ -189,7 +173,7 @@ public:
                 hn::StoreU(kept, I64(), row);
                 return kept;
             }
-            const auto won  = hn::And(hn::RebindMask(I64(), covered), wins(offered, held));
+            const auto won  = hn::And(hn::RebindMask(I64(), covered), wins<Fragments>(offered, held));
             const auto kept = hn::IfThenElse(won, offered, held);
             hn::StoreU(kept, I64(), row);
 
@@ -226,14 +210,14 @@ private:
         const auto     held   = hn::LoadU(I64(), row);
         const bool     moves  = fragments.moves();
 
-        const auto looked = kShadesFirst ? inside : hn::And(inside, moves ? mayWin(bound, held) : wins(bound, held));
-        auto offered = bound;
+        const auto looked  = kShadesFirst ? inside : hn::And(inside, wins<Fragments>(bound, held));
+        auto       offered = bound;
         auto       exists = looked, won = looked;
         auto       kept = held;
         if (!hn::AllFalse(I64(), looked)) {
             exists = hn::AndNot(hn::RebindMask(I64(), fragments.discarded(d64, x, y)), looked);
             if (moves) offered = keysOf(fragments.moved(d64, flat, x, y));
-            won  = hn::And(exists, wins(offered, held));
+            won  = hn::And(exists, wins<Fragments>(offered, held));
             kept = hn::IfThenElse(won, offered, held);
             hn::StoreU(kept, I64(), row);
             if constexpr (Fragments::kMoment != ShadingMoment::Never)
@@ -249,16 +233,11 @@ private:
         return hn::Or(upperHalves<!Rules::kExactDepths>(hn::DemoteTo(F32(), stored(z))), hn::Set(I64(), m_lower));
     }
 
-    /// False only for a depth that no farther one wins from, either.
-    hn::Mask<I64> mayWin(Keys offered, Keys held) const
+    template <class Fragments>
+    hn::Mask<I64> wins(Keys offered, Keys held) const
     {
-        if constexpr (kKeep == Keep::Equal)
-            return hn::Not(held > hn::Or(offered, hn::Set(I64(), 0xFFFFFFFF)));
-        else
-            return wins(offered, held);
+        return winners<Fragments::kMoment != ShadingMoment::Never>(offered, held, m_empty);
     }
-
-    hn::Mask<I64> wins(Keys offered, Keys held) const { return winners<kKeep>(offered, held, m_empty); }
 
     Vec64 limited(Vec64 z) const { return hn::Min(hn::Max(z, hn::Set(F64(), m_farthest)), hn::Set(F64(), m_nearest)); }
 

@@ -6,7 +6,7 @@
 //            something is drawn to it, and those along the pyramid's, which are judged side by side. A tile wholly on
 //            the outer side of one edge is skipped, and one that is covered whole may be kept as a plane
 //            (tile_plane-inl.h)
-// Keys       where only keys are stored, large-inl.h finds all of a triangle's tiles first
+// Large      without patterns, large-inl.h finds all of a triangle's tiles first
 // Pyramid    where stale cells wait for a query: a tile whose stored depth hides the triangle is skipped, and one
 //            whose pixels are all gone over tells its farthest depth, which was in registers anyway
 // Z-cull     by tiles of the pyramid's lowest stored level instead: what the triangle's nearest depth in a tile cannot
@@ -47,8 +47,7 @@ struct HalfSpace {
     static void fill(const ScreenTriangle& triangle, const Fragments& fragments, const Upkeep& upkeep,
                      VisibilityBuffer& visible, const Rules& rules)
     {
-        if constexpr (kComparesAsFloats && Rules::kExactDepths && kKeep != Keep::Equal
-                      && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned)
+        if constexpr (Rules::kExactDepths && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned)
             if (areNormal(visible.empty())) return fillBox<kKeep, true>(triangle, fragments, upkeep, visible, rules);
         fillBox<kKeep, false>(triangle, fragments, upkeep, visible, rules);
     }
@@ -146,7 +145,9 @@ private:
             });
         };
         if (takesParts<Fragments>() && upkeep.shortcuts.has(Shortcut::LargeTriangles))
-            LargeTriangle<kKeep, kNormal, Upkeep, Rules>(triangle, fromBox, upkeep, visible, rules).draw(fillTiles);
+            LargeTriangle<kKeep, kNormal, Fragments, Upkeep, Rules>(triangle, fragments, fromBox, upkeep, visible,
+                                                                    rules)
+                .draw(fillTiles);
         else
             fillTiles(box);
     }
@@ -171,7 +172,9 @@ private:
         static_assert(kTile == VisibilityBuffer::kTileLines && kTile % hn::MaxLanes(F64()) == 0);
         if (edges.areOutside(stored)) return;
         if constexpr (keepsPlanes<kKeep, Fragments, Rules>())
-            if (upkeep.takesPlanes && isKeptAsPlane(stored, edges.areInside(stored), triangle, upkeep, visible)) return;
+            if (upkeep.takesPlanes
+                && isKeptAsPlane(stored, edges.areInside(stored), triangle, fragments, upkeep, visible))
+                return;
         const auto nearest = upkeep.isKept() ? nearestOfParts(triangle.depth, stored, rules) : Depths{};
         bool       isOpen  = false;
         for (std::uint32_t reached = partsReached(stored, edges); reached != 0; reached &= reached - 1) {
@@ -195,19 +198,18 @@ private:
         }
     }
 
-    /// True if such fragments are tested part by part, in passes: a key is all that they store.
+    /// True if such fragments are tested part by part, in passes.
     template <class Fragments>
     static constexpr bool takesParts()
     {
-        return kLanes > 1 && Fragments::kMoment == ShadingMoment::Never && !Fragments::kPatterned;
+        return !Fragments::kPatterned;
     }
 
     /// True if planes say of such fragments all there is to say.
     template <Keep kKeep, class Fragments, class Rules>
     static constexpr bool keepsPlanes()
     {
-        return kKeep == Keep::Nearest && Rules::kExactDepths && Fragments::kMoment == ShadingMoment::Never
-               && !Fragments::kPatterned;
+        return kKeep == Keep::Nearest && Rules::kExactDepths && !Fragments::kPatterned;
     }
 
     /// The nearest depth that the triangle could store in `box`.

@@ -38,8 +38,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
 
-/// A triangle whose fragments store nothing but keys. `kNormal` as in DepthTest; `Upkeep`: TileUpkeep.
-template <Keep kKeep, bool kNormal, class Upkeep, class Rules>
+/// A triangle without patterns. `kNormal` as in DepthTest; `Upkeep`: TileUpkeep.
+template <Keep kKeep, bool kNormal, class Fragments, class Upkeep, class Rules>
 class LargeTriangle {
     static constexpr int         kSide  = PartPasses::kSide;  // of a part: what lies in one tile of the pyramid
     static constexpr int         kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
@@ -50,10 +50,11 @@ class LargeTriangle {
 
 public:
     /// `edges` of a wide triangle are rounded.
-    LargeTriangle(const ScreenTriangle& triangle, const HalfPlanes& edges, const Upkeep& upkeep,
-                  VisibilityBuffer& visible, const Rules& rules)
-        : m_triangle(triangle), m_edges(edges), m_partEdges{partEdge(0), partEdge(1), partEdge(2)}, m_upkeep(upkeep),
-          m_visible(visible), m_rules(rules)
+    LargeTriangle(const ScreenTriangle& triangle, const Fragments& fragments, const HalfPlanes& edges,
+                  const Upkeep& upkeep, VisibilityBuffer& visible, const Rules& rules)
+        : m_triangle(triangle), m_fragments(fragments),
+          m_edges(edges), m_partEdges{partEdge(0), partEdge(1), partEdge(2)}, m_upkeep(upkeep), m_visible(visible),
+          m_rules(rules)
     {}
 
     /// drawOther(pixels of the box) is left with what lies in tiles of the visibility buffer that reach beyond the
@@ -233,7 +234,7 @@ private:
             const std::uint32_t none = inside[0] & inside[1] & inside[2];
             if constexpr (kKeep == Keep::Nearest && Rules::kExactDepths) {
                 if (m_upkeep.takesPlanes && (none == kAllParts || m_visible.planeAt(left, top))
-                    && isKeptAsPlane(here, none == kAllParts, m_triangle, m_upkeep, m_visible))
+                    && isKeptAsPlane(here, none == kAllParts, m_triangle, m_fragments, m_upkeep, m_visible))
                     continue;
             }
             const std::uint32_t drawn = m_upkeep.isKept() ? found.reached & unhidden(here) : found.reached;
@@ -308,12 +309,13 @@ private:
     HWY_INLINE Keys test(int x, int y) const
     {
         if constexpr (kKind == kNone)
-            return testPart<kKeep, kNormal, 0>(m_triangle, {}, x, y, m_visible, m_rules);
+            return testPart<kKeep, kNormal, 0>(m_triangle, m_fragments, {}, x, y, m_visible, m_rules);
         else if constexpr (kKind == kMore)
-            return testPart<kKeep, kNormal, 3>(m_triangle, {&m_partEdges[0], &m_partEdges[1], &m_partEdges[2]}, x, y,
-                                               m_visible, m_rules);
+            return testPart<kKeep, kNormal, 3>(
+                m_triangle, m_fragments, {&m_partEdges[0], &m_partEdges[1], &m_partEdges[2]}, x, y, m_visible, m_rules);
         else
-            return testPart<kKeep, kNormal, 1>(m_triangle, {&m_partEdges[kKind - 1]}, x, y, m_visible, m_rules);
+            return testPart<kKeep, kNormal, 1>(m_triangle, m_fragments, {&m_partEdges[kKind - 1]}, x, y, m_visible,
+                                               m_rules);
     }
 
     PartEdge partEdge(std::size_t k) const
@@ -322,6 +324,7 @@ private:
     }
 
     const ScreenTriangle&   m_triangle;
+    const Fragments&        m_fragments;
     const HalfPlanes&       m_edges;
     std::array<PartEdge, 3> m_partEdges;  // not of a wide triangle
     const Upkeep&           m_upkeep;

@@ -103,11 +103,13 @@ private:
 /// Tests the tile that begins at (x, y), which lies in the picture, and stores what is won. `crossing` are the edges
 /// with pixels of the tile on their outer side; `kNormal` as in DepthTest. Returns keys with the farthest depths that
 /// the tile holds then, lane by lane.
-template <Keep kKeep, bool kNormal, std::size_t kCrossing, class Rules>
-Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, kCrossing>& crossing, int x, int y,
-              VisibilityBuffer& visible, const Rules& rules)
+template <Keep kKeep, bool kNormal, std::size_t kCrossing, class Fragments, class Rules>
+Keys testPart(const ScreenTriangle& triangle, [[maybe_unused]] const Fragments& fragments,
+              const std::array<const PartEdge*, kCrossing>& crossing, int x, int y, VisibilityBuffer& visible,
+              const Rules& rules)
 {
-    using Passes = PartPasses;
+    using Passes              = PartPasses;
+    constexpr bool    kShades = Fragments::kMoment != ShadingMoment::Never;
     const DepthLanes  depths(rules);
     const F64         d64;
     const Pass32      f32;
@@ -152,13 +154,32 @@ Keys testPart(const ScreenTriangle& triangle, const std::array<const PartEdge*, 
                     uppers = hn::IfNegativeThenElse(hn::BitCast(f32, outside(i / 2)), none, uppers);
                 for (std::size_t k = 0; k < kCrossing; ++k) edges[k][i / 2] = edges[k][i / 2] + perPass[k];
             }
-            PixelKey* const here      = row + static_cast<int>(i / 2) * Passes::kColumns;
-            PixelKey* const other     = here + kLanes / Passes::kSide * stride + kLanes % Passes::kSide;
-            const auto      keys      = keysOf(uppers, lowers);
-            const auto      kept      = keptOf<kKeep, kNormal>(keys[0], hn::LoadU(I64(), here), empty);
-            const auto      otherKept = keptOf<kKeep, kNormal>(keys[1], hn::LoadU(I64(), other), empty);
-            hn::StoreU(kept, I64(), here);
-            hn::StoreU(otherKept, I64(), other);
+            constexpr int   kOtherRight = kLanes % Passes::kSide, kOtherDown = kLanes / Passes::kSide;
+            const int       right = static_cast<int>(i / 2) * Passes::kColumns;
+            PixelKey* const here  = row + right;
+            PixelKey* const other = here + kOtherDown * stride + kOtherRight;
+            const auto      keys  = keysOf(uppers, lowers);
+            const auto      keep  = [&](Keys offered, PixelKey* to, [[maybe_unused]] int atX,
+                                  [[maybe_unused]] int atY) HWY_ATTR {
+                const auto held = hn::LoadU(I64(), to);
+                auto       kept = held;
+                if constexpr (kShades) {
+                    const auto won = winners<true>(offered, held, empty);
+                    kept           = hn::IfThenElse(won, offered, held);
+                    if constexpr (Fragments::kMoment == ShadingMoment::AfterTest) {
+                        if (!hn::AllFalse(I64(), won)) fragments.shade(U32(), narrowed(won), narrowed(won), atX, atY);
+                    } else {
+                        fragments.shade(U32(), narrowed(areCovered<!Rules::kExactDepths>(offered)), narrowed(won), atX,
+                                              atY);
+                    }
+                } else {
+                    kept = nearerOf<kNormal>(offered, held);
+                }
+                hn::StoreU(kept, I64(), to);
+                return kept;
+            };
+            const auto kept      = keep(keys[0], here, x + right, y + line);
+            const auto otherKept = keep(keys[1], other, x + right + kOtherRight, y + line + kOtherDown);
             least = fartherOf(least, kept), otherLeast = fartherOf(otherLeast, otherKept);
         }
     }

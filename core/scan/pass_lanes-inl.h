@@ -24,22 +24,8 @@ namespace zscope::HWY_NAMESPACE {
 /// So many: as many edges and depths in float32 as there are lanes of it, and so two vectors each of float64 and of
 /// keys.
 inline constexpr int kLanes      = static_cast<int>(hn::MaxLanes(F64()));
-inline constexpr int kPassPixels = kLanes == 1 ? 1 : 2 * kLanes;
+inline constexpr int kPassPixels = 2 * kLanes;
 
-#if HWY_TARGET == HWY_SCALAR
-using Pass32 = F32;
-constexpr int pixelOfLane(int) { return 0; }
-/// One vector of float32 from two that stand for one of float64 each: the lower one, where there is room for no more.
-inline hn::Vec<Pass32> together(hn::Vec<F32>, hn::Vec<F32> lower) { return lower; }
-/// Keys from their halves, bit for bit: first those of the lower half of the pass.
-inline std::array<Keys, 2> keysOf(hn::Vec<Pass32> uppers, hn::Vec<Pass32> lowers)
-{
-    const hn::RebindToUnsigned<Pass32> u32;
-    const std::uint64_t upper = hn::GetLane(hn::BitCast(u32, uppers)), lower = hn::GetLane(hn::BitCast(u32, lowers));
-    const auto          key = hn::Set(I64(), static_cast<PixelKey>(upper << 32 | lower));
-    return {key, key};
-}
-#else
 using Pass32 = hn::Twice<F32>;
 #if HWY_TARGET == HWY_AVX3
 inline hn::Vec<Pass32> together(hn::Vec<F32> upper, hn::Vec<F32> lower) { return joined(lower, upper); }
@@ -55,19 +41,24 @@ HWY_INLINE std::array<Keys, 2> keysOf(hn::Vec<Pass32> uppers, hn::Vec<Pass32> lo
 /// lane of every four go to the first vector of keys, the third and fourth to the second; those two are the upper and
 /// the lower half.
 constexpr int pixelOfLane(int lane) { return lane % 4 / 2 * kLanes + lane / 4 * 2 + lane % 2; }
-#endif
 
-/// The lower half of the keys of a triangle's fragments in every lane: the complement of its rank, or of nobody's if
-/// only depths are kept.
+/// lowerHalf() of a triangle's fragments in every lane: the complement of its rank, or 0.
 template <Keep kKeep>
 HWY_INLINE hn::Vec<Pass32> lowerHalves(std::uint32_t notRank)
 {
-    return hn::BitCast(Pass32(),
-                       hn::Set(hn::RebindToUnsigned<Pass32>(), kKeep == Keep::DepthOnly ? ~std::uint32_t{0} : notRank));
+    return hn::BitCast(Pass32(), hn::Set(hn::RebindToUnsigned<Pass32>(), kKeep == Keep::DepthOnly ? 0 : notRank));
+}
+
+/// Which of these keys are those of covered pixels: the others hold a key that is smaller than any of a fragment.
+template <bool kMayBeNegative>
+HWY_INLINE hn::Mask<I64> areCovered(Keys offered)
+{
+    constexpr std::uint64_t kUncovered = kMayBeNegative ? 0x8000'0000'FFFF'FFFF : 0xFFFF'FFFF'FFFF'FFFF;
+    return offered > hn::Set(I64(), static_cast<PixelKey>(kUncovered));
 }
 
 /// First lane of the second vector of float64.
-inline constexpr std::size_t kOtherHalf = kLanes == 1 ? 0 : kLanes;
+inline constexpr std::size_t kOtherHalf = kLanes;
 
 /// pixelOfLane() of each of them.
 HWY_ALIGN inline constexpr auto kPassPixelsOfLanes = [] {

@@ -117,14 +117,15 @@ inline PlaneAnswer offerPlane(VisibilityBuffer& visible, const PixelBox& here, b
 }
 
 /// True if the part of the triangle's box in one tile of the visibility buffer needs not be drawn, because planes say
-/// all there is to say.
-template <class Upkeep>
-bool isKeptAsPlane(const PixelBox& here, bool isInside, const ScreenTriangle& triangle, const Upkeep& upkeep,
-                   VisibilityBuffer& visible)
+/// all there is to say. Who is shaded as it comes gets its colours here.
+template <class Fragments, class Upkeep>
+bool isKeptAsPlane(const PixelBox& here, bool isInside, const ScreenTriangle& triangle,
+                   [[maybe_unused]] const Fragments& fragments, const Upkeep& upkeep, VisibilityBuffer& visible)
 {
     constexpr int     kSide  = 1 << Pyramid::kTileLevel;
     const PlaneAnswer answer = offerPlane(visible, here, isInside, {triangle.depth, triangle.rank()}, upkeep.isKept());
     if (answer != PlaneAnswer::Kept) return answer == PlaneAnswer::Hidden;
+    if constexpr (Fragments::kMoment != ShadingMoment::Never) fragments.shadeAll(here);
     if (upkeep.isKept()) {
         const auto farthest = depthsAlong<kSide, false>(triangle.depth, here);
         upkeep.drawnTiles(here.x0, here.y0,

@@ -90,13 +90,14 @@ inline Keys            loadKeys(const PixelKey* row, std::ptrdiff_t) { return hn
 inline void            storeKeys(Keys keys, PixelKey* row, std::ptrdiff_t) { hn::StoreU(keys, I64(), row); }
 #endif
 
-/// Offers to as many pixels as there are lanes, those of one line or of two, as keptOf() says.
-template <Keep kKeep, bool kNormal>
-HWY_INLINE void offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff_t stride)
+/// Offers to as many pixels as there are lanes, those of one line or of two. A depth whose sign is negative wins
+/// nowhere. `kNormal` as in DepthTest.
+template <bool kNormal>
+HWY_INLINE void offerKeys(Keys offered, PixelKey* row, std::ptrdiff_t stride)
 {
 #if HWY_TARGET == HWY_AVX3
     // line by line: what is held need not be brought side by side first
-    if constexpr (kNormal && kKeep != Keep::Equal) {
+    if constexpr (kNormal) {
         const auto offer = [](auto keys, PixelKey* line) HWY_ATTR {
             hn::StoreU(nearerOf<kNormal>(keys, hn::LoadU(LineKeys(), line)), LineKeys(), line);
         };
@@ -105,7 +106,7 @@ HWY_INLINE void offerKeys(Keys offered, float empty, PixelKey* row, std::ptrdiff
         return;
     }
 #endif
-    storeKeys(keptOf<kKeep, kNormal>(offered, loadKeys(row, stride), empty), row, stride);
+    storeKeys(nearerOf<kNormal>(offered, loadKeys(row, stride)), row, stride);
 }
 
 /// By how much an edge has risen at the pixels of a pass.
@@ -149,14 +150,7 @@ inline hn::Vec<Pass32> onlyCovered(hn::Vec<Pass32> depth, Covered covered)
 #endif
 
 /// Of two columns, side by side over and over.
-inline Vec64 pairOf(const double* centres)
-{
-#if HWY_TARGET == HWY_SCALAR
-    return hn::LoadU(F64(), centres);
-#else
-    return hn::LoadDup128(F64(), centres);
-#endif
-}
+inline Vec64 pairOf(const double* centres) { return hn::LoadDup128(F64(), centres); }
 
 /// What windows are drawn to.
 struct WindowTarget {
@@ -179,34 +173,59 @@ HWY_ALIGN inline constexpr auto kPixelsOfKeys = [] {
     return all;
 }();
 
-/// As offerKeys(), of fragments that are shaded. `first`: their first pixel, x + 65536 y. Lanes that are not covered
-/// hold a key that is smaller than any other; what lies right of the picture has no colour.
-template <Keep kKeep, bool kMayBeNegative, class Fragments>
-HWY_INLINE void offerShaded(Keys offered, const WindowTarget& to, PixelKey* row, std::uint32_t first,
-                            const Fragments& fragments)
+/// Stores a colour where keys of a window were won, which begin at pixel x of line y.
+template <class Fragments>
+HWY_INLINE void storeColours(hn::Mask<U32> won, const Fragments& fragments, int x, int y)
 {
-    constexpr std::uint64_t kUncovered = kMayBeNegative ? 0x8000'0000'FFFF'FFFF : 0xFFFF'FFFF'FFFF'FFFF;
-    const U32               u32;
-    const auto              held = loadKeys(row, to.stride);
-    const auto              won  = winners<kKeep>(offered, held, to.empty);
-    storeKeys(hn::IfThenElse(won, offered, held), row, to.stride);
-    const auto wanted = Fragments::kMoment == ShadingMoment::AfterTest
-                            ? won
-                            : offered > hn::Set(I64(), static_cast<PixelKey>(kUncovered));
-    if (hn::AllFalse(I64(), wanted)) return;
-    const auto pixels = hn::Load(u32, kPixelsOfKeys.data()) + hn::Set(u32, first);
-    const auto exist  = hn::And(pixels, hn::Set(u32, 0xFFFF)) < hn::Set(u32, static_cast<std::uint32_t>(to.width));
-    fragments.shade(u32, hn::And(narrowed(wanted), exist), pixels);
+#if HWY_TARGET == HWY_AVX3
+    using Line         = hn::Half<U32>;
+    const auto colours = hn::Set(Line(), fragments.colour());
+    hn::BlendedStore(colours, hn::Mask<Line>::FromBits(won.raw & 0xFu), Line(), fragments.line(y) + x);
+    hn::BlendedStore(colours, hn::Mask<Line>::FromBits(won.raw >> 4), Line(), fragments.line(y + 1) + x);
+#else
+    hn::BlendedStore(hn::Set(U32(), fragments.colour()), won, U32(), fragments.line(y) + x);
+#endif
+}
+
+/// As offerKeys(), of fragments that are shaded. `first`: their first pixel, x + 65536 y; `exist`: those that lie in
+/// the picture. How many have been shaded: those that wait are counted later.
+template <bool kMayBeNegative, class Fragments>
+HWY_INLINE std::size_t offerShaded(Keys offered, const WindowTarget& to, PixelKey* row, std::uint32_t first,
+                                   bool allExist, const Fragments& fragments)
+{
+    const U32 u32;
+    // at least background, so that who wins is nearer than that, too
+    const auto held = hn::Max(loadKeys(row, to.stride), hn::Set(I64(), keyOf(to.empty, 0)));
+    const auto won  = offered > held;
+    storeKeys(hn::Max(offered, held), row, to.stride);
+    auto paid = narrowed(won), wanted = paid;
+    if constexpr (Fragments::kMoment == ShadingMoment::BeforeTest)
+        wanted = narrowed(areCovered<kMayBeNegative>(offered));
+    if constexpr (!Fragments::kFree)
+        if (hn::AllFalse(u32, wanted)) return 0;
+    if (!allExist) {
+        const auto right = hn::And(hn::Load(u32, kPixelsOfKeys.data()), hn::Set(u32, 0xFFFF));
+        const auto exist = right < hn::Set(u32, static_cast<std::uint32_t>(to.width) - (first & 0xFFFF));
+        wanted = hn::And(wanted, exist), paid = hn::And(paid, exist);
+    }
+    if constexpr (Fragments::kFree) {
+        storeColours(paid, fragments, static_cast<int>(first & 0xFFFF), static_cast<int>(first >> 16));
+        return hn::CountTrue(u32, wanted);
+    } else {
+        fragments.shade(u32, wanted, hn::Load(u32, kPixelsOfKeys.data()) + hn::Set(u32, first));
+        return 0;
+    }
 }
 
 /// Tests the window of triangle t that has its first pixel at `corner`, and stores what it wins. `kNormal` as in
-/// DepthTest.
+/// DepthTest. Returns how many fragments it has shaded.
 template <Keep kKeep, bool kNormal, class Rules, class FragmentsOf>
-HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::uint32_t corner, const WindowTarget& to,
-                           const Rules& rules, [[maybe_unused]] const FragmentsOf& fragmentsOf)
+HWY_INLINE std::size_t testWindow(const TriangleList& triangles, std::size_t t, std::uint32_t corner,
+                                  const WindowTarget& to, const Rules& rules, const FragmentsOf& fragmentsOf)
 {
     constexpr bool kMayBeNegative = !Rules::kExactDepths;
-    constexpr bool kShades        = decltype(fragmentsOf(1u))::kMoment != ShadingMoment::Never;
+    const auto     fragments      = fragmentsOf(~triangles.notRank[t]);
+    constexpr bool kShades        = decltype(fragments)::kMoment != ShadingMoment::Never;
     static_assert(!kNormal || (!kMayBeNegative && !kShades));
     const F64                        d64;
     const Pass32                     f32;
@@ -237,13 +256,13 @@ HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::ui
         inside[static_cast<std::size_t>(pass)] = coveredOf(rise(0), rise(1), triangles, t);
     }
 
+    // a window may reach right of the picture: its last columns may be of no pixel
+    [[maybe_unused]] const bool allExist = static_cast<int>(x) + kWindowSide <= to.width;
+    std::size_t                 count    = 0;
     for (int line = 0, pass = 0; line < kWindowSide; line += kPassLines) {
         const auto start = depths.down(b, hn::Load(d64, kDownOfPairs.data()) + hn::Set(d64, line) + above, c);
         for (int column = 0; column < kWindowSide; column += kPassColumns, ++pass) {
             const auto covered = inside[static_cast<std::size_t>(pass)];
-#if HWY_TARGET == HWY_SCALAR
-            if (hn::GetLane(covered) < 0 || static_cast<int>(x) + column >= to.width) continue;
-#endif
 
             const auto depth = [&](int half) HWY_ATTR {
                 return depths.stored(depths.across(a, pairOf(to.centres + x + column + 2 * half)) + start, farthest64,
@@ -258,34 +277,20 @@ HWY_INLINE void testWindow(const TriangleList& triangles, std::size_t t, std::ui
             const auto offer = [&](Keys keys, [[maybe_unused]] int right, [[maybe_unused]] int down) HWY_ATTR {
                 PixelKey* const row = first + (line + down) * to.stride + column + right;
                 if constexpr (kShades)
-                    offerShaded<kKeep, kMayBeNegative>(
+                    count += offerShaded<kMayBeNegative>(
                         keys, to, row, corner + static_cast<std::uint32_t>(pixelsAndLines(column + right, line + down)),
-                        fragmentsOf(~triangles.notRank[t]));
+                        allExist, fragments);
                 else
-                    offerKeys<kKeep, kNormal>(keys, to.empty, row, to.stride);
+                    offerKeys<kNormal>(keys, row, to.stride);
             };
-#if HWY_TARGET == HWY_SCALAR
-            offer(hn::Or(upperHalves<false>(limited(depth(0))),
-                         hn::Set(I64(), lowerHalf<kKeep>(triangles.id(t).value + 1))),
-                  0, 0);
-#else
-            const auto z    = limited(fromColumns(depth(0), depth(1)));
-            const auto keys = keysOf(onlyCovered<(kNormal && kKeep != Keep::Equal), kMayBeNegative>(z, covered),
-                                     lowerHalves<kKeep>(triangles.notRank[t]));
+            const auto z = limited(fromColumns(depth(0), depth(1)));
+            const auto keys =
+                keysOf(onlyCovered<kNormal, kMayBeNegative>(z, covered), lowerHalves<kKeep>(triangles.notRank[t]));
             offer(keys[0], 0, 0);
             offer(keys[1], kLanes % kWindowSide, kLanes / kWindowSide);
-#endif
         }
     }
-}
-
-/// Whether one fragment takes a pixel from who holds it, as winners() says.
-template <Keep kKeep>
-HWY_INLINE bool wins(PixelKey offered, PixelKey held, [[maybe_unused]] float empty)
-{
-    if constexpr (kKeep != Keep::Equal) return offered > held;
-    const bool isNobodys = rankOf(held) == 0;
-    return offered >> 32 == held >> 32 && (offered > held || isNobodys) && offered > keyOf(empty, 0);
+    return count;
 }
 
 /// Pixels are fetched so many samples before they are tested (windows: WindowChunk::kAhead): triangles come in any
@@ -296,10 +301,6 @@ inline constexpr std::size_t kSamplesAhead = 64;
 template <class V, class Order>
 HWY_INLINE void storeKeysOf(V uppers, V lowers, Order order, PixelKey* to)
 {
-#if HWY_TARGET == HWY_SCALAR
-    static_cast<void>(order);
-    *to = static_cast<PixelKey>(std::uint64_t{hn::GetLane(uppers)} << 32 | hn::GetLane(lowers));
-#else
     const hn::RebindToUnsigned<Pass32> u32;
     const hn::RebindToSigned<Pass32>   i32;
     // As lanes are interleaved.
@@ -308,18 +309,13 @@ HWY_INLINE void storeKeysOf(V uppers, V lowers, Order order, PixelKey* to)
     const auto upper = hn::TableLookupLanes(uppers, lanes), lower = hn::TableLookupLanes(lowers, lanes);
     hn::StoreU(hn::BitCast(I64(), hn::InterleaveLower(u32, lower, upper)), I64(), to);
     hn::StoreU(hn::BitCast(I64(), hn::InterleaveUpper(u32, lower, upper)), I64(), to + kLanes);
-#endif
 }
 
 /// The lower half of lanes of 32 bits, or the one that begins at `from`.
 template <class V>
 HWY_INLINE hn::Vec<I32> halfOf(V all, [[maybe_unused]] std::size_t from)
 {
-#if HWY_TARGET == HWY_SCALAR
-    return all;
-#else
     return from == 0 ? hn::LowerHalf(I32(), all) : hn::UpperHalf(I32(), all);
-#endif
 }
 
 /// The tiny triangles among [first, end), from their edges to the picture.
@@ -327,7 +323,8 @@ template <Keep kKeep, class Rules, class FragmentsOf>
 void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end, SampleList& samples,
               VisibilityBuffer& visible, const Rules& rules, [[maybe_unused]] const FragmentsOf& fragmentsOf)
 {
-    constexpr ShadingMoment            kMoment = decltype(fragmentsOf(1u))::kMoment;
+    using Fragments                            = decltype(fragmentsOf(1u));
+    constexpr ShadingMoment            kMoment = Fragments::kMoment;
     const DepthLanes                   depths(rules);
     const F64                          d64;
     const F32                          half;
@@ -358,10 +355,9 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
 
         const auto farthest = hn::LoadU(f32, triangles.farthest.data() + i),
                    nearest  = hn::LoadU(f32, triangles.nearest.data() + i);
-        const auto lower =
-            kKeep == Keep::DepthOnly ? hn::Set(u32, 0xFFFFFFFFu) : hn::LoadU(u32, triangles.notRank.data() + i);
-        const auto place  = hn::BitCast(u32, x) + hn::BitCast(u32, y) * hn::Set(u32, stride);
-        const auto corner = start - hn::ShiftLeft<16>(raised);
+        const auto lower    = kKeep == Keep::DepthOnly ? hn::Zero(u32) : hn::LoadU(u32, triangles.notRank.data() + i);
+        const auto place    = hn::BitCast(u32, x) + hn::BitCast(u32, y) * hn::Set(u32, stride);
+        const auto corner   = start - hn::ShiftLeft<16>(raised);
         // In float64, of half of these triangles at a time.
         const auto numbers = [&, i](const auto& column, std::size_t from)
                                  HWY_ATTR { return hn::LoadU(d64, column.data() + i + from); };
@@ -416,16 +412,28 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
         }
     }
 
-    const float empty = visible.empty();
+    [[maybe_unused]] const FragmentsOf own        = fragmentsOf;
+    [[maybe_unused]] const PixelKey    background = visible.background();
+    std::size_t                        shaded     = 0;
     for (std::size_t i = 0; i < count; ++i) {
         hwy::Prefetch(picture + places[std::min(i + kSamplesAhead, count - 1)]);
         const PixelKey offered = keys[i];
         PixelKey&      held    = picture[places[i]];
-        const bool     won     = wins<kKeep>(offered, held, empty);
+        const bool     won     = offered > held && (kMoment == ShadingMoment::Never || offered > background);
         held                   = won ? offered : held;
-        if constexpr (kMoment != ShadingMoment::Never)
-            if (won || kMoment == ShadingMoment::BeforeTest) fragmentsOf(rankOf(offered)).shade(pixels[i]);
+        if constexpr (kMoment != ShadingMoment::Never) {
+            const bool isShaded = won || kMoment == ShadingMoment::BeforeTest;
+            if constexpr (Fragments::kFree) {
+                shaded += isShaded;
+                if (!won) continue;
+                const auto fragments                                            = fragmentsOf(rankOf(offered));
+                own.line(static_cast<int>(pixels[i] >> 16))[pixels[i] & 0xFFFF] = own.colourOf(rankOf(offered));
+            } else if (isShaded) {
+                fragmentsOf(rankOf(offered)).shade(pixels[i]);
+            }
+        }
     }
+    if constexpr (Fragments::kFree) own.count(shaded);
 }
 
 /// Fetches the pixels of a window. Inlined always: gcc takes out calls of what only fetches.
@@ -437,6 +445,13 @@ HWY_INLINE void fetch(const PixelKey* first, std::ptrdiff_t stride)
     }
 }
 
+template <class ColourTarget>
+HWY_INLINE void fetchColours(const ColourTarget& colours, std::uint32_t corner)
+{
+    const int y = static_cast<int>(corner >> 16);
+    for (int line = y; line < y + kWindowSide; ++line) hwy::Prefetch(colours.line(line) + (corner & 0xFFFF));
+}
+
 /// Works the list off and empties it. `kNormal` as in DepthTest.
 template <Keep kKeep, bool kNormal, class Rules, class FragmentsOf>
 void testAllWindows(const TriangleList& triangles, WindowList& list, VisibilityBuffer& visible, const Rules& rules,
@@ -444,17 +459,24 @@ void testAllWindows(const TriangleList& triangles, WindowList& list, VisibilityB
 {
     list.knowCentres(static_cast<std::size_t>(std::max(visible.width(), visible.height())));
     const WindowTarget to{visible.row(0), visible.stride(), list.centres.data(), visible.empty(), visible.width()};
+    using Fragments         = decltype(fragmentsOf(1u));
+    constexpr bool    kFree = Fragments::kFree;
+    const FragmentsOf own   = fragmentsOf;
+    std::size_t       count = 0;
     for (std::size_t k = 0; k < list.inUse; ++k) {
-        WindowChunk&      chunk = list.chunks[k];
-        const std::size_t count = chunk.count;
-        if (count == 0) continue;
-        std::fill_n(chunk.corners.begin() + static_cast<std::ptrdiff_t>(count), WindowChunk::kAhead,
-                    chunk.corners[count - 1]);
-        for (std::size_t i = 0; i < count; ++i) {
-            fetch(to.at(chunk.corners[i + WindowChunk::kAhead]), to.stride);
-            testWindow<kKeep, kNormal>(triangles, chunk.owners[i], chunk.corners[i], to, rules, fragmentsOf);
+        WindowChunk&      chunk   = list.chunks[k];
+        const std::size_t windows = chunk.count;
+        if (windows == 0) continue;
+        std::fill_n(chunk.corners.begin() + static_cast<std::ptrdiff_t>(windows), WindowChunk::kAhead,
+                    chunk.corners[windows - 1]);
+        for (std::size_t i = 0; i < windows; ++i) {
+            const std::uint32_t next = chunk.corners[i + WindowChunk::kAhead];
+            fetch(to.at(next), to.stride);
+            if constexpr (kFree) fetchColours(own, next);
+            count += testWindow<kKeep, kNormal>(triangles, chunk.owners[i], chunk.corners[i], to, rules, own);
         }
     }
+    if constexpr (kFree) own.count(count);
     list.clear();
 }
 
@@ -464,7 +486,7 @@ void testWindows(const TriangleList& triangles, WindowList& list, VisibilityBuff
                  const FragmentsOf& fragmentsOf)
 {
     constexpr bool kShades = decltype(fragmentsOf(1u))::kMoment != ShadingMoment::Never;
-    if constexpr (kComparesAsFloats && kKeep != Keep::Equal && Rules::kExactDepths && !kShades)
+    if constexpr (Rules::kExactDepths && !kShades)
         if (areNormal(visible.empty()))
             return testAllWindows<kKeep, true>(triangles, list, visible, rules, fragmentsOf);
     testAllWindows<kKeep, false>(triangles, list, visible, rules, fragmentsOf);

@@ -68,10 +68,16 @@ inline void shadeQueue(FragmentQueue& queue, const Painter& painter, const Visib
 
 /// Where the fragments of a stripe go that are shaded as they come.
 struct Shading {
+    /// Operations per fragment from which the wider lanes of the queue win more than waiting costs.
+    static constexpr int kWorthWaiting = 400;
+
     const Painter&          painter;
     const VisibilityBuffer& visible;
     FragmentQueue&          queue;
     Tally&                  tally;
+
+    /// All fragments go through the queue.
+    bool allWait() const { return painter.operations >= kWorthWaiting; }
 
     /// Adds what the lanes in `wanted` stand for.
     template <class U32>
@@ -94,6 +100,7 @@ template <ShadingMoment kWhen>
 class QueuedFragments {
 public:
     static constexpr ShadingMoment kMoment = kWhen;
+    static constexpr bool          kFree   = false;
 
     QueuedFragments(const Shading& shading, std::uint32_t rank) : m_shading(shading), m_rank(rank) {}
 
@@ -119,13 +126,81 @@ private:
     std::uint32_t  m_rank;
 };
 
-/// The same of a triangle that fills most lanes by itself: its fragments are shaded where they are tested, unless that
+template <ShadingMoment kWhen>
+struct QueuedFragmentsOf {
+    const Shading& shading;
+
+    QueuedFragments<kWhen> operator()(std::uint32_t rank) const { return {shading, rank}; }
+};
+
+/// Fragments that cost nothing: who wins a pixel stores its triangle's colour there, at once. Held by value where many
+/// are stored, so that no store lets the compiler look up again where colours lie.
+struct ColourTarget {
+    explicit ColourTarget(const Shading& of)
+        : shading(&of), first(of.painter.colour.data), stride(static_cast<std::ptrdiff_t>(of.painter.colour.stride)),
+          width(of.painter.colour.width), table(of.painter.table.isComplete() ? of.painter.table.data() : nullptr)
+    {}
+
+    const Shading*       shading;
+    std::uint32_t*       first;
+    std::ptrdiff_t       stride;
+    int                  width;
+    const std::uint32_t* table;  // nullptr: colours are computed
+
+    /// The colours of line y.
+    std::uint32_t* line(int y) const { return first + y * stride; }
+    std::uint32_t colourOf(std::uint32_t rank) const { return table ? table[rank] : shading->painter.baseColour(rank); }
+    void          count(std::uint64_t fragments) const { shading->tally.add(Unit::Fragments, fragments); }
+};
+
+template <ShadingMoment kWhen>
+class FreeFragments {
+public:
+    static constexpr ShadingMoment kMoment    = kWhen;
+    static constexpr bool          kPatterned = false;
+    static constexpr bool          kFree      = true;
+
+    FreeFragments(const ColourTarget& target, std::uint32_t rank) : m_target(target), m_colour(target.colourOf(rank)) {}
+
+    std::uint32_t* line(int y) const { return m_target.line(y); }
+    std::uint32_t  colour() const { return m_colour; }
+
+    /// Of the pixels x, x + 1, ... of line y, the first of which exists, those in `wanted` are shaded, and those that
+    /// have `won`, some of them, get their colours. What lies right of the picture has none.
+    template <class U32>
+    HWY_INLINE void shade(U32 u32, hn::Mask<U32> wanted, hn::Mask<U32> won, int x, int y) const
+    {
+        const auto inside = hn::FirstN(u32, static_cast<std::size_t>(m_target.width - x));
+        m_target.count(hn::CountTrue(u32, hn::And(wanted, inside)));
+        hn::BlendedStore(hn::Set(u32, m_colour), hn::And(won, inside), u32, line(y) + x);
+    }
+    /// All pixels of a box that the triangle has won whole.
+    void shadeAll(const PixelBox& box) const
+    {
+        m_target.count(box.area());
+        for (int y = box.y0; y < box.y1; ++y) std::fill(line(y) + box.x0, line(y) + box.x1, m_colour);
+    }
+
+private:
+    const ColourTarget& m_target;
+    std::uint32_t       m_colour;
+};
+
+template <ShadingMoment kWhen>
+struct FreeFragmentsOf : ColourTarget {
+    explicit FreeFragmentsOf(const Shading& of) : ColourTarget(of) {}
+
+    FreeFragments<kWhen> operator()(std::uint32_t rank) const { return {*this, rank}; }
+};
+
+/// As QueuedFragments, of a triangle that fills most lanes by itself: its fragments are shaded where they are tested, unless that
 /// is dear. A colour that is stored here is never overwritten by one that waits, whose triangle has lost the pixel.
 template <ShadingMoment kWhen>
 class ShadedFragments {
 public:
     static constexpr ShadingMoment kMoment    = kWhen;
     static constexpr bool          kPatterned = false;
+    static constexpr bool          kFree      = false;
 
     explicit ShadedFragments(const QueuedFragments<kWhen>& of)
         : m_shading(of.shading()), m_rank(of.rank()), m_base(m_shading.painter.baseColour(m_rank))
@@ -139,33 +214,29 @@ public:
         const Painter& painter = m_shading.painter;
         const int      exist   = painter.colour.width - x;
         const auto     inside  = hn::FirstN(u32, static_cast<std::size_t>(exist));
-        if (painter.operations >= kWorthWaiting) {
+        if (m_shading.allWait()) {
             const auto first = static_cast<std::uint32_t>(x) + (static_cast<std::uint32_t>(y) << 16);
             m_shading.add(u32, hn::And(wanted, inside), countFrom(u32, first), hn::Set(u32, m_rank));
             return;
         }
         m_shading.tally.add(Unit::Fragments, hn::CountTrue(u32, hn::And(wanted, inside)));
-        auto colours = hn::Set(u32, m_base);
-        if (painter.operations != 0)
-            colours = shaded(u32, colours, hn::Set(u32, m_rank),
-                             countFrom(u32, static_cast<std::uint32_t>(x) + (static_cast<std::uint32_t>(y) << 16)),
-                             painter.operations);
-        std::uint32_t* at = painter.colour.row(y).data() + x;
-        if (static_cast<int>(hn::Lanes(u32)) <= exist) {
-            hn::StoreU(hn::IfThenElse(won, colours, hn::LoadU(u32, at)), u32, at);
-            return;
-        }
-        HWY_ALIGN std::array<std::uint32_t, hn::MaxLanes(U32())> colour, kept;
-        hn::Store(colours, u32, colour.data());
-        hn::Store(hn::VecFromMask(u32, won), u32, kept.data());
-        for (std::size_t lane = 0; lane < static_cast<std::size_t>(exist); ++lane)
-            if (kept[lane] != 0) at[lane] = colour[lane];
+        const auto colours = shaded(
+            u32, hn::Set(u32, m_base), hn::Set(u32, m_rank),
+            countFrom(u32, static_cast<std::uint32_t>(x) + (static_cast<std::uint32_t>(y) << 16)), painter.operations);
+        hn::BlendedStore(colours, hn::And(won, inside), u32, painter.colour.row(y).data() + x);
+    }
+    /// All pixels of a box that the triangle has won whole.
+    void shadeAll(const PixelBox& box) const
+    {
+        const hn::Rebind<std::uint32_t, hn::ScalableTag<double>> u32;
+        for (int y = box.y0; y < box.y1; ++y)
+            for (int x = box.x0; x < box.x1; x += static_cast<int>(hn::Lanes(u32))) {
+                const auto here = hn::FirstN(u32, static_cast<std::size_t>(box.x1 - x));
+                shade(u32, here, here, x, y);
+            }
     }
 
 private:
-    /// Operations per fragment from which the wider lanes of the queue win more than waiting costs.
-    static constexpr int kWorthWaiting = 400;
-
     const Shading& m_shading;
     std::uint32_t  m_rank;
     std::uint32_t  m_base;  // colour
@@ -173,6 +244,11 @@ private:
 
 /// The fragments of a triangle that is drawn by itself.
 inline UnshadedFragments drawnAlone(const UnshadedFragments& fragments) { return fragments; }
+template <ShadingMoment kWhen>
+FreeFragments<kWhen> drawnAlone(const FreeFragments<kWhen>& fragments)
+{
+    return fragments;
+}
 template <ShadingMoment kWhen>
 ShadedFragments<kWhen> drawnAlone(const QueuedFragments<kWhen>& fragments)
 {

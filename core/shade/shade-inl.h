@@ -30,8 +30,9 @@ inline std::uint32_t rankAt(const PixelKey* key, PixelKey background) { return r
 template <class U32>
 hn::Vec<U32> ranksAt(U32 u32, const PixelKey* keys, PixelKey background)
 {
-#if HWY_TARGET != HWY_SCALAR
-    if constexpr (hn::MaxLanes(U32()) > 1) {
+    if constexpr (hn::MaxLanes(U32()) == 1) {
+        return hn::Set(u32, rankAt(keys, background));
+    } else {
         const hn::RebindToSigned<U32> i32;
         const auto* halves = reinterpret_cast<const std::uint32_t*>(keys);  // lower, upper, lower, upper, ...
         const auto  first = hn::LoadU(u32, halves), second = hn::LoadU(u32, halves + hn::Lanes(u32));
@@ -39,8 +40,6 @@ hn::Vec<U32> ranksAt(U32 u32, const PixelKey* keys, PixelKey background)
                              > hn::Set(i32, static_cast<std::int32_t>(background >> 32));
         return hn::IfThenElseZero(hn::RebindMask(u32, isShown), hn::Not(hn::ConcatEven(u32, second, first)));
     }
-#endif
-    return hn::Set(u32, rankAt(keys, background));
 }
 
 inline void baseColoursFromTable(const PixelKey* keys, PixelKey background, int width, const std::uint32_t* table,
@@ -122,6 +121,24 @@ inline void shadeSpan(const Painter& painter, const VisibilityBuffer& visible, i
     const int rest =
         shadeRow(hn::ScalableTag<std::uint32_t>(), keys, background, x0, x1, y, painter.operations, colour);
     shadeRow(hn::CappedTag<std::uint32_t, 1>(), keys, background, rest, x1, y, painter.operations, colour);
+}
+
+/// Of lines [first, end), which are whole lines of tiles or end with the picture, the tiles that nothing was drawn to get
+/// the colour of background, if they had others before.
+inline void colourUnopened(const Painter& painter, const VisibilityBuffer& visible, int first, int end)
+{
+    constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;
+    for (int top = first; top < end; top += kLines)
+        for (int left = 0; left < visible.width(); left += kWidth) {
+            std::uint8_t& painted = painter.painted.at(left / kWidth, top / kLines);
+            const bool    isOpen  = visible.isOpen(left, top);
+            if (!isOpen && painted != 0)
+                for (int y = top; y < std::min(top + kLines, end); ++y)
+                    fillColours(painter.colour.row(y).data() + left, std::min(kWidth, visible.width() - left),
+                                kBackgroundColour);
+            painted = isOpen;
+        }
+    hwy::FlushStream();  // before another thread reads them
 }
 
 /// Lines [first, end), which are whole lines of tiles or end with the picture. Tiles that nothing was drawn to are

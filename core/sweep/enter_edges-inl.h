@@ -49,7 +49,7 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> truncated(D d, V value)
 {
     const hn::RebindToSigned<D> i64;
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_AVX3
     (void)d;
     return hn::ConvertTo(i64, value);
 #else

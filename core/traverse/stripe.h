@@ -7,6 +7,7 @@
 
 #include "core/base/stage_clock.h"
 #include "core/base/tally.h"
+#include "core/cull/sampled_questions.h"
 #include "core/depth/hidden_squares.h"
 #include "core/depth/pyramid.h"
 #include "core/depth/visibility_buffer.h"
@@ -60,15 +61,17 @@ struct StripeScratch {
     WindowList     windows;    // likewise, of compact triangles
     SampleList     samples;    // likewise, of tiny ones
     FragmentQueue  fragments;  // likewise, of fragments that are shaded as they come
-    EdgeTable      edges;      // sweep methods only, like the next two
-    ActiveEdges    active;
-    ActivePolygons polygons;
-    FaceScratch    faces;    // methods that draw whole faces only
-    Pyramid        pyramid;  // hierarchical methods only
-    HiddenSquares  hidden;   // likewise, of the batch at hand
-    BlendScratch   blend;    // scenes with transparent surfaces only
-    NodeMemory     memory;   // methods with coherence only
-    Tally          tally;    // of the frame
+    // whether it is worth asking: of z-cull, about the tiles under a batch; after a pre-pass, about a triangle
+    SampledQuestions questions;
+    EdgeTable        edges;  // sweep methods only, like the next two
+    ActiveEdges      active;
+    ActivePolygons   polygons;
+    FaceScratch      faces;    // methods that draw whole faces only
+    Pyramid          pyramid;  // hierarchical methods only
+    HiddenSquares    hidden;   // likewise, of the batch at hand
+    BlendScratch     blend;    // scenes with transparent surfaces only
+    NodeMemory       memory;   // methods with coherence only
+    Tally            tally;    // of the frame
 
     std::vector<WaitingInstance> instances;  // hierarchical methods only, like the next
     std::vector<WaitingBatch>    batches;

@@ -1,16 +1,38 @@
 // Crossings in fixed point against one division per line, in whole numbers.
-#define HWY_COMPILE_ONLY_SCALAR
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tests/core/line_crossing_test.cpp"
+#include <hwy/foreach_target.h>  // includes this file once per target
+
 #include "core/scan/edge_stepper.h"
 #include "core/sweep/enter_edges-inl.h"
 
+HWY_BEFORE_NAMESPACE();
+namespace zscope::HWY_NAMESPACE {
+
+/// Of the edge from (xa, ya) to (xb, yb), in 1/256 pixel, with the centres of a line.
+LineCrossing crossingOf(double xa, double ya, double xb, double yb, int line, bool opens)
+{
+    const hn::CappedTag<double, 1> d;
+    using V       = hn::Vec<hn::CappedTag<double, 1>>;
+    const auto at = crossingsOf(d, Falling<V>{hn::Set(d, xa), hn::Set(d, ya), hn::Set(d, xb), hn::Set(d, yb)},
+                                hn::Set(d, line), hn::Set(d, opens) > hn::Set(d, 0));
+    return {hn::GetLane(at.x), hn::GetLane(at.step)};
+}
+
+}  // namespace zscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
 namespace zscope {
 namespace {
+
+HWY_EXPORT(crossingOf);
 
 __extension__ typedef __int128 Wide;
 
@@ -24,13 +46,8 @@ Wide floorOfQuotient(Wide value, Wide by) { return value / by - (value % by < 0 
 
 LineCrossing crossingOf(const CrossedEdge& e, int line, bool opens = false)
 {
-    namespace hn = hwy::HWY_NAMESPACE;
-    const hn::CappedTag<double, 1> d;
-    const auto                     set = [d](std::int64_t value) { return hn::Set(d, static_cast<double>(value)); };
-    using V                            = hn::Vec<hn::CappedTag<double, 1>>;
-    const auto at = HWY_NAMESPACE::crossingsOf(d, HWY_NAMESPACE::Falling<V>{set(e.xa), set(e.ya), set(e.xb), set(e.yb)},
-                                               set(line), set(opens) > set(0));
-    return {hn::GetLane(at.x), hn::GetLane(at.step)};
+    const auto real = [](std::int64_t value) { return static_cast<double>(value); };
+    return HWY_DYNAMIC_DISPATCH(crossingOf)(real(e.xa), real(e.ya), real(e.xb), real(e.yb), line, opens);
 }
 
 /// Walks the edge over all lines of [0, height) that it crosses and compares every position; how many there were.
@@ -128,3 +145,5 @@ TEST(LineCrossing, AStandingOneIsAtItsPlaceOrRightOfIt)
 
 }  // namespace
 }  // namespace zscope
+
+#endif  // HWY_ONCE
