@@ -96,6 +96,10 @@ public:
     /// `faults`: which rules of the pyramid are broken on purpose, if any; the promise above is gone then.
     void reset(const VisibilityBuffer& visible, int firstRow, int endRow, const FaultSet& faults = {},
                PyramidKind kind = PyramidKind::Deep);
+    void reset(const VisibilityBuffer& visible, int firstRow, int endRow, PyramidKind kind)
+    {
+        reset(visible, firstRow, endRow, {}, kind);
+    }
 
     /// From now on whole tiles are read so, side by side, and not pixel by pixel: whoever draws knows how wide the
     /// lanes are.

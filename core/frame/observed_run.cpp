@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "core/base/memory.h"
+#include "core/fast/kernels.h"
 #include "core/frame/frame_events.h"
 #include "core/frame/frame_plan.h"
-#include "core/frame/kernels.h"
 #include "core/frame/plain_stripe.h"
 #include "core/geometry/displacement.h"
 #include "core/plain/shading.h"

@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "core/base/memory.h"
+#include "core/fast/kernels.h"
 #include "core/frame/auto_choice.h"
 #include "core/frame/frame_plan.h"
-#include "core/frame/kernels.h"
 #include "core/frame/observed_run.h"
 #include "core/frame/plain_stripe.h"
 #include "core/frame/stripes.h"
@@ -21,20 +21,6 @@
 #include "core/plain/shading.h"
 
 namespace zscope {
-
-Simd resolved(Simd simd)
-{
-    if (simd != Simd::Auto) return simd;
-    for (auto entry = simdTargets().rbegin(); entry != simdTargets().rend(); ++entry)
-        if (entry->available) return entry->target;
-    return Simd::Scalar;
-}
-
-std::string_view wordOf(Simd simd)
-{
-    const auto entry = std::ranges::find(simdTargets(), simd, &SimdEntry::target);
-    return entry == simdTargets().end() ? "auto" : entry->word;
-}
 
 namespace {
 

@@ -19,6 +19,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/shortcut.h"
+#include "core/base/simd.h"
 #include "core/base/stages.h"
 #include "core/base/tally.h"
 #include "core/depth/visibility_buffer.h"
@@ -28,20 +29,6 @@
 #include "core/scene/view.h"
 
 namespace zscope {
-
-/// Which vector instructions the kernels use. Scalar is one lane; every target gives the same bits.
-enum class Simd { Auto, Scalar, Sse4, Avx2, Avx512 };
-
-struct SimdEntry {
-    Simd             target;
-    std::string_view word;
-    std::string_view title;
-    bool             available;  // compiled in and supported by this machine
-};
-std::span<const SimdEntry> simdTargets();
-/// Auto becomes the widest available target; others stay.
-Simd             resolved(Simd simd);
-std::string_view wordOf(Simd simd);
 
 /// What to draw and how. A value: it may be copied to another thread; the scene is shared.
 struct DrawRequest {

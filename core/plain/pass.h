@@ -5,8 +5,8 @@
 #pragma once
 
 #include "core/cull/occlusion.h"
-#include "core/scan/fragments.h"
 #include "core/scan/pixel_events.h"
+#include "core/scan/shading_moment.h"
 
 namespace zscope::plain {
 

@@ -9,7 +9,7 @@
 #include "core/probe/grain.h"
 #include "core/probe/meaning.h"
 #include "core/probe/telling.h"
-#include "core/scan/fragments.h"
+#include "core/scan/shading_moment.h"
 
 namespace zscope {
 

@@ -48,13 +48,17 @@ std::vector<Pipeline> pipelinesOfTheContract()
     return all;
 }
 
-/// Nothing if the frames are the same.
+/// Nothing if the frames are the same. The shortcuts draw over a picture of the same scene from nearer by, as they do
+/// in the window: what that left must not show.
 std::optional<std::string> whatShortcutsChange(DrawRequest request, ShortcutSet set)
 {
     Frame plain, fast;
     request.shortcuts = {};
     drawAlone(request, plain);
     request.shortcuts = set;
+    DrawRequest before = request;
+    before.camera.focal *= 1.5;
+    drawAlone(before, fast);
     drawAlone(request, fast);
     const auto differs = firstDifference(plain, fast);
     if (!differs) return std::nullopt;
@@ -79,8 +83,9 @@ TEST(ShortcutContract, NoSetOfShortcutsChangesABit)
                                         .faceCulling = random() % 2 == 0 ? FaceCulling::None : FaceCulling::Back,
                                         .pipeline    = pipelines[random() % pipelines.size()],
                                         .threads     = 1 + static_cast<int>(random() % 2)};
-        const std::vector<Simd> targets = targetsTested();
-        request.simd                    = targets[random() % targets.size()];
+        std::vector<Simd> targets = targetsTested();
+        if (targets.size() > 1) std::erase(targets, Simd::Scalar);  // which has no shortcuts
+        request.simd = targets[random() % targets.size()];
         // Where the borders between stripes lie in a second frame depends on the clock.
         const Approximation& numbers = request.pipeline.approximation;
         if (numbers.cells != CellDescent::Descend || numbers.small != SmallNodes::Keep) request.threads = 1;
@@ -94,22 +99,24 @@ TEST(ShortcutContract, NoSetOfShortcutsChangesABit)
 TEST(ShortcutContract, NoneAloneAndNoneLeftOutChangesABit)
 {
     for (const char* word : {"teapot?tessellation=4", "glass", "cutouts", "reliefs", "layers?count=6",
-                             "wall-and-city?blocks=4", "soccer-ball"}) {
+                             "wall-and-city?blocks=4", "soccer-ball", "hard/B1", "hard/E7"}) {
         const auto   loaded = std::make_shared<const Scene>(builtinScene(word));
         const auto   scene  = prepared(loaded);
         const Camera camera = cameraFor(*loaded, 120, 75);
         for (const Preset& preset : presets()) {
             if (preset.pipeline.chooser == Chooser::Measured) continue;
-            for (int k = 0; k < kShortcutCount; ++k)
-                for (const ShortcutSet set : {with({}, shortcutAt(k)), without(ShortcutSet::all(), shortcutAt(k))}) {
-                    const auto changed = whatShortcutsChange({.scene       = scene,
-                                                              .camera      = camera,
-                                                              .faceCulling = FaceCulling::Back,
-                                                              .pipeline    = preset.pipeline,
-                                                              .threads     = 2},
-                                                             set);
-                    ASSERT_FALSE(changed) << word << ", " << *changed;
-                }
+            std::vector<ShortcutSet> sets;  // first alone, so that a failure names the shortcut
+            for (int k = 0; k < kShortcutCount; ++k) sets.push_back(with({}, shortcutAt(k)));
+            for (int k = 0; k < kShortcutCount; ++k) sets.push_back(without(ShortcutSet::all(), shortcutAt(k)));
+            for (const ShortcutSet set : sets) {
+                const auto changed = whatShortcutsChange({.scene       = scene,
+                                                          .camera      = camera,
+                                                          .faceCulling = FaceCulling::Back,
+                                                          .pipeline    = preset.pipeline,
+                                                          .threads     = 2},
+                                                         set);
+                ASSERT_FALSE(changed) << word << ", " << *changed;
+            }
         }
     }
 }

@@ -140,7 +140,7 @@ TEST(Architecture, TheTableIsReadAndCanForbid)
     EXPECT_TRUE(mayInclude("app/cli.cpp", "core/frame/renderer.h"));
     EXPECT_FALSE(mayInclude("core/base/result.h", "core/scene/scene.h"));
     EXPECT_FALSE(mayInclude("core/scene/scene.h", "core/frame/renderer.h"));
-    EXPECT_FALSE(mayInclude("core/probe/observer.h", "core/scan/half_space-inl.h"));
+    EXPECT_FALSE(mayInclude("core/probe/observer.h", "core/fast/lanes/half_space-inl.h"));
     EXPECT_FALSE(mayInclude("core/lesson/replay.h", "ui/window/main_window.h"));
     EXPECT_FALSE(mayInclude("app/cli/render.cpp", "ui/window/main_window.h"));
     EXPECT_EQ(folderOf("app/cli/peers/a.h"), "app/cli/peers");
@@ -237,12 +237,28 @@ TEST(Architecture, PlainTextNamesNoLanesThreadsOrInstructionSets)
     EXPECT_GT(checked, 20u);
 }
 
+/// Shortcuts are told by no observer and break no rule; lanes are theirs alone.
+TEST(Architecture, ShortcutsKnowNoObserverAndNoFaultAndNobodyElseNamesLanes)
+{
+    static const std::regex watched(R"re(\b(observers?|faults?|FaultSet)\b)re", std::regex::icase),
+        lanes(R"re(\b(hwy|HWY_\w*|hn)\b|-inl\.h)re");
+    std::size_t checked = 0;
+    for (const std::string& file : sourcesIn("core")) {
+        const bool        isFast = isIn(file, "core/fast");
+        std::smatch       found;
+        const std::string text = isFast ? textOf(kRoot / file) : codeOf(textOf(kRoot / file));
+        EXPECT_FALSE(std::regex_search(text, found, isFast ? watched : lanes)) << file << " says " << found.str();
+        checked += isFast;
+    }
+    EXPECT_GT(checked, 30u);
+}
+
 /// Kernels are written for any number of lanes: a processor's own names stand in the files that are named for them.
 TEST(Architecture, IntrinsicsStandInTheFilesNamedForThem)
 {
     static const std::regex intrinsic(
         R"re(\b(_mm\d*_\w+|_MM_\w+|__m(128|256|512)\w*|__builtin_ia32_\w+|v(ld|st)\d\w*q_\w+)\b)re");
-    const std::set<std::string> allowed{"core/base/ticks.h", "core/scan/avx512_words-inl.h"};
+    const std::set<std::string> allowed{"core/base/ticks.h", "core/fast/lanes/avx512_words-inl.h"};
     std::set<std::string>       found;
     for (const char* top : {"core", "app", "ui"})
         for (const std::string& file : sourcesIn(top))

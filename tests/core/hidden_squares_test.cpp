@@ -2,14 +2,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/depth/hidden_squares.h"
 #include "core/depth/visibility_buffer.h"
+#include "core/fast/hidden_squares/hidden_squares.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/core/hidden_squares_test.cpp"
 #include <hwy/foreach_target.h>  // includes this file once per target
 
-#include "core/depth/hidden_squares-inl.h"
+#include "core/fast/hidden_squares/hidden_squares-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {

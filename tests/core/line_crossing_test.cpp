@@ -8,8 +8,8 @@
 #define HWY_TARGET_INCLUDE "tests/core/line_crossing_test.cpp"
 #include <hwy/foreach_target.h>  // includes this file once per target
 
+#include "core/fast/lanes/enter_edges-inl.h"
 #include "core/scan/edge_stepper.h"
-#include "core/sweep/enter_edges-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {

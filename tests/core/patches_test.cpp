@@ -9,7 +9,7 @@
 #define HWY_TARGET_INCLUDE "tests/core/patches_test.cpp"
 #include <hwy/foreach_target.h>  // includes this file once per target
 
-#include "core/geometry/patches-inl.h"
+#include "core/fast/patches/patches-inl.h"
 
 namespace zscope {
 #ifndef ZSCOPE_PATCHES_SAID

@@ -1,7 +1,7 @@
 // Questions are left out while they are seldom answered with "hidden", and come back when that changes.
 #include <gtest/gtest.h>
 
-#include "core/cull/sampled_questions.h"
+#include "core/fast/skipped_questions/sampled_questions.h"
 
 namespace zscope {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/depth/visibility_buffer.h"
-#include "core/frame/kernels.h"
+#include "core/fast/kernels.h"
 #include "core/scene/load.h"
 
 namespace zscope::tests {

@@ -10,7 +10,7 @@
 #define HWY_TARGET_INCLUDE "tests/core/shared_sides_test.cpp"
 #include <hwy/foreach_target.h>  // includes this file once per target
 
-#include "core/sweep/enter_edges-inl.h"
+#include "core/fast/lanes/enter_edges-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {

@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "tests/core/wide_pyramid_test.cpp"
 #include <hwy/foreach_target.h>  // includes this file once per target
 
-#include "core/depth/wide_pyramid-inl.h"
+#include "core/fast/two_level_pyramid/wide_pyramid-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace zscope::HWY_NAMESPACE {
