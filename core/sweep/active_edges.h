@@ -13,8 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include <hwy/cache_control.h>
-
 #include "core/sweep/active_edge.h"
 #include "core/sweep/edge_table.h"
 
@@ -104,7 +102,7 @@ private:
     std::span<const ActiveEdge> inOrder(const EdgeTable& table, int y)
     {
         if (y + 1 < table.endLine())  // they lie anywhere in the table: those of the next line are fetched meanwhile
-            for (const std::uint32_t edge : table.startingAt(y + 1)) hwy::Prefetch(&table[edge]);
+            for (const std::uint32_t edge : table.startingAt(y + 1)) __builtin_prefetch(&table[edge]);
         const std::span<const std::uint32_t> bucket = table.startingAt(y);
         NearlySorted                         order(m_entering, bucket.size());
         for (const std::uint32_t edge : bucket) order.append(table[edge], table[edge].crossing());

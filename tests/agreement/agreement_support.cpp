@@ -21,11 +21,11 @@ std::uint64_t shareOf(std::uint64_t whole) { return kSanitized ? std::max<std::u
 
 std::vector<Simd> targetsTested()
 {
-    if (kSanitized) return {Simd::Scalar, resolved(Simd::Auto)};
+    if (kSanitized) return {resolved(Simd::Auto)};
     std::vector<Simd> targets;
-    for (const SimdEntry& entry : simdTargets()) {
-        if (entry.available && entry.target != Simd::Auto) targets.push_back(entry.target);
-    }
+    for (const SimdEntry& entry : simdTargets())
+        if (entry.available && entry.target != Simd::Scalar) targets.push_back(entry.target);
+    if (targets.empty()) targets.push_back(Simd::Scalar);
     return targets;
 }
 

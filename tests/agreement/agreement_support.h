@@ -21,7 +21,7 @@ namespace zscope::tests {
 /// How many of `whole` repetitions this build makes: all, or under a sanitizer every tenth, at least one.
 std::uint64_t shareOf(std::uint64_t whole);
 
-/// Instruction sets to draw with.
+/// Instruction sets of the fast text; one lane, the plain text, where there are none.
 std::vector<Simd> targetsTested();
 /// Those that promise exact pictures, to the bit or by face.
 std::vector<Preset> exactPresets();

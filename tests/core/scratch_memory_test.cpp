@@ -67,7 +67,7 @@ Picture drawn(const Subject& subject, const Pipeline& pipeline, Simd simd, FaceC
     const LaneRules rules(pipeline.approximation, camera);
     Stripe          whole{*subject.scene, projection, culling, visible, 0, camera.height, {}};
     whole.shortcuts = ShortcutSet::all();
-    kernelsOf(simd).drawStripe(pipeline, rules, whole, scratch, clock);
+    kernelsOf(simd)->drawStripe(pipeline, rules, whole, scratch, clock);
     return pictureOf(visible);
 }
 
@@ -78,7 +78,7 @@ TEST(ScratchMemory, MayHoldAnythingBeforeItsFirstFrame)
         for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back})
             for (const SimdEntry& target : simdTargets())
                 for (const Preset& preset : presets()) {
-                    if (!target.available || !hasFastText(preset.pipeline)) continue;
+                    if (!target.available || !kernelsOf(target.target) || !hasFastText(preset.pipeline)) continue;
                     SoiledScratch clean(0), high(0xA5), low(0x5A);
                     const Picture wanted = drawn(subject, preset.pipeline, target.target, culling, *clean);
                     for (const SoiledScratch* soiled : {&high, &low})
