@@ -204,8 +204,8 @@ HWY_INLINE std::size_t offerShaded(Keys offered, const WindowTarget& to, PixelKe
     if constexpr (!Fragments::kFree)
         if (hn::AllFalse(u32, wanted)) return 0;
     if (!allExist) {
-        const auto right = hn::And(hn::Load(u32, kPixelsOfKeys.data()), hn::Set(u32, 0xFFFF));
-        const auto exist = right < hn::Set(u32, static_cast<std::uint32_t>(to.width) - (first & 0xFFFF));
+        const auto x     = hn::And(hn::Load(u32, kPixelsOfKeys.data()) + hn::Set(u32, first), hn::Set(u32, 0xFFFF));
+        const auto exist = x < hn::Set(u32, static_cast<std::uint32_t>(to.width));
         wanted = hn::And(wanted, exist), paid = hn::And(paid, exist);
     }
     if constexpr (Fragments::kFree) {
