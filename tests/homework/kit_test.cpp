@@ -136,7 +136,7 @@ std::string verdictOf(const check::CheckAnswer& answer)
     return !answer.isRight() ? "wrong" : answer.rounding.total() > 0 ? "rounding" : "right";
 }
 
-/// `check` gives each variant the verdict of the table, and names its cause first. "miss" says why it does not.
+/// `check` gives each variant the verdict of the table, says what stands there, and names its cause first. "miss" says why it does not.
 TEST_F(Kit, EachVariantErrsAsTheTableSays)
 {
     const std::string table = contentsOf(kTests + "/variants.json");
@@ -157,6 +157,8 @@ TEST_F(Kit, EachVariantErrsAsTheTableSays)
         const auto answer = checkers.at(scene).check({.camera = tasks.at(scene).view, .dump = path("out/out.zdump")});
         ASSERT_TRUE(answer) << answer.error().text();
         EXPECT_EQ(verdictOf(*answer), variant["verdict"]) << answer->sentence;
+        if (variant.contains("says"))
+            EXPECT_NE(answer->sentence.find(variant["says"].get<std::string>()), std::string::npos) << answer->sentence;
         if (variant.contains("miss")) continue;
         EXPECT_EQ(answer->causes.empty(), variant["cause"].is_null()) << answer->sentence;
         if (answer->causes.empty() || variant["cause"].is_null()) continue;
