@@ -204,6 +204,19 @@ TEST_F(PlainCauses, APictureUpsideDownIsCalledSo)
                   "The picture is upside down: with its rows in the other order few of its pixels are wrong (1). ");
 }
 
+TEST_F(PlainCauses, WithoutACameraTheOptionIsNamed)
+{
+    std::string dump = "ZSDUMP1\n";
+    for (const std::uint32_t word : {0x01020304u, 2u, 1u, 2u, 1u, 0u, 0u, 1u, 0u}) append(dump, word);
+    for (const std::int32_t id : {-1, 0}) append(dump, id);
+    check::CheckRequest request;
+    request.dump      = write("no-camera.zdump", dump);
+    const auto answer = check::Checker(m_scene).check(request);
+    ASSERT_FALSE(answer);
+    EXPECT_NE(answer.error().text().find("no camera is given (--camera FILE)"), std::string::npos)
+        << answer.error().text();
+}
+
 /// The first comer keeps a tie where the lowest id should.
 TEST_F(Causes, TiesOfDepthAreNamedWhereTheyExplainMostDifferences)
 {

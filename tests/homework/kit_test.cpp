@@ -80,6 +80,12 @@ TEST_F(Kit, BuildsWithItsGapsAndSaysWhichAreEmpty)
         EXPECT_EQ(picture.substr(0, 15), "P6\n160 120\n255\n");
         EXPECT_EQ(picture.size(), 15u + 3 * 160 * 120);
     }
+    EXPECT_NE(statusOf(fmt::format("'{}' '{}' '{}' '{}' 2>'{}'", path("build/homework"), task.obj, task.camera,
+                                   path("nowhere"), path("said"))),
+              0);
+    EXPECT_NE(contentsOf(path("said")).find("nowhere/out.zdump: cannot be written: does the folder exist?"),
+              std::string::npos)
+        << contentsOf(path("said"));
 }
 
 /// As a student builds it without CMake: one line.
