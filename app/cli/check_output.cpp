@@ -155,15 +155,15 @@ std::string textOf(const CheckAnswer& answer)
     if (!answer.causes.empty()) {
         Table causes({{"cause", Table::Align::Left}, {"explains"}, {"adds"}, {"lesson", Table::Align::Left}});
         for (const check::Cause& cause : answer.causes)
-            causes.row({cause.name, fmt::format("{:.1f} %", cause.explains * 100), grouped(cause.adds),
-                        std::string(cause.lesson)});
+            causes.row(
+                {cause.name, check::percentText(cause.explains), grouped(cause.adds), std::string(cause.lesson)});
         text += "\n" + causes.text();
     }
     if (!answer.clusters.empty()) {
         Table clusters({{"where wrong pixels lie", Table::Align::Left}, {"of the wrong"}, {"of the covered"}});
         for (const check::Cluster& cluster : answer.clusters)
-            clusters.row({std::string(cluster.where), fmt::format("{:.1f} %", cluster.share * 100),
-                          fmt::format("{:.1f} %", cluster.usual * 100)});
+            clusters.row(
+                {std::string(cluster.where), check::percentText(cluster.share), check::percentText(cluster.usual)});
         text += "\n" + clusters.text();
     }
     return text;

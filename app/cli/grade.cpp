@@ -47,7 +47,8 @@ Command addGrade(CLI::App& parent)
         ->group("Program")
         ->required();
     option("--submissions", options->submissions, "FOLDER", "Each file or folder in it is a submission", "Program");
-    option("--time-limit", options->timeLimit, "S", "Seconds that a run may take (default 10)", "Limits");
+    option("--time-limit", options->timeLimit, "S", "Seconds that a run may take, compiling included (default 10)",
+           "Limits");
     option("--memory-limit", options->memoryLimit, "MIB", "Memory that a run may take (default 2048)", "Limits");
     option("--threads", options->threads, "N", "Runs side by side (default: one for each core)", "Limits");
     parser->add_flag("--no-sandbox", options->withoutSandbox, "Run programs with all rights that you have")

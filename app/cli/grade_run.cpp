@@ -361,7 +361,9 @@ private:
                 return is(GradeVerdict::Crashed,
                           fmt::format("{} ended it{}", signalName(outcome.status), saidIn(outcome.text)));
             case Ending::TimedOut:
-                return is(GradeVerdict::TimedOut, fmt::format("it was still running after {} s", m_limits.seconds));
+                return is(
+                    GradeVerdict::TimedOut,
+                    fmt::format("it was still running after {} s; compiling counts (--time-limit)", m_limits.seconds));
             case Ending::TooMuchMemory:
                 return is(GradeVerdict::TooMuchMemory,
                           fmt::format("it came within 5 % of {} MiB", m_limits.memory >> 20));

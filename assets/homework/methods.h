@@ -43,6 +43,10 @@ EdgeTable makeEdgeTable(const std::vector<ScreenTriangle>& triangles, int height
 
 /// Makes line j's active edges of those of line j - 1: some end, the others move on by dx, new ones enter, and all of
 /// them are sorted by x.
+/// Numbers: with the denominator 256 h, h the edge's height in steps of the grid, |x| < 2^59 in a picture of any size:
+/// long long holds x, dx and 2 x. To compare two edges, compare their first pixels, ceilDiv(2 x - denominator,
+/// 2 denominator). Do not compare a.x * b.denominator with b.x * a.denominator: these reach 2^97. They fit into 64 bits
+/// only if all triangles lie within a picture of up to 1024 x 1024 pixels, and a triangle may reach far beyond it.
 void updateActiveEdges(std::vector<Edge>& active, const std::vector<Edge>& entering, int j);
 
 /// Draws line j. Each triangle on it has two active edges, and covers the pixels whose centres lie between them.

@@ -28,7 +28,7 @@ void write(const Picture& picture, const std::string& folder)
     if (zscope_dump(dump.c_str(), picture.width, picture.height, picture.depth.data(), picture.ids.data(), nullptr,
                     nullptr, ZSCOPE_TOP_DOWN | ZSCOPE_IDS_FROM_0)
         != 0)
-        stop(dump, 0, "cannot be written");
+        stop(dump, 0, "cannot be written: does the folder exist?");
 
     std::string bytes = "P6\n" + std::to_string(picture.width) + ' ' + std::to_string(picture.height) + "\n255\n";
     for (const int id : picture.ids) appendColour(bytes, id);

@@ -36,6 +36,7 @@ enum class Fault {
     LevelTooFine,        // pyramid: a query looks at the corners of its rectangle one level too fine
     LevelShifted,        // pyramid: a query looks up the cells of one level at the coordinates of the next
     PainterOrder,        // depth: what comes later in the file is drawn over, without a test
+    FarthestWins,        // depth: a fragment wins if it is farther than what is there
 };
 
 /// Faults that a pipeline has at once. Ranges over its faults in the order of the enumerators.

@@ -26,9 +26,11 @@ Result<std::vector<Camera>> camerasFor(const CheckRequest& request, const std::o
         if (!matrices) return matrices.error();
         return camerasOf(*matrices, request.width, request.height, *request.matrix);
     }
-    if (!dump) return inputError("no camera is given: neither its ten numbers, nor matrices, nor a dump");
+    if (!dump)
+        return inputError("no camera is given: neither its ten numbers (--camera FILE), nor matrices, nor a dump");
     if (!dump->view || !dump->projection)
-        return inputError("the dump holds no view and projection, and no camera is given", *request.dump);
+        return inputError("the dump holds no view and projection, and no camera is given (--camera FILE)",
+                          *request.dump);
     const CameraMatrices matrices{dump->view, dump->projection, {}, dump->order, dump->range};
     return camerasOf(matrices, dump->width, dump->height, *request.dump);
 }
@@ -121,6 +123,8 @@ Checker& Checker::operator=(Checker&&) noexcept = default;
 
 namespace {
 
+using Truths = std::vector<std::shared_ptr<const Truth>>;
+
 struct Best {
     Reading   reading;
     Shown     shown;
@@ -153,6 +157,44 @@ Best bestOf(std::vector<Reading> readings, const Foreign& files)
             best = Best{std::move(reading), std::move(shown), std::move(judgement)};
     }
     return *std::move(best);
+}
+
+/// The files judged without their ids, if these hold background alone and the rest is right; else nothing.
+std::optional<Best> rightWithoutIds(const Best& best, const Foreign& files, const Conventions& given,
+                                    const Truths& truths)
+{
+    if (!best.reading.areIdsEmpty || !files.depth || best.reading.isDepthEmpty) return std::nullopt;
+    const Foreign depthAlone{files.depth, std::nullopt, std::nullopt};
+    Best          other = bestOf(readingsOf(depthAlone, given, truths), depthAlone);
+    if (other.judgement.wrong.total() > 0) return std::nullopt;
+    return other;
+}
+
+/// The pixels that are wrong if the rows are read in the other order than is given; nothing: no order is given.
+std::optional<std::uint64_t> wrongTurned(const Foreign& files, Conventions given, const Truths& truths)
+{
+    if (!given.rows) return std::nullopt;
+    given.rows = *given.rows == Rows::TopDown ? Rows::BottomUp : Rows::TopDown;
+    return bestOf(readingsOf(files, given, truths), files).judgement.wrong.total();
+}
+
+/// What is plainly the matter, before causes are looked for. Where ids are missing, `best` becomes the reading of the
+/// depths.
+void findPlight(CheckAnswer& answer, Best& best, const Foreign& files, const Conventions& given, const Truths& truths)
+{
+    if (auto depths = rightWithoutIds(best, files, given, truths)) {
+        answer.plight                = Plight::NoIds;
+        answer.noId                  = best.reading.idBackground.value_or(-1);
+        depths->reading.areIdsEmpty  = true;
+        depths->reading.idBackground = best.reading.idBackground;
+        best.shown                   = shownBy(files, depths->reading);
+        best.judgement               = judge(best.shown, *depths->reading.truth);
+        best.reading                 = std::move(depths->reading);
+    } else if (const auto turned = wrongTurned(files, given, truths);
+               turned && 20 * *turned <= best.judgement.wrong.total()) {
+        answer.plight      = Plight::UpsideDown;
+        answer.wrongTurned = *turned;
+    }
 }
 
 std::optional<PixelPosition> firstWrongOf(const Grid<Verdict>& verdicts)
@@ -200,7 +242,7 @@ Result<CheckAnswer> Checker::check(const CheckRequest& request)
     Result<Input> input = inputOf(request);
     if (!input) return input.error();
 
-    std::vector<std::shared_ptr<const Truth>> truths;
+    Truths truths;
     for (const Camera& camera : input->cameras)
         for (const FaceCulling culling : {FaceCulling::None, FaceCulling::Back}) {
             if (request.given.cull && *request.given.cull != culling) continue;
@@ -212,26 +254,34 @@ Result<CheckAnswer> Checker::check(const CheckRequest& request)
             });
             if (isNew) truths.push_back(truth);
         }
-    Best           best      = bestOf(readingsOf(input->files, input->given, truths), input->files);
+    CheckAnswer answer;
+    Best        best = bestOf(readingsOf(input->files, input->given, truths), input->files);
+    if (best.judgement.wrong.total() > 0) {
+        if (!best.reading.conventions.rows)
+            answer.plight = Plight::NothingDrawn;
+        else if (request.diagnoses)
+            findPlight(answer, best, input->files, input->given, truths);
+    }
     const Reading& reading   = best.reading;
     const Truth&   truth     = *reading.truth;
     const Shown&   shown     = best.shown;
     Judgement&     judgement = best.judgement;
 
-    CheckAnswer         answer{.conventions = reading.conventions,
-                               .camera      = truth.camera,
-                               .covered     = truth.covered,
-                               .wrong       = judgement.wrong,
-                               .rounding    = judgement.rounding};
+    answer.conventions        = reading.conventions;
+    answer.camera             = truth.camera;
+    answer.covered            = truth.covered;
+    answer.wrong              = judgement.wrong;
+    answer.rounding           = judgement.rounding;
     const std::uint64_t moved = judgement.rounding.total() - judgement.rounding.of(Mistake::WrongDepth);
     answer.looksLikeFillRule  = 2 * judgement.onEdges > moved;
+    answer.looksLikeTies      = 2 * judgement.ties > moved;
     if (const auto first = firstWrongOf(judgement.verdicts)) {
         auto wrong = describe(*first, input->files, reading, judgement.verdicts.at(first->x, first->y).mistake(),
                               request.progress);
         if (!wrong) return wrong.error();
         answer.firstWrong = *std::move(wrong);
     }
-    const bool diagnosed = request.diagnoses && judgement.wrong.total() > 0;
+    const bool diagnosed = request.diagnoses && judgement.wrong.total() > 0 && answer.plight == Plight::None;
     if (diagnosed) {
         const auto view = m_kept->viewOf(truth.camera, truth.culling, request.subpixelBits, request.progress);
         if (!view) return view.error();

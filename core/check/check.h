@@ -49,15 +49,27 @@ struct WrongPixel {
     std::vector<PixelCover> covers;  // all triangles that meet it, the nearest first
 };
 
+/// What is said in place of causes where no mistake of the gallery is meant.
+enum class Plight : std::uint8_t {
+    None,
+    NothingDrawn,  // the files hold background alone
+    NoIds,         // without their ids, all of which are background, the files are right
+    UpsideDown,    // their rows are given; in the other order at most a twentieth of the wrong pixels is wrong
+};
+
 struct CheckAnswer {
     Conventions               conventions;
     Camera                    camera;
     std::uint64_t             covered = 0;  // pixels of the reference
     MistakeCounts             wrong, rounding;
     bool                      looksLikeFillRule = false;  // most roundings lie exactly on an edge
-    std::optional<WrongPixel> firstWrong        = {};     // in reading order
-    std::vector<Cause>        causes            = {};     // the best first
-    std::vector<Cluster>      clusters          = {};     // where nothing explains the wrong pixels
+    bool                      looksLikeTies     = false;  // most roundings are surfaces at equal depth
+    Plight                    plight            = Plight::None;
+    std::int64_t              noId              = 0;   // of NoIds: what the file of ids holds everywhere
+    std::uint64_t             wrongTurned       = 0;   // of UpsideDown: pixels that are wrong in the other order
+    std::optional<WrongPixel> firstWrong        = {};  // in reading order
+    std::vector<Cause>        causes            = {};  // the best first
+    std::vector<Cluster>      clusters          = {};  // where nothing explains the wrong pixels
     Grid<Verdict>             verdicts          = {};
     std::string               sentence          = {};  // all of it in plain English
 
@@ -85,6 +97,8 @@ private:
     std::unique_ptr<Kept> m_kept;
 };
 
+/// "89.0 %": a share of pixels, wherever it is shown.
+std::string percentText(double share);
 /// "12 of 3 456 covered pixels are wrong: ..." in a few sentences.
 std::string sentenceOf(const CheckAnswer& answer, bool diagnosed);
 

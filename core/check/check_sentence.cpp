@@ -1,6 +1,4 @@
 // What a judgement says in plain English. Every sentence stands by itself, so that each can be translated by itself.
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "core/base/grouped.h"
@@ -8,8 +6,6 @@
 
 namespace zscope::check {
 namespace {
-
-int percentOf(double share) { return static_cast<int>(std::floor(share * 100)); }
 
 /// "holes: 3, spills: 1, ...", in one form for every number.
 std::string kindsOf(const MistakeCounts& counts)
@@ -27,17 +23,18 @@ std::string roundingOf(const CheckAnswer& answer)
                            ? std::string(" Rounding alone explains 1 other difference.")
                            : fmt::format(" Rounding alone explains {} other differences.", grouped(rounding, ','));
     if (answer.isRight())
-        text = rounding == 1
-                   ? std::string(" Rounding alone explains the 1 pixel that differs.")
-                   : fmt::format(" Rounding alone explains the {} pixels that differ.", grouped(rounding, ','));
+        text = rounding == 1 ? std::string(" 1 pixel differs, by rounding alone.")
+                             : fmt::format(" {} pixels differ, all of them by rounding alone.", grouped(rounding, ','));
     if (answer.looksLikeFillRule)
         text += " Most of them lie exactly on an edge: the fill rule is not the top-left rule.";
+    if (answer.looksLikeTies)
+        text += " Most of them are ties: at equal depth another triangle was kept than the one with the lowest id.";
     return text;
 }
 
 std::string causeOf(const Cause& cause)
 {
-    std::string text = fmt::format(" {} % of the wrong pixels are those of '{}' ({}).", percentOf(cause.explains),
+    std::string text = fmt::format(" {} of the wrong pixels are those of '{}' ({}).", percentText(cause.explains),
                                    cause.title, cause.name);
     if (cause.adds > 0)
         text += cause.adds == 1 ? std::string(" That mistake would spoil 1 more pixel.")
@@ -46,16 +43,40 @@ std::string causeOf(const Cause& cause)
     return text;
 }
 
+/// What is the matter where no cause is looked for: it comes first.
+std::string plightOf(const CheckAnswer& answer)
+{
+    switch (answer.plight) {
+        case Plight::None:
+            break;
+        case Plight::NothingDrawn:
+            return "Nothing was drawn: the files hold background alone. Perhaps a function is still empty, or nothing "
+                   "passes the depth test. ";
+        case Plight::NoIds:
+            return fmt::format("The depths are right, and every id is {}: the ids are not stored. ", answer.noId);
+        case Plight::UpsideDown:
+            if (answer.wrongTurned == 0)
+                return "The picture is upside down: with its rows in the other order it is right. ";
+            return fmt::format(
+                "The picture is upside down: with its rows in the other order few of its pixels are wrong ({}). ",
+                grouped(answer.wrongTurned, ','));
+    }
+    return {};
+}
+
 }  // namespace
+
+std::string percentText(double share) { return fmt::format("{:.1f} %", share * 100); }
 
 std::string sentenceOf(const CheckAnswer& answer, bool diagnosed)
 {
     const std::string covered = grouped(answer.covered, ',');
     if (answer.isRight())
-        return fmt::format("Nothing is wrong: the reference covers {} pixels.", covered) + roundingOf(answer);
-    std::string text;
-    const auto& c = answer.conventions;
-    if (!c.rows && answer.wrong.of(Mistake::Hole) == answer.wrong.total()) text = "The files hold background alone. ";
+        return (answer.rounding.total() == 0
+                    ? fmt::format("Nothing is wrong: the reference covers {} pixels.", covered)
+                    : fmt::format("Right up to rounding: the reference covers {} pixels.", covered))
+               + roundingOf(answer);
+    std::string         text  = plightOf(answer);
     const std::uint64_t wrong = answer.wrong.total();
     text += wrong == 1 ? fmt::format("1 pixel is wrong ({}); the reference covers {}.", kindsOf(answer.wrong), covered)
                        : fmt::format("{} pixels are wrong ({}); the reference covers {}.", grouped(wrong, ','),
@@ -63,11 +84,11 @@ std::string sentenceOf(const CheckAnswer& answer, bool diagnosed)
     text += roundingOf(answer);
     if (!diagnosed) return text;
     if (!answer.causes.empty()) return text + causeOf(answer.causes.front());
-    text += " No mistake of the gallery explains a fifth of the wrong pixels.";
+    text += " No known mistake fits: none explains a fifth of the wrong pixels.";
     if (!answer.clusters.empty()) {
         const Cluster& cluster = answer.clusters.front();
-        text += fmt::format(" {} % of them lie {}, where {} % of the covered pixels lie.", percentOf(cluster.share),
-                            cluster.where, percentOf(cluster.usual));
+        text += fmt::format(" {} of them lie {}, where {} of the covered pixels lie.", percentText(cluster.share),
+                            cluster.where, percentText(cluster.usual));
     }
     return text;
 }

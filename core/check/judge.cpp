@@ -16,12 +16,16 @@ constexpr double kFloat32Step = 0x1p-23;  // relative, at most
 
 TriangleId triangleOf(std::int64_t id) { return TriangleId{static_cast<std::uint32_t>(id)}; }
 
+bool isEquallyNear(const Place& a, const Place& b)
+{
+    return std::abs(a.depth - b.depth) <= 2 * kFloat32Step * std::max(a.depth, b.depth);
+}
+
 /// Depths that a careful renderer may have the other way round.
 bool isTie(const Place& a, const Place& b)
 {
-    const double steps = 2 * kFloat32Step * std::max(a.depth, b.depth);
     const double moved = a.slack + b.slack + 4 * kFloat32Step * (a.depth + b.depth);
-    return std::abs(a.depth - b.depth) <= std::max(steps, moved);
+    return isEquallyNear(a, b) || std::abs(a.depth - b.depth) <= moved;
 }
 
 /// The far plane may or may not keep it.
@@ -56,6 +60,16 @@ public:
         const DepthValue value = m_scale.of(place.depth, x, y);
         const double     most  = toleranceOf(value, place.depth, place.slack, m_shown.resolution);
         return std::abs(m_shown.depth->at(x, y) - value.value) <= most;
+    }
+
+    /// Of a pixel with another surface: the file's is exactly as near as the reference's.
+    bool isTieOfDepth(int x, int y) const
+    {
+        const Place right = exactly(m_truth.picture.ids.at(x, y)).placeOf(x, y);
+        bool        is    = false;
+        forEachShown(m_shown.ids->at(x, y), x, y,
+                     [&](const Place& place) { is |= place.isPossible && isEquallyNear(place, right); });
+        return is;
     }
 
     ExactTriangle exactly(std::int64_t id) const
@@ -206,6 +220,17 @@ bool isOnEdge(const Truth& truth, const definition::View& view, std::int64_t id,
     });
 }
 
+std::uint64_t countTies(const PixelJudge& judge, const Grid<Verdict>& verdicts)
+{
+    std::uint64_t count = 0;
+    for (int y = 0; y < verdicts.height(); ++y)
+        for (int x = 0; x < verdicts.width(); ++x) {
+            const Verdict verdict = verdicts.at(x, y);
+            if (verdict.isRounding() && verdict.mistake() == Mistake::WrongSurface) count += judge.isTieOfDepth(x, y);
+        }
+    return count;
+}
+
 std::uint64_t countOnEdges(const Shown& shown, const Truth& truth, const Grid<Verdict>& verdicts)
 {
     const definition::View view(truth.camera, FaceCulling::None);
@@ -279,6 +304,7 @@ Judgement judge(const Shown& shown, const Truth& truth)
         if (verdict.isRounding()) ++judgement.rounding.of(verdict.mistake());
     }
     judgement.onEdges = countOnEdges(shown, truth, judgement.verdicts);
+    if (shown.ids) judgement.ties = countTies(judge, judgement.verdicts);
     return judgement;
 }
 

@@ -60,6 +60,7 @@ struct Judgement {
     Grid<Verdict> verdicts;
     MistakeCounts wrong, rounding;
     std::uint64_t onEdges = 0;  // of the roundings of coverage and surface: the sample lies exactly on a snapped edge
+    std::uint64_t ties    = 0;  // of those of surface: both depths are equal, up to two float32 steps
 };
 
 Judgement judge(const Shown& shown, const Truth& truth);

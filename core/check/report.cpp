@@ -271,16 +271,15 @@ private:
             HtmlTable table(2);
             table.head({"Mistake", "Name", "Explains", "Would spoil more pixels", "Lesson"});
             for (const Cause& cause : m_answer.causes)
-                table.row({titlesOf(cause), markupText(cause.name), fmt::format("{:.1f} %", cause.explains * 100),
-                           grouped(cause.adds), markupText(cause.lesson)});
+                table.row({titlesOf(cause), markupText(cause.name), percentText(cause.explains), grouped(cause.adds),
+                           markupText(cause.lesson)});
             html += heading("Likely causes") + table.text();
         }
         if (!m_answer.clusters.empty()) {
             HtmlTable table(1);
             table.head({"Place", "Of the wrong pixels", "Of the covered pixels"});
             for (const Cluster& cluster : m_answer.clusters)
-                table.row({said(cluster.where), fmt::format("{:.1f} %", cluster.share * 100),
-                           fmt::format("{:.1f} %", cluster.usual * 100)});
+                table.row({said(cluster.where), percentText(cluster.share), percentText(cluster.usual)});
             html += heading("Where the wrong pixels lie") + table.text();
         }
         return html;

@@ -169,6 +169,12 @@ constexpr std::array kFaults{
                "Keep a depth for every pixel and let a fragment win only if it is nearer.",
                "z-buffer methods that draw as submitted, in one pass and without a pyramid", "zbuffer",
                drawsInFileOrder},
+    FaultEntry{
+        Fault::FarthestWins, "farthest-wins", "Depth test reversed",
+        "The comparison is the wrong way round: a fragment wins if it is farther than what is there, so things are "
+        "seen that lie behind others.",
+        "Let the nearer fragment win: with near/z the larger number is nearer, with z the smaller one.",
+        "z-buffer methods that draw as submitted, in one pass and without a pyramid", "zbuffer", drawsInFileOrder},
 };
 
 }  // namespace

@@ -177,6 +177,8 @@ public:
     bool keepsLastDepths() const { return m_faults.has(Fault::NotCleared); }
     /// A fault: no depth is compared; what comes later in the file is drawn over what came before.
     bool drawsOver() const { return m_faults.has(Fault::PainterOrder); }
+    /// A fault: of two depths the farther one wins; background loses to both.
+    bool keepsFarthest() const { return m_faults.has(Fault::FarthestWins); }
     /// A fault: the pass that wants equal depths compares with "less".
     bool equalPassWantsNearer() const { return m_faults.has(Fault::EqualPassLess); }
 

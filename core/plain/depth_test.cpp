@@ -10,7 +10,11 @@ namespace {
 
 SpoiltTest spoiltTest(const ChosenRules& rules)
 {
-    return {rules.firstComerKeepsTie(), rules.drawsOver(), rules.equalPassWantsNearer(), rules.keepsLastDepths()};
+    return {.firstComerStays  = rules.firstComerKeepsTie(),
+            .drawsOver        = rules.drawsOver(),
+            .equalWantsNearer = rules.equalPassWantsNearer(),
+            .keepsLastDepths  = rules.keepsLastDepths(),
+            .keepsFarthest    = rules.keepsFarthest()};
 }
 
 }  // namespace
@@ -19,7 +23,7 @@ DepthTest::DepthTest(Work& work, const Pass& pass, const DepthPlane& plane, Tria
     : m_work(work), m_pass(pass), m_plane(plane), m_rank(id.value + 1), m_empty(work.stripe.visible.empty()),
       m_shading(work.stripe.painter ? pass.shading : ShadingMoment::Never),
       m_nearerWins(pass.keep != Keep::Equal && pass.keep != Keep::Over && !work.rules.firstComerKeepsTie()  // a fault
-                   && !work.rules.drawsOver())                                                             // a fault
+                   && !work.rules.drawsOver() && !work.rules.keepsFarthest())                               // faults
 {
     if (patterned) m_pattern = patternPlaneOf(work.stripe.scene.scene(), work.stripe.projection, id);
 }
@@ -99,6 +103,10 @@ bool DepthTest::winsByItsRule(PixelKey fragment, PixelKey held) const
     if (m_pass.keep == Keep::Over) return fragment > keyOf(m_empty, 0);
     if (m_pass.keep == Keep::Nearest && m_work.rules.drawsOver())  // a fault
         return fragment > keyOf(m_empty, 0) && rankOf(fragment) > rankOf(held);
+    if (m_pass.keep == Keep::Nearest && m_work.rules.keepsFarthest()) {  // a fault
+        const bool isUnowned = rankOf(held) == 0, sameDepth = fragment >> 32 == held >> 32;
+        return fragment > keyOf(m_empty, 0) && (isUnowned || (sameDepth ? fragment > held : fragment < held));
+    }
     const bool firstComerStays = m_work.rules.firstComerKeepsTie() && m_pass.keep != Keep::DepthOnly;  // a fault
     if (m_pass.keep != Keep::Equal) {
         const PixelKey lastOfItsDepth = fragment & ~PixelKey{0xFFFFFFFF};
@@ -114,6 +122,7 @@ bool DepthTest::winsByItsRule(PixelKey fragment, PixelKey held) const
 /// False only if the fragment loses at this depth and at any farther one.
 bool DepthTest::mayBecomeNearer(PixelKey fragment, PixelKey held) const
 {
+    if (m_work.rules.keepsFarthest()) return fragment > keyOf(m_empty, 0);  // a fault
     if (m_pass.keep != Keep::Equal || !m_pattern->relief) return wins(fragment, held);
     return held >> 32 <= fragment >> 32;
 }

@@ -61,6 +61,7 @@ struct SpoiltTest {
     bool drawsOver        = false;  // whatever comes later in the file, without a test
     bool equalWantsNearer = false;  // after a pre-pass
     bool keepsLastDepths  = false;  // those of the frame before
+    bool keepsFarthest    = false;  // of two depths the farther one
 };
 
 /// One covered pixel has been tested against the winner so far.

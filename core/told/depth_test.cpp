@@ -47,6 +47,12 @@ std::string testOf(const PixelTested& p, const Telling& telling)
     const std::string rival = fmt::format("{} {}", name, withCommas(p.rivalRank - 1));
     if (p.keep == Keep::Over)
         return who + fmt::format(" is painted over {} at {:.7g}: no depth is compared", rival, p.rivalDepth);
+    if (p.spoilt.keepsFarthest && p.depth != p.rivalDepth && p.won == (p.depth < p.rivalDepth))
+        return who
+               + (p.won ? fmt::format(" is farther than {} at {:.7g} and takes it: the farther one wins (a fault)",
+                                      rival, p.rivalDepth)
+                        : fmt::format(" is nearer than {} at {:.7g} and loses: the farther one wins (a fault)", rival,
+                                      p.rivalDepth));
     if (p.depth == p.rivalDepth) {
         return who
                + (p.won ? fmt::format(" is as near as {} and takes it: on equal depth the lower id wins", rival)
@@ -81,6 +87,9 @@ std::string wonBy(const PixelTested& e, const std::string& who, const Telling& t
         return fmt::format("{} comes after {} in the file and is drawn over it without a test (a fault).", who, rival);
     if (e.depth == e.rivalDepth)
         return fmt::format("{} is as near as {}, {:.9g}, and takes the pixel: {}.", who, rival, e.depth, tieRule(e));
+    if (e.spoilt.keepsFarthest)
+        return fmt::format("{} at {:.9g} takes the pixel from {} at {:.9g}: the farther one wins (a fault).", who,
+                           e.depth, rival, e.rivalDepth);
     return fmt::format("{}, near/z {:.9g}, takes the pixel from {} at {:.9g}: it is {} nearer.", who, e.depth, rival,
                        e.rivalDepth, countedSteps(e.depth, e.rivalDepth));
 }
@@ -98,6 +107,9 @@ std::string lostBy(const PixelTested& e, const std::string& who, const Telling& 
             "{} has exactly the depth that the pre-pass kept, {:.9g}, and loses: the second pass wants a nearer one (a "
             "fault).",
             who, e.depth);
+    if (e.spoilt.keepsFarthest && e.rivalRank != 0 && e.depth > e.rivalDepth)
+        return fmt::format("{} at {:.9g} loses the pixel to {} at {:.9g}: the farther one wins (a fault).", who,
+                           e.depth, telling.nameOf(rivalOf(e)), e.rivalDepth);
     if (e.depth > e.rivalDepth)
         return fmt::format(
             "{}, near/z {:.9g}, is nearer than {}: it has a hole here, so the pre-pass left it out, and it does not "
@@ -129,6 +141,9 @@ std::string overtakenBy(const PixelTested& e, const std::string& who, const Tell
         return fmt::format("{} comes after {} in the file and is drawn over it without a test (a fault).", winner, who);
     if (e.depth == e.rivalDepth)
         return fmt::format("{} is as near, {:.9g}, and takes the pixel from {}: {}.", winner, e.depth, who, tieRule(e));
+    if (e.spoilt.keepsFarthest)
+        return fmt::format("{} at {:.9g} takes the pixel from {} at {:.9g}: the farther one wins (a fault).", winner,
+                           e.depth, who, e.rivalDepth);
     return fmt::format("{} at {:.9g} takes the pixel from {} at {:.9g}: it is {} nearer.", winner, e.depth, who,
                        e.rivalDepth, countedSteps(e.rivalDepth, e.depth));
 }
@@ -137,6 +152,7 @@ std::string overtakenBy(const PixelTested& e, const std::string& who, const Tell
 PixelFate fateOf(const PixelTested& e, const Telling& telling)
 {
     if (e.keep == Keep::Over) return fates::kBeyondFar;
+    if (e.spoilt.keepsFarthest && e.depth > e.rivalDepth) return fates::kFarther;
     if (e.depth > e.rivalDepth) return fates::kHole;  // after a pre-pass that left it out
     if (e.rivalRank == 0 && e.rivalDepth <= telling.background()) return fates::kBeyondFar;
     return e.depth == e.rivalDepth ? fates::kLostTie : fates::kFarther;

@@ -112,6 +112,7 @@ TEST_F(Grade, GivesEachProgramItsVerdictTwice)
                    std::ranges::replace_if(
                        ids, [](int id) { return id > 20; }, -1);
                }));
+    submitDump("no-ids", dumpOf([](auto& ids) { std::ranges::fill(ids, -1); }));
     submitDump("unreadable", "ZSDUMP1\nand so on");
     submit("nothing", "true");
     submit("linked", "ln -s /etc/passwd \"$3/out.zdump\"");
@@ -136,25 +137,15 @@ TEST_F(Grade, GivesEachProgramItsVerdictTwice)
     const Answer json = run(grading({"--json"}));
     EXPECT_EQ(json.status, 1) << json.err;
     auto                                     rows = rowsOf(json.out);
-    const std::map<std::string, std::string> expected{{"right", "right"},
-                                                      {"wrong", "wrong"},
-                                                      {"unreadable", "unreadable"},
-                                                      {"nothing", "wrote-nothing"},
-                                                      {"linked", "unreadable"},
-                                                      {"failed", "failed"},
-                                                      {"not-a-program", "failed"},
-                                                      {"crash", "crashed"},
-                                                      {"no-library", "failed"},
-                                                      {"loop", "timed-out"},
-                                                      {"memory", "too-much-memory"},
-                                                      {"text", "too-much-output"},
-                                                      {"file", "too-much-output"},
-                                                      {"daemon", "failed"},
-                                                      {"network", "failed"},
-                                                      {"thief", "failed"},
-                                                      {"vandal", "failed"},
-                                                      {"file-alone", "failed"}};
-    std::map<std::string, std::string>       verdicts;
+    const std::map<std::string, std::string> expected{
+        {"right", "right"},           {"wrong", "wrong"},           {"no-ids", "wrong"},
+        {"unreadable", "unreadable"}, {"nothing", "wrote-nothing"}, {"linked", "unreadable"},
+        {"failed", "failed"},         {"not-a-program", "failed"},  {"crash", "crashed"},
+        {"no-library", "failed"},     {"loop", "timed-out"},        {"memory", "too-much-memory"},
+        {"text", "too-much-output"},  {"file", "too-much-output"},  {"daemon", "failed"},
+        {"network", "failed"},        {"thief", "failed"},          {"vandal", "failed"},
+        {"file-alone", "failed"}};
+    std::map<std::string, std::string> verdicts;
     for (const auto& [name, row] : rows) verdicts[name] = row["verdict"];
     EXPECT_EQ(verdicts, expected);
     EXPECT_FALSE(fs::exists(path("class/new")));
@@ -167,6 +158,10 @@ TEST_F(Grade, GivesEachProgramItsVerdictTwice)
     EXPECT_GT(rows["memory"]["peak_mib"], 90);
     EXPECT_GT(rows["loop"]["seconds"], 1.9);
     EXPECT_TRUE(rows["loop"]["check"].is_null());
+    EXPECT_EQ(rows["loop"]["detail"], "it was still running after 2 s; compiling counts (--time-limit)");
+    EXPECT_TRUE(rows["no-ids"]["check"]["causes"].empty());
+    EXPECT_TRUE(rows["no-ids"]["detail"].get<std::string>().starts_with("The depths are right, and every id is -1: "))
+        << rows["no-ids"]["detail"];
     EXPECT_GT(rows["wrong"]["check"]["wrong"]["holes"], 100);
     for (const auto& [name, row] : rows)
         EXPECT_EQ(row["detail"].get<std::string>().find("zscope-run"), std::string::npos);

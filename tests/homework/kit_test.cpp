@@ -80,6 +80,12 @@ TEST_F(Kit, BuildsWithItsGapsAndSaysWhichAreEmpty)
         EXPECT_EQ(picture.substr(0, 15), "P6\n160 120\n255\n");
         EXPECT_EQ(picture.size(), 15u + 3 * 160 * 120);
     }
+    EXPECT_NE(statusOf(fmt::format("'{}' '{}' '{}' '{}' 2>'{}'", path("build/homework"), task.obj, task.camera,
+                                   path("nowhere"), path("said"))),
+              0);
+    EXPECT_NE(contentsOf(path("said")).find("nowhere/out.zdump: cannot be written: does the folder exist?"),
+              std::string::npos)
+        << contentsOf(path("said"));
 }
 
 /// As a student builds it without CMake: one line.
@@ -136,7 +142,7 @@ std::string verdictOf(const check::CheckAnswer& answer)
     return !answer.isRight() ? "wrong" : answer.rounding.total() > 0 ? "rounding" : "right";
 }
 
-/// `check` gives each variant the verdict of the table, and names its cause first. "miss" says why it does not.
+/// `check` gives each variant the verdict of the table, says what stands there, and names its cause first. "miss" says why it does not.
 TEST_F(Kit, EachVariantErrsAsTheTableSays)
 {
     const std::string table = contentsOf(kTests + "/variants.json");
@@ -157,6 +163,8 @@ TEST_F(Kit, EachVariantErrsAsTheTableSays)
         const auto answer = checkers.at(scene).check({.camera = tasks.at(scene).view, .dump = path("out/out.zdump")});
         ASSERT_TRUE(answer) << answer.error().text();
         EXPECT_EQ(verdictOf(*answer), variant["verdict"]) << answer->sentence;
+        if (variant.contains("says"))
+            EXPECT_NE(answer->sentence.find(variant["says"].get<std::string>()), std::string::npos) << answer->sentence;
         if (variant.contains("miss")) continue;
         EXPECT_EQ(answer->causes.empty(), variant["cause"].is_null()) << answer->sentence;
         if (answer->causes.empty() || variant["cause"].is_null()) continue;

@@ -2,7 +2,6 @@
 #include "ui/panels/diagnosis/cause_row.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <QPainter>
 
@@ -36,14 +35,11 @@ void CauseRow::present(const QString& title, double share, bool isOn)
     update();
 }
 
-QString CauseRow::shareText() const
-{
-    return QString::number(static_cast<int>(std::floor(m_share * 100))) + QStringLiteral("\u00A0%");
-}
+QString CauseRow::shareText() const { return QString::number(m_share * 100, 'f', 1) + QStringLiteral("\u00A0%"); }
 
 QRect CauseRow::titleIn(int width) const
 {
-    const int right = fontMetrics().horizontalAdvance(QStringLiteral("100\u00A0%")) + kPad;
+    const int right = fontMetrics().horizontalAdvance(QStringLiteral("100.0\u00A0%")) + kPad;
     const int room  = std::max(40, width - 2 * kPad - kMark - right);
     return fontMetrics()
         .boundingRect(QRect(0, 0, room, 10000), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text())

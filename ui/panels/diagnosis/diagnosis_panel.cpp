@@ -220,9 +220,9 @@ void DiagnosisPanel::showAnswer(const Snapshot& shown)
     QStringList places;
     for (const check::Cluster& cluster : answer.clusters)
         places << tr("%1 % of the wrong pixels lie %2, and %3 % of all.")
-                      .arg(static_cast<int>(cluster.share * 100))
+                      .arg(cluster.share * 100, 0, 'f', 1)
                       .arg(said(cluster.where))
-                      .arg(static_cast<int>(cluster.usual * 100));
+                      .arg(cluster.usual * 100, 0, 'f', 1);
     m_clusters->setText(places.join('\n'));
     m_clusters->setVisible(!places.isEmpty());
     emit summaryChanged(isOld ? tr("old") : counted(answer.wrong.total(), tr("1 wrong pixel"), tr("%1 wrong pixels")));
