@@ -98,6 +98,7 @@ Json jsonOf(const CheckAnswer& answer)
             {"wrong", jsonOf(answer.wrong)},
             {"rounding", jsonOf(answer.rounding)},
             {"first_wrong", jsonOf(answer.firstWrong)},
+            {"nothing_drawn", answer.plight == check::Plight::NothingDrawn},
             {"causes", std::move(causes)},
             {"sentence", answer.sentence}};
 }
@@ -152,7 +153,7 @@ std::string textOf(const CheckAnswer& answer)
                         std::string(zscope::wordOf(cover.cover))});
         text += first.covers.empty() ? "no triangle covers it\n" : covers.text();
     }
-    if (!answer.causes.empty()) {
+    if (!answer.causes.empty() && answer.plight == check::Plight::None) {
         Table causes({{"cause", Table::Align::Left}, {"explains"}, {"adds"}, {"lesson", Table::Align::Left}});
         for (const check::Cause& cause : answer.causes)
             causes.row(

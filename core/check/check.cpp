@@ -281,7 +281,9 @@ Result<CheckAnswer> Checker::check(const CheckRequest& request)
         if (!wrong) return wrong.error();
         answer.firstWrong = *std::move(wrong);
     }
-    const bool diagnosed = request.diagnoses && judgement.wrong.total() > 0 && answer.plight == Plight::None;
+    // Where nothing was drawn the causes are the mistakes that would draw nothing, too.
+    const bool diagnosed = request.diagnoses && judgement.wrong.total() > 0
+                           && (answer.plight == Plight::None || answer.plight == Plight::NothingDrawn);
     if (diagnosed) {
         const auto view = m_kept->viewOf(truth.camera, truth.culling, request.subpixelBits, request.progress);
         if (!view) return view.error();

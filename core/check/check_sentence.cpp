@@ -82,7 +82,7 @@ std::string sentenceOf(const CheckAnswer& answer, bool diagnosed)
                        : fmt::format("{} pixels are wrong ({}); the reference covers {}.", grouped(wrong, ','),
                                      kindsOf(answer.wrong), covered);
     text += roundingOf(answer);
-    if (!diagnosed) return text;
+    if (!diagnosed || answer.plight != Plight::None) return text;
     if (!answer.causes.empty()) return text + causeOf(answer.causes.front());
     text += " No known mistake fits: none explains a fifth of the wrong pixels.";
     if (!answer.clusters.empty()) {

@@ -147,7 +147,10 @@ protected:
     {
         EXPECT_FALSE(answer.isRight());
         EXPECT_EQ(answer.plight, plight) << answer.sentence;
-        EXPECT_TRUE(answer.causes.empty() && answer.clusters.empty()) << answer.sentence;
+        if (plight != check::Plight::NothingDrawn) {
+            EXPECT_TRUE(answer.causes.empty() && answer.clusters.empty()) << answer.sentence;
+        }
+        EXPECT_EQ(answer.sentence.find(" are those of "), std::string::npos) << answer.sentence;
         EXPECT_TRUE(answer.sentence.starts_with(begins)) << answer.sentence;
         EXPECT_EQ(answer.sentence.find("No known mistake"), std::string::npos) << answer.sentence;
         EXPECT_TRUE(chinesePhrases().text(answer.sentence)) << answer.sentence;

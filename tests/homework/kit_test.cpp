@@ -163,9 +163,10 @@ TEST_F(Kit, EachVariantErrsAsTheTableSays)
         const auto answer = checkers.at(scene).check({.camera = tasks.at(scene).view, .dump = path("out/out.zdump")});
         ASSERT_TRUE(answer) << answer.error().text();
         EXPECT_EQ(verdictOf(*answer), variant["verdict"]) << answer->sentence;
-        if (variant.contains("says"))
+        if (variant.contains("says")) {
             EXPECT_NE(answer->sentence.find(variant["says"].get<std::string>()), std::string::npos) << answer->sentence;
-        if (variant.contains("miss")) continue;
+        }
+        if (variant.contains("miss") || answer->plight == check::Plight::NothingDrawn) continue;
         EXPECT_EQ(answer->causes.empty(), variant["cause"].is_null()) << answer->sentence;
         if (answer->causes.empty() || variant["cause"].is_null()) continue;
         EXPECT_EQ(answer->causes.front().name, variant["cause"]) << answer->sentence;
