@@ -98,7 +98,6 @@ Json jsonOf(const CheckAnswer& answer)
             {"wrong", jsonOf(answer.wrong)},
             {"rounding", jsonOf(answer.rounding)},
             {"first_wrong", jsonOf(answer.firstWrong)},
-            {"nothing_drawn", answer.plight == check::Plight::NothingDrawn},
             {"causes", std::move(causes)},
             {"sentence", answer.sentence}};
 }

@@ -36,7 +36,9 @@ std::string firstSentence(const std::string& text)
 /// The likeliest one; empty: none was found, or there is nothing to explain.
 std::string causeOf(const GradeRow& row)
 {
-    if (row.check.is_null() || row.check["causes"].empty() || row.check.value("nothing_drawn", false)) return "";
+    if (row.check.is_null() || row.check["causes"].empty()) return "";
+    // an empty program has made no mistake of the gallery
+    if (row.check["sentence"].get<std::string>().starts_with("Nothing was drawn")) return "";
     return row.check["causes"][0]["name"].get<std::string>();
 }
 
