@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "core/probe/words.h"
 #include "core/measure/record.h"
+#include "core/probe/words.h"
 
 namespace zscope {
 namespace {
