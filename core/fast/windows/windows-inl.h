@@ -426,7 +426,6 @@ void testTiny(const TriangleList& triangles, std::size_t first, std::size_t end,
             if constexpr (Fragments::kFree) {
                 shaded += isShaded;
                 if (!won) continue;
-                const auto fragments                                            = fragmentsOf(rankOf(offered));
                 own.line(static_cast<int>(pixels[i] >> 16))[pixels[i] & 0xFFFF] = own.colourOf(rankOf(offered));
             } else if (isShaded) {
                 fragmentsOf(rankOf(offered)).shade(pixels[i]);
