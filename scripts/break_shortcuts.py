@@ -65,7 +65,6 @@ def main():
     for name in names:
         file, right, wrong = BREAKS[name]
         text = (root / FAST / file).read_text()
-        flat = re.sub(r"\s+", " ", text)
         if text.count(right) != 1:
             pattern = re.compile(r"\s+".join(re.escape(word) for word in right.split()))
             if len(pattern.findall(text)) != 1:
@@ -79,10 +78,9 @@ def main():
             target.parent.mkdir(parents=True)
             target.write_text(broken)
             kernels = f"{folder}/kernels.o"
-            command = [part for part in compile_command if part not in ("-Werror",)]
+            command = [part for part in compile_command if part != "-Werror" and not part.endswith("ccache")]
             command[command.index("-o") + 1] = kernels
-            command = [command[0], f"-iquote{overlay}", f"-I{overlay}"] + command[1:] if "ccache" not in command[0] else \
-                      [command[1], f"-iquote{overlay}", f"-I{overlay}"] + command[2:]
+            command[1:1] = [f"-iquote{overlay}", f"-I{overlay}"]
             compiled = run(command, entry["directory"])
             if compiled.returncode:
                 sys.exit(f"{name}: the broken text does not compile:\n{compiled.stderr[-2000:]}")

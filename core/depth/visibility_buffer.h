@@ -41,8 +41,8 @@ class VisibilityBuffer {
 public:
     static constexpr int kTileWidth = 64, kTileLines = 8;
 
-    /// Pixels of this picture get the colour of background when their tile is first drawn to, but not if it is kept as a
-    /// plane. For colours that are stored as pixels are won. Until the next resize().
+    /// When a tile is first drawn to, its pixels in `colours` get the colour of background; a tile that is kept as a
+    /// plane gets none. For methods that store a colour where a fragment wins. Holds until the next resize().
     void colourOpened(GridView<std::uint32_t> colours, std::uint32_t background)
     {
         m_colours          = colours;

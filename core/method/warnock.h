@@ -7,8 +7,8 @@
 //            depth. At a pixel the depth test decides, ties included
 // Patterns   a triangle with holes or a relief surrounds nothing
 // Cost       follows the edges in the picture, not its area: along them windows are divided down to pixels
-// Memory     all triangles in view, set up at once, and of each window that is open those that meet it; more than
-//            allowed is std::bad_alloc
+// Memory     holds all triangles in view, and for each open window the list of triangles that meet it. Throws
+//            std::bad_alloc beyond the limit
 // Source     Warnock: A Hidden Surface Algorithm for Computer Generated Halftone Pictures, University of Utah, 1969
 #pragma once
 

@@ -17,8 +17,8 @@ namespace zscope {
 enum class Keep {
     Nearest,    // the usual test: depth and rank of the winner
     DepthOnly,  // a depth pre-pass: the depth of the winner, no rank
-    Equal,  // after a pre-pass: the rank of whoever has exactly the depth that won, the lowest of them; by plain text
-            // only, since in lanes DepthOnly leaves keys over which Nearest finds the same
+    Equal,  // after a pre-pass, by plain text only: a fragment wins if it has the kept depth; of several, the lowest
+            // rank. (In lanes Nearest finds the same winner: see lowerHalf() in core/fast/lanes/depth_test-inl.h.)
     Over,   // a painter's: depth and rank of the one that comes last, without a test; by plain text only
 };
 

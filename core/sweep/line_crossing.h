@@ -23,7 +23,8 @@ public:
 
     LineCrossing() = default;
 
-    /// A position and what is added to it on every line, as crossingsOf() finds them (core/fast/lanes/enter_edges-inl.h).
+    /// A position and what is added to it on every line, as crossingsOf() finds them
+    /// (core/fast/lanes/enter_edges-inl.h).
     LineCrossing(std::int64_t x, std::int64_t step) : m_x(x), m_step(step) {}
 
     /// A crossing that only stands, `fraction` right of subpixel x, which may be rounded but not to or from 0.

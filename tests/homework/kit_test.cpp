@@ -142,7 +142,8 @@ std::string verdictOf(const check::CheckAnswer& answer)
     return !answer.isRight() ? "wrong" : answer.rounding.total() > 0 ? "rounding" : "right";
 }
 
-/// `check` gives each variant the verdict of the table, says what stands there, and names its cause first. "miss" says why it does not.
+/// `check` gives each variant the verdict of the table, says the sentence that stands there, and names its cause first.
+/// "miss" says why it does not.
 TEST_F(Kit, EachVariantErrsAsTheTableSays)
 {
     const std::string table = contentsOf(kTests + "/variants.json");

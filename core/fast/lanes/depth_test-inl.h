@@ -108,8 +108,9 @@ private:
     const Rules& m_rules;
 };
 
-/// The lower half of the keys of fragments: the triangle; if only depths are kept, less than that of any triangle, so
-/// that after a pre-pass the usual test is won by whoever has the depth that was left, the lowest rank of them.
+/// The lower half of the keys of a triangle's fragments: the complement of its rank. A pre-pass keeps depths only, with
+/// 0 there, which is less than any triangle's. So a fragment at the kept depth is larger and wins the usual test; of
+/// several, the lowest rank wins.
 template <Keep kKeep>
 constexpr PixelKey lowerHalf(std::uint32_t rank)
 {
@@ -127,8 +128,8 @@ inline hn::Mask<U32> narrowed(hn::Mask<I64> mask)
 #endif
 }
 
-/// The lanes whose fragment takes the pixel from who holds it. `empty` is the depth of background. `kShades`: who wins
-/// is shaded at once, and so must be nearer than background: what the last picture left is farther (StackedDepths).
+/// The lanes whose fragment wins its pixel. `empty` is the depth of background. `kShades`: the winner is shaded at once,
+/// so it must also be nearer than background. (With StackedDepths a pixel may hold something farther.)
 template <bool kShades>
 HWY_INLINE hn::Mask<I64> winners(Keys offered, Keys held, [[maybe_unused]] float empty)
 {
@@ -146,7 +147,7 @@ public:
     /// `empty` is the depth of the background of the buffer that is tested against.
     DepthTest(const DepthPlane& plane, std::uint32_t rank, float empty, const Rules& rules)
         : m_a(plane.a), m_farthest(plane.farthest), m_nearest(plane.nearest), m_lower(lowerHalf<kKeep>(rank)),
-          m_rank(rank), m_empty(empty), m_rules(rules)
+          m_empty(empty), m_rules(rules)
     {}
 
     /// a*(i + 0.5) for the pixels x, x + 1, ...
@@ -247,11 +248,10 @@ private:
         return z;
     }
 
-    double        m_a, m_farthest, m_nearest;
-    PixelKey      m_lower;  // half of all its keys
-    std::uint32_t m_rank;
-    float         m_empty;
-    const Rules&  m_rules;
+    double       m_a, m_farthest, m_nearest;
+    PixelKey     m_lower;  // half of all its keys
+    float        m_empty;
+    const Rules& m_rules;
 };
 
 /// The constant part of a line's depth: b*(j + 0.5) + c.

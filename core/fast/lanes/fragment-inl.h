@@ -133,8 +133,8 @@ struct QueuedFragmentsOf {
     QueuedFragments<kWhen> operator()(std::uint32_t rank) const { return {shading, rank}; }
 };
 
-/// Fragments that cost nothing: who wins a pixel stores its triangle's colour there, at once. Held by value where many
-/// are stored, so that no store lets the compiler look up again where colours lie.
+/// Where the colours of fragments go that cost nothing. Loops hold a copy of their own: the compiler then keeps the
+/// addresses in registers, although the loop stores to memory.
 struct ColourTarget {
     explicit ColourTarget(const Shading& of)
         : shading(&of), first(of.painter.colour.data), stride(static_cast<std::ptrdiff_t>(of.painter.colour.stride)),
@@ -153,6 +153,7 @@ struct ColourTarget {
     void          count(std::uint64_t fragments) const { shading->tally.add(Unit::Fragments, fragments); }
 };
 
+/// The fragments of one triangle if they cost nothing: a fragment that wins its pixel stores the triangle's colour there.
 template <ShadingMoment kWhen>
 class FreeFragments {
 public:
@@ -165,8 +166,8 @@ public:
     std::uint32_t* line(int y) const { return m_target.line(y); }
     std::uint32_t  colour() const { return m_colour; }
 
-    /// Of the pixels x, x + 1, ... of line y, the first of which exists, those in `wanted` are shaded, and those that
-    /// have `won`, some of them, get their colours. What lies right of the picture has none.
+    /// The lanes are the pixels x, x + 1, ... of line y; the first lies in the picture. Those in `wanted` are shaded.
+    /// Those in `won` store their colours; they are some of `wanted`. Lanes right of the picture store nothing.
     template <class U32>
     HWY_INLINE void shade(U32 u32, hn::Mask<U32> wanted, hn::Mask<U32> won, int x, int y) const
     {
@@ -193,8 +194,9 @@ struct FreeFragmentsOf : ColourTarget {
     FreeFragments<kWhen> operator()(std::uint32_t rank) const { return {*this, rank}; }
 };
 
-/// As QueuedFragments, of a triangle that fills most lanes by itself: its fragments are shaded where they are tested, unless that
-/// is dear. A colour that is stored here is never overwritten by one that waits, whose triangle has lost the pixel.
+/// As QueuedFragments, of a triangle that fills most lanes by itself: its fragments are shaded where they are tested,
+/// unless each costs Shading::kWorthWaiting operations or more. No fragment from the queue overwrites a colour that is
+/// stored here, because its triangle has lost the pixel.
 template <ShadingMoment kWhen>
 class ShadedFragments {
 public:
@@ -206,8 +208,8 @@ public:
         : m_shading(of.shading()), m_rank(of.rank()), m_base(m_shading.painter.baseColour(m_rank))
     {}
 
-    /// Of the pixels x, x + 1, ... of line y, the first of which exists, those in `wanted` are shaded, and those that
-    /// have `won`, some of them, get their colours. What lies right of the picture has none.
+    /// The lanes are the pixels x, x + 1, ... of line y; the first lies in the picture. Those in `wanted` are shaded.
+    /// Those in `won` store their colours; they are some of `wanted`. Lanes right of the picture store nothing.
     template <class U32>
     void shade(U32 u32, hn::Mask<U32> wanted, hn::Mask<U32> won, int x, int y) const
     {

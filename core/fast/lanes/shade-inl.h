@@ -123,8 +123,8 @@ inline void shadeSpan(const Painter& painter, const VisibilityBuffer& visible, i
     shadeRow(hn::CappedTag<std::uint32_t, 1>(), keys, background, rest, x1, y, painter.operations, colour);
 }
 
-/// Of lines [first, end), which are whole lines of tiles or end with the picture, the tiles that nothing was drawn to get
-/// the colour of background, if they had others before.
+/// Gives the colour of background to the tiles that nothing was drawn to, if they had other colours before. Lines
+/// [first, end) are whole lines of tiles, or end with the picture.
 inline void colourUnopened(const Painter& painter, const VisibilityBuffer& visible, int first, int end)
 {
     constexpr int kWidth = VisibilityBuffer::kTileWidth, kLines = VisibilityBuffer::kTileLines;

@@ -1,8 +1,8 @@
 // Whether questions of one kind are worth asking, by how those before them were answered.
 //
-// Nodes      whose triangles are small: a question takes as long as a look at all pixels under the triangles, which
-//            comes later anyway (core/fast/hidden_squares/hidden_squares.h), and pays where nodes are often hidden: all of a node is
-//            spared then, not one triangle after another
+// Nodes      with small triangles: a question takes as long as the look at all pixels under the triangles, which comes
+//            later anyway (core/fast/hidden_squares/hidden_squares.h). It pays where nodes are often hidden: then it
+//            spares a whole node, not one triangle
 // Patches    of large triangles: a question takes as long as the set-up of some, and pays where patches are often
 //            hidden
 // Sampled    one in kSampled of those that are left out is asked all the same, so that the answers come to know what

@@ -187,14 +187,14 @@ HWY_INLINE void storeColours(hn::Mask<U32> won, const Fragments& fragments, int 
 #endif
 }
 
-/// As offerKeys(), of fragments that are shaded. `first`: their first pixel, x + 65536 y; `exist`: those that lie in
-/// the picture. How many have been shaded: those that wait are counted later.
+/// As offerKeys(), for fragments that are shaded. `first`: the first pixel, x + 65536 y. `allExist`: all lanes lie in the
+/// picture. Returns how many fragments were shaded here; the queue counts its own.
 template <bool kMayBeNegative, class Fragments>
 HWY_INLINE std::size_t offerShaded(Keys offered, const WindowTarget& to, PixelKey* row, std::uint32_t first,
                                    bool allExist, const Fragments& fragments)
 {
     const U32 u32;
-    // at least background, so that who wins is nearer than that, too
+    // at least background, so that a winner is nearer than background, too
     const auto held = hn::Max(loadKeys(row, to.stride), hn::Set(I64(), keyOf(to.empty, 0)));
     const auto won  = offered > held;
     storeKeys(hn::Max(offered, held), row, to.stride);
